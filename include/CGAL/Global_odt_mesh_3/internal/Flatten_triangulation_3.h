@@ -1,0 +1,170 @@
+// Copyright (c) 2026 The Global_odt_mesh_3 authors.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_GLOBAL_ODT_MESH_3_INTERNAL_FLATTEN_TRIANGULATION_3_H
+#define CGAL_GLOBAL_ODT_MESH_3_INTERNAL_FLATTEN_TRIANGULATION_3_H
+
+#include <CGAL/Global_odt_mesh_3/internal/Moving_triangulation_3.h>
+
+#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+#include <CGAL/Time_stamper.h>
+#include <CGAL/Spatial_sort_traits_adapter_3.h>
+#include <CGAL/hilbert_sort.h>
+#include <CGAL/number_utils.h>
+#include <CGAL/property_map.h>
+
+#include <cstddef>
+#include <numeric>
+#include <unordered_map>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Global_odt_mesh_3 {
+namespace internal {
+
+// A facet that must stay, as it was found in the triangulation.
+template <class Triangulation>
+struct Wall
+{
+  typename Triangulation::Facet facet;
+  std::array<int, 3> vertices;      // counterclockwise seen from facet.first
+};
+
+// Which vertex of the triangulation is which site, and the walls.
+template <class Triangulation>
+struct Flattening
+{
+  std::vector<typename Triangulation::Vertex_handle> vertices;
+  std::vector<Wall<Triangulation> > walls;
+};
+
+// Loads the cells of `tr` for which `is_inside` holds into flat arrays. Facets
+// for which `is_wall` holds, and those between inside and outside, become walls.
+// A vertex moves if `may_move` holds, it carries no weight, all its cells are
+// inside and none of its facets is a wall. Vertices are numbered along Hilbert
+// curves, movable ones first.
+template <class Triangulation, class Is_inside, class Is_wall, class May_move, class Make_ball>
+Flattening<Triangulation>
+flatten_triangulation_3(const Triangulation& tr,
+                        const Is_inside& is_inside,
+                        const Is_wall& is_wall,
+                        const May_move& may_move,
+                        const Make_ball& make_ball,
+                        Moving_triangulation_3& mesh)
+{
+  typedef typename Triangulation::Vertex_handle Vertex_handle;
+  typedef typename Triangulation::Cell_handle Cell_handle;
+  typedef typename Triangulation::Facet Facet;
+  typedef CGAL::Hash_handles_with_or_without_timestamps Hash;
+  typedef CGAL::Exact_predicates_inexact_constructions_kernel Kernel;
+
+  Flattening<Triangulation> flat;
+  mesh = Moving_triangulation_3();
+
+  std::vector<Vertex_handle> handles;
+  std::vector<Site> sites;
+  std::unordered_map<Vertex_handle, int, Hash> number;
+  number.reserve(tr.number_of_vertices());
+  std::vector<char> moves;
+  for(auto v = tr.finite_vertices_begin(); v != tr.finite_vertices_end(); ++v)
+  {
+    const auto& p = tr.point(v);
+    number.emplace(v, static_cast<int>(handles.size()));
+    handles.push_back(v);
+    sites.push_back({ CGAL::to_double(p.x()), CGAL::to_double(p.y()), CGAL::to_double(p.z()),
+                      CGAL::to_double(p.weight()) });
+    moves.push_back(sites.back().weight == 0 && may_move(v));
+  }
+
+  std::vector<Cell_handle> cells;
+  std::unordered_map<Cell_handle, int, Hash> cell_number;
+  std::vector<char> has_cell(handles.size(), false);
+  for(auto c = tr.all_cells_begin(); c != tr.all_cells_end(); ++c)
+  {
+    const bool inside = !tr.is_infinite(c) && is_inside(c);
+    if(inside)
+    {
+      cell_number.emplace(c, static_cast<int>(cells.size()));
+      cells.push_back(c);
+    }
+    for(int i = 0; i < 4; ++i)
+    {
+      if(tr.is_infinite(c->vertex(i)))
+        continue;
+      char& flag = (inside ? has_cell : moves)[number[c->vertex(i)]];
+      flag = inside;
+    }
+  }
+  const auto separates = [&](Cell_handle c, int i)
+  {
+    return cell_number.count(c->neighbor(i)) == 0 || is_wall(Facet(c, i));
+  };
+  for(Cell_handle c : cells)
+    for(int i = 0; i < 4; ++i)
+      if(separates(c, i))
+        for(int j : Flat_triangulation_3::facet_vertices(i))
+          moves[number[c->vertex(j)]] = false;
+
+  // Movable vertices first, both groups along a Hilbert curve.
+  std::vector<Kernel::Point_3> points;
+  points.reserve(sites.size());
+  for(const Site& s : sites)
+    points.emplace_back(s.x, s.y, s.z);
+  std::vector<std::size_t> order(handles.size());
+  std::iota(order.begin(), order.end(), std::size_t(0));
+  typedef CGAL::Pointer_property_map<Kernel::Point_3>::type Point_map;
+  CGAL::hilbert_sort(order.begin(), order.end(),
+                     CGAL::Spatial_sort_traits_adapter_3<Kernel, Point_map>(CGAL::make_property_map(points)));
+  const auto first_fixed = std::stable_partition(order.begin(), order.end(), [&](std::size_t n)
+                                                 { return moves[n] && has_cell[n]; });
+  mesh.number_of_movable_vertices = static_cast<int>(first_fixed - order.begin());
+  std::vector<int> place(handles.size());
+  for(std::size_t n = 0; n < order.size(); ++n)
+  {
+    place[order[n]] = static_cast<int>(n);
+    flat.vertices.push_back(handles[order[n]]);
+    mesh.sites.push_back(sites[order[n]]);
+  }
+
+  // Cells, neighbors and walls. CGAL orders the vertices of a cell as we do.
+  mesh.topology.reserve(handles.size(), cells.size());
+  for(Cell_handle c : cells)
+    mesh.topology.add_cell(place[number[c->vertex(0)]], place[number[c->vertex(1)]],
+                           place[number[c->vertex(2)]], place[number[c->vertex(3)]]);
+  for(std::size_t n = 0; n < cells.size(); ++n)
+    for(int i = 0; i < 4; ++i)
+    {
+      const Cell_handle c = cells[n], d = c->neighbor(i);
+      const int slot = static_cast<int>(4 * n) + i;
+      const auto other = cell_number.find(d);
+      const int mirror = other == cell_number.end() ? -1 : 4 * other->second + d->index(c);
+      if(!separates(c, i))
+      {
+        if(slot < mirror)
+          mesh.topology.set_neighbors(slot, mirror);
+        continue;
+      }
+      if(mirror >= 0 && mirror < slot)
+        continue;
+      const int wall = static_cast<int>(flat.walls.size());
+      const auto& f = Flat_triangulation_3::facet_vertices(i);
+      flat.walls.push_back({ Facet(c, i), {{ mesh.topology.vertex(slot - i + f[0]),
+                                             mesh.topology.vertex(slot - i + f[1]),
+                                             mesh.topology.vertex(slot - i + f[2]) }} });
+      mesh.wall_balls.push_back(make_ball(Facet(c, i)));
+      mesh.topology.set_neighbors(slot, ~wall);
+      if(mirror >= 0)
+        mesh.topology.set_neighbors(mirror, ~wall);
+    }
+  mesh.topology.compact();
+  return flat;
+}
+
+} // namespace internal
+} // namespace Global_odt_mesh_3
+} // namespace CGAL
+
+#endif // CGAL_GLOBAL_ODT_MESH_3_INTERNAL_FLATTEN_TRIANGULATION_3_H

@@ -1,0 +1,600 @@
+// Copyright (c) 2026 The Global_odt_mesh_3 authors.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_GLOBAL_ODT_MESH_3_INTERNAL_MOVING_TRIANGULATION_3_H
+#define CGAL_GLOBAL_ODT_MESH_3_INTERNAL_MOVING_TRIANGULATION_3_H
+
+#include <CGAL/Global_odt_mesh_3/internal/Flat_triangulation_3.h>
+#include <CGAL/Global_odt_mesh_3/internal/Odt_energy_3.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+#include <vector>
+
+namespace CGAL {
+namespace Global_odt_mesh_3 {
+namespace internal {
+
+// The ball around the surface center of a wall through the wall's vertices. As
+// long as no other vertex enters it, the wall is a facet of the regular
+// triangulation and its dual edge crosses the surface where it did.
+struct Wall_ball
+{
+  double x, y, z;
+  double squared_radius;
+
+  double power(const Site& s) const
+  {
+    const double dx = s.x - x, dy = s.y - y, dz = s.z - z;
+    return dx * dx + dy * dy + dz * dz - s.weight - squared_radius;
+  }
+};
+
+// A constrained regular triangulation whose vertices move.
+//
+// evaluate() takes new positions, computes energy, gradient, orientation of the
+// cells and regularity of the facets in one pass over the cells, and mends by
+// flips what the motion broke. Walls are never flipped. When a motion cannot be
+// mended, restore() brings back the state of the last keep().
+//
+// The vertices [0, number_of_movable_vertices) move; these have no wall in
+// their star.
+class Moving_triangulation_3
+{
+public:
+  Flat_triangulation_3 topology;
+  std::vector<Site> sites;
+  std::vector<double> density;          // one value a vertex, or empty: uniform
+  std::vector<Wall_ball> wall_balls;
+  int number_of_movable_vertices = 0;
+
+  struct Statistics
+  {
+    std::size_t evaluations = 0, flips = 0, untangled_cells = 0, restorations = 0, holds = 0, retreats = 0;
+  };
+
+  double energy() const { return energy_; }
+  const std::vector<Site_gradient>& gradient() const { return gradient_; }
+  const Statistics& statistics() const { return statistics_; }
+
+  // Remembers positions and topology for restore().
+  void keep()
+  {
+    kept_sites_ = sites;
+    topology_is_kept_ = false;
+  }
+
+  void restore()
+  {
+    sites = kept_sites_;
+    if(topology_is_kept_)
+      topology = kept_topology_;
+    topology_is_kept_ = false;
+    ++statistics_.restorations;
+  }
+
+  // Energy and gradient at the current positions after mending the topology;
+  // false if some cells stay inverted, whereupon the caller has to restore().
+  // Some vertices may be moved in the course.
+  bool evaluate()
+  {
+    ++statistics_.evaluations;
+    pass();
+    if(!inverted_.empty() && !untangle() && !hold_back())
+      return false;
+    make_regular();
+    retreat_from_wall_balls();
+    return true;
+  }
+
+  // Whether all cells are positive and, up to rounding, locally regular, and no
+  // vertex is inside a wall's ball; nothing is changed but energy and gradient.
+  bool is_regular()
+  {
+    pass();
+    return inverted_.empty() && irregular_.empty() && intruders_.empty();
+  }
+
+  // The vertices that entered the ball of a wall of one of their cells.
+  const std::vector<int>& intruders() const { return intruders_; }
+
+  // Moves a vertex if all its cells stay positive, and makes its surroundings
+  // regular. Energy and gradient follow.
+  bool try_move(int v, const Site& s)
+  {
+    topology.star(v, star_);
+    const bool moved = relocate(v, s);
+    make_regular();
+    return moved;
+  }
+
+  // The shortest edge of each movable vertex.
+  void shortest_edges(std::vector<double>& length) const
+  {
+    length.assign(number_of_movable_vertices, (std::numeric_limits<double>::max)());
+    for(int c = 0; c < topology.number_of_cell_slots(); ++c)
+    {
+      if(!topology.is_alive(c))
+        continue;
+      for(int i = 0; i < 3; ++i)
+        for(int j = i + 1; j < 4; ++j)
+        {
+          const int u = topology.vertex(4 * c + i), v = topology.vertex(4 * c + j);
+          const double l = squared_distance(sites[u], sites[v]);
+          if(u < number_of_movable_vertices && l < length[u]) length[u] = l;
+          if(v < number_of_movable_vertices && l < length[v]) length[v] = l;
+        }
+    }
+    for(double& l : length)
+      l = std::sqrt(l);
+  }
+
+  static double squared_distance(const Site& a, const Site& b)
+  {
+    const double x = a.x - b.x, y = a.y - b.y, z = a.z - b.z;
+    return x * x + y * y + z * z;
+  }
+
+private:
+  Cell_products products(int cell) const
+  {
+    return products(topology.vertex(4 * cell), topology.vertex(4 * cell + 1),
+                    topology.vertex(4 * cell + 2), topology.vertex(4 * cell + 3));
+  }
+
+  Cell_products products(int a, int b, int c, int d) const
+  {
+    return Cell_products(sites[a], sites[b], sites[c], sites[d]);
+  }
+
+  double determinant(int a, int b, int c, int d) const { return products(a, b, c, d).determinant; }
+
+  template <bool graded>
+  static Cell_energy cell_energy(const Cell_products& t, const int* v,
+                                 const Site* s, const double* rho)
+  {
+    if constexpr (graded)
+      return graded_odt_energy(t, s[v[0]], s[v[1]], s[v[2]], s[v[3]],
+                               {{ rho[v[0]], rho[v[1]], rho[v[2]], rho[v[3]] }});
+    else
+      return uniform_odt_energy(t, s[v[0]], s[v[1]], s[v[2]], s[v[3]]);
+  }
+
+  // Flips must gain more than rounding can feign, or they would cycle: the
+  // power is compared with a length to the fifth around the tested vertex.
+  static bool is_irregular(double power, double squared_length)
+  {
+    return power < 0 && power < -1e-11 * squared_length * squared_length * std::sqrt(squared_length);
+  }
+
+  void pass()
+  {
+    gradient_.assign(sites.size(), Site_gradient{ 0, 0, 0, 0 });
+    inverted_.clear();
+    irregular_.clear();
+    intruders_.clear();
+    energy_ = density.empty() ? fused_pass<false>() : fused_pass<true>();
+  }
+
+  // Energy, gradient, orientation and regularity of everything at once; each
+  // facet is tested from its first slot.
+  template <bool graded>
+  double fused_pass()
+  {
+    const int* const vertices = topology.cell_vertices();
+    const int* const neighbors = topology.neighbors();
+    const Site* const s = sites.data();
+    const double* const rho = density.data();
+    Site_gradient* const g = gradient_.data();
+    double energy = 0;
+    for(int slot = 0, end = topology.number_of_slots(); slot < end; slot += 4)
+    {
+      const int* const v = vertices + slot;
+      if(v[0] == Flat_triangulation_3::no_vertex)
+        continue;
+      const Site& origin = s[v[0]];
+      const Cell_products t(origin, s[v[1]], s[v[2]], s[v[3]]);
+      const Cell_energy e = cell_energy<graded>(t, v, s, rho);
+      energy += e.energy;
+      for(int i = 0; i < 4; ++i)
+        g[v[i]] += e.gradient[i];
+      if(!(t.determinant > 0))
+      {
+        inverted_.push_back(slot / 4);
+        continue;
+      }
+      for(int i = 0; i < 4; ++i)
+      {
+        const int across = neighbors[slot + i];
+        if(across > slot + i)
+        {
+          const Site& q = s[vertices[across]];
+          const double power = t.power(origin, q);
+          if(power < 0 && is_irregular(power, squared_distance(origin, q)))
+            irregular_.push_back(slot + i);
+        }
+        else if(Flat_triangulation_3::is_wall(across) && is_intruder(v[i], across))
+          intruders_.push_back(v[i]);
+      }
+    }
+    return energy;
+  }
+
+  bool is_intruder(int v, int across) const
+  {
+    return v < number_of_movable_vertices
+           && wall_balls[Flat_triangulation_3::wall(across)].power(sites[v]) < 0;
+  }
+
+  // Adds (or, with sign -1, removes) what a cell contributes.
+  void add_cell(int cell, int sign)
+  {
+    const int* const v = topology.cell_vertices() + 4 * cell;
+    const Cell_products t = products(cell);
+    const Cell_energy e = density.empty() ? cell_energy<false>(t, v, sites.data(), density.data())
+                                          : cell_energy<true>(t, v, sites.data(), density.data());
+    energy_ += sign * e.energy;
+    for(int i = 0; i < 4; ++i)
+    {
+      const Site_gradient& c = e.gradient[i];
+      gradient_[v[i]] += { sign * c.x, sign * c.y, sign * c.z, sign * c.diagonal };
+    }
+  }
+
+  void keep_topology()
+  {
+    if(topology_is_kept_)
+      return;
+    kept_topology_ = topology;
+    topology_is_kept_ = true;
+  }
+
+  void push_facets(int cell)
+  {
+    for(int i = 0; i < 4; ++i)
+      if(!Flat_triangulation_3::is_wall(topology.neighbor(4 * cell + i)))
+        irregular_.push_back(4 * cell + i);
+  }
+
+  std::array<int, 3> flip_2_3(int slot)
+  {
+    keep_topology();
+    ++statistics_.flips;
+    add_cell(slot / 4, -1);
+    add_cell(topology.neighbor(slot) / 4, -1);
+    const std::array<int, 3> cells = topology.flip_2_3(slot);
+    for(int c : cells)
+      add_cell(c, 1);
+    return cells;
+  }
+
+  std::array<int, 2> flip_3_2(const std::array<int, 3>& ring)
+  {
+    keep_topology();
+    ++statistics_.flips;
+    for(int s : ring)
+      add_cell(s / 4, -1);
+    const std::array<int, 2> cells = topology.flip_3_2(ring);
+    for(int c : cells)
+      add_cell(c, 1);
+    return cells;
+  }
+
+  // Six times the volumes of the cells that flip_2_3(slot) would make.
+  std::array<double, 3> volumes_after_2_3(int slot) const
+  {
+    const int a = topology.vertex(slot), b = topology.vertex(topology.neighbor(slot));
+    const int c = slot - slot % 4;
+    const std::array<int, 3>& f = Flat_triangulation_3::facet_vertices(slot % 4);
+    std::array<double, 3> volume;
+    for(int k = 0; k < 3; ++k)
+      volume[k] = determinant(a, b, topology.vertex(c + f[(k + 1) % 3]),
+                              topology.vertex(c + f[(k + 2) % 3]));
+    return volume;
+  }
+
+  // Lawson's algorithm, from the facets in irregular_. The power of facets that
+  // no flip can remove now may be cured by later flips nearby.
+  void make_regular()
+  {
+    // Each flip lowers the lifted surface; the bound only guards against
+    // rounding.
+    std::size_t budget = 1000 + 40 * irregular_.size();
+    while(!irregular_.empty() && budget-- > 0)
+    {
+      const int slot = irregular_.back();
+      irregular_.pop_back();
+      const int c = slot / 4;
+      if(!topology.is_alive(c))
+        continue;
+      const int across = topology.neighbor(slot);
+      if(Flat_triangulation_3::is_wall(across))
+        continue;
+      const Site& origin = sites[topology.vertex(4 * c)];
+      const Site& q = sites[topology.vertex(across)];
+      const Cell_products t = products(c);
+      if(!is_irregular(t.power(origin, q), squared_distance(origin, q)))
+        continue;
+      mend_facet(slot, t.determinant + products(across / 4).determinant);
+    }
+    irregular_.clear();
+  }
+
+  void mend_facet(int slot, double volume)
+  {
+    const std::array<double, 3> after = volumes_after_2_3(slot);
+    const double flat = 1e-12 * volume;
+    const int k = static_cast<int>(std::min_element(after.begin(), after.end()) - after.begin());
+    if(after[k] > flat)
+    {
+      for(int c : flip_2_3(slot))
+        push_facets(c);
+      return;
+    }
+    // The edge across from the k-th vertex of the facet is reflex.
+    if(after[(k + 1) % 3] <= flat || after[(k + 2) % 3] <= flat)
+      return;
+    const std::array<int, 3>& f = Flat_triangulation_3::facet_vertices(slot % 4);
+    std::array<int, 3> ring;
+    if(topology.has_degree_3(slot / 4, f[(k + 1) % 3], f[(k + 2) % 3], ring))
+      for(int c : flip_3_2(ring))
+        push_facets(c);
+  }
+
+  // Gives all cells positive volume, first by flips that lower the sum of the
+  // negative volumes, then by moving a vertex into the kernel of its star. The
+  // cells for which this fails are left in stuck_.
+  bool untangle()
+  {
+    keep_topology();
+    statistics_.untangled_cells += inverted_.size();
+    std::size_t budget = 100 + 20 * inverted_.size();
+    stuck_.clear();
+    while(!inverted_.empty() && budget-- > 0)
+    {
+      const int c = inverted_.back();
+      inverted_.pop_back();
+      if(is_inverted(c) && !best_untangling_flip(c))
+        stuck_.push_back(c);
+    }
+    stuck_.insert(stuck_.end(), inverted_.begin(), inverted_.end());
+    inverted_.clear();
+    stuck_.erase(std::remove_if(stuck_.begin(), stuck_.end(), [this](int c)
+                                { return !is_inverted(c) || move_into_kernel(c); }),
+                 stuck_.end());
+    stuck_.erase(std::remove_if(stuck_.begin(), stuck_.end(), [this](int c)
+                                { return !is_inverted(c); }),
+                 stuck_.end());
+    return stuck_.empty();
+  }
+
+  bool is_inverted(int c) const
+  {
+    return topology.is_alive(c) && !(products(c).determinant > 0);
+  }
+
+  // After untangle() failed: starts again from the kept state, with shorter
+  // steps for the vertices of the cells that got stuck and, once these do not
+  // move at all, of the vertices around.
+  bool hold_back()
+  {
+    trial_sites_ = sites;
+    std::vector<unsigned char> level(sites.size(), 0);
+    const int standstill = 4;
+    for(int round = 0; round < 12; ++round)
+    {
+      std::vector<int> held;
+      for(int c : stuck_)
+      {
+        const int* const v = topology.cell_vertices() + 4 * c;
+        held.insert(held.end(), v, v + 4);
+      }
+      topology = kept_topology_;
+      for(int ring = 0; ring < round / standstill; ++ring)
+        add_neighbors(held);
+      std::sort(held.begin(), held.end());
+      held.erase(std::unique(held.begin(), held.end()), held.end());
+      for(int v : held)
+        if(level[v] < standstill)
+          ++level[v];
+      for(int v = 0; v < number_of_movable_vertices; ++v)
+      {
+        const double t = level[v] == standstill ? 0 : std::ldexp(1., -level[v]);
+        const Site& from = kept_sites_[v];
+        const Site& to = trial_sites_[v];
+        if(t == 1)
+          sites[v] = to;
+        else
+          sites[v] = { from.x + t * (to.x - from.x), from.y + t * (to.y - from.y),
+                       from.z + t * (to.z - from.z), to.weight };
+      }
+      ++statistics_.holds;
+      pass();
+      if(inverted_.empty() || untangle())
+        return true;
+    }
+    return false;
+  }
+
+  // Appends the neighbors of the movable vertices in `vertices`.
+  void add_neighbors(std::vector<int>& vertices)
+  {
+    for(std::size_t n = 0, end = vertices.size(); n < end; ++n)
+    {
+      if(vertices[n] >= number_of_movable_vertices)
+        continue;
+      topology.star(vertices[n], star_);
+      for(int slot : star_)
+        for(int i = 0; i < 4; ++i)
+          vertices.push_back(topology.vertex(4 * (slot / 4) + i));
+    }
+  }
+
+  bool best_untangling_flip(int c)
+  {
+    const auto negative = [](double volume) { return (std::max)(0., -volume); };
+    double best_gain = 0;
+    int best_slot = -1;
+    std::array<int, 3> best_ring;
+    for(int i = 0; i < 4; ++i)
+    {
+      const int slot = 4 * c + i, across = topology.neighbor(slot);
+      if(Flat_triangulation_3::is_wall(across)
+         || topology.vertex(across) == topology.vertex(slot))
+        continue;
+      const std::array<double, 3> after = volumes_after_2_3(slot);
+      const double gain = negative(products(c).determinant)
+                        + negative(products(across / 4).determinant)
+                        - negative(after[0]) - negative(after[1]) - negative(after[2]);
+      if(gain > best_gain)
+      {
+        best_gain = gain;
+        best_slot = slot;
+      }
+    }
+    for(int i = 0; i < 3; ++i)
+      for(int j = i + 1; j < 4; ++j)
+      {
+        std::array<int, 3> ring;
+        if(!topology.has_degree_3(c, i, j, ring))
+          continue;
+        const double gain = gain_of_3_2(ring);
+        if(gain > best_gain)
+        {
+          best_gain = gain;
+          best_slot = -2;
+          best_ring = ring;
+        }
+      }
+    if(best_slot == -1)
+      return false;
+    if(best_slot >= 0)
+      collect_flipped(flip_2_3(best_slot));
+    else
+      collect_flipped(flip_3_2(best_ring));
+    return true;
+  }
+
+  double gain_of_3_2(const std::array<int, 3>& ring) const
+  {
+    const auto negative = [](double volume) { return (std::max)(0., -volume); };
+    double gain = 0;
+    for(int s : ring)
+      gain += negative(products(s / 4).determinant);
+    const int p0 = topology.vertex(ring[0]), p1 = topology.vertex(ring[1]), p2 = topology.vertex(ring[2]);
+    // The edge's ends a, b with (a, b, p0, p1) positive in the first cell.
+    const int first = 4 * (ring[0] / 4);
+    const std::array<int, 3>& f = Flat_triangulation_3::facet_vertices(ring[0] % 4);
+    int m = 0;
+    while(topology.vertex(first + f[m]) != p1)
+      ++m;
+    const int a = topology.vertex(first + f[(m + 1) % 3]), b = topology.vertex(first + f[(m + 2) % 3]);
+    if(p0 == p2 || p1 == p2)
+      return -1;
+    return gain - negative(determinant(a, p0, p1, p2)) - negative(determinant(b, p0, p2, p1));
+  }
+
+  template <class Cells>
+  void collect_flipped(const Cells& cells)
+  {
+    for(int c : cells)
+    {
+      if(!(products(c).determinant > 0))
+        inverted_.push_back(c);
+      push_facets(c);
+    }
+  }
+
+  bool move_into_kernel(int c)
+  {
+    for(int i = 0; i < 4; ++i)
+    {
+      const int v = topology.vertex(4 * c + i);
+      if(v >= number_of_movable_vertices)
+        continue;
+      topology.star(v, star_);
+      Site centroid = { 0, 0, 0, sites[v].weight };
+      for(int slot : star_)
+        for(int j = 0; j < 4; ++j)
+          if(j != slot % 4)
+          {
+            const Site& s = sites[topology.vertex(4 * (slot / 4) + j)];
+            centroid.x += s.x; centroid.y += s.y; centroid.z += s.z;
+          }
+      const double n = 3. * static_cast<double>(star_.size());
+      centroid.x /= n; centroid.y /= n; centroid.z /= n;
+      if(relocate(v, centroid))
+        return true;
+    }
+    return false;
+  }
+
+  // Moves `v`, whose star is in star_, if all its cells become positive.
+  bool relocate(int v, const Site& s)
+  {
+    const Site old = sites[v];
+    for(int slot : star_)
+      add_cell(slot / 4, -1);
+    sites[v] = s;
+    const bool positive = std::all_of(star_.begin(), star_.end(), [this](int slot)
+                                      { return products(slot / 4).determinant > 0; });
+    if(!positive)
+      sites[v] = old;
+    for(int slot : star_)
+    {
+      add_cell(slot / 4, 1);
+      if(positive)
+        push_facets(slot / 4);
+    }
+    return positive;
+  }
+
+  // A vertex inside a wall's ball goes back toward where it was.
+  void retreat_from_wall_balls()
+  {
+    // Flips change which vertices face walls: look again around the flips only
+    // at the next evaluation.
+    for(int v : intruders_)
+    {
+      const Site& from = kept_sites_[v];
+      const Site to = sites[v];
+      for(double t : { 0.5, 0.25, 0. })
+      {
+        const Site s = { from.x + t * (to.x - from.x), from.y + t * (to.y - from.y),
+                         from.z + t * (to.z - from.z), to.weight };
+        topology.star(v, star_);
+        const bool outside = std::all_of(star_.begin(), star_.end(), [&](int slot)
+        {
+          const int across = topology.neighbor(slot);
+          return !Flat_triangulation_3::is_wall(across)
+                 || wall_balls[Flat_triangulation_3::wall(across)].power(s) >= 0;
+        });
+        if(outside && relocate(v, s))
+        {
+          ++statistics_.retreats;
+          break;
+        }
+      }
+    }
+    make_regular();
+  }
+
+  std::vector<Site_gradient> gradient_;
+  double energy_ = 0;
+  std::vector<int> inverted_, irregular_, intruders_, stuck_, star_;
+  std::vector<Site> kept_sites_, trial_sites_;
+  Flat_triangulation_3 kept_topology_;
+  bool topology_is_kept_ = false;
+  Statistics statistics_;
+};
+
+} // namespace internal
+} // namespace Global_odt_mesh_3
+} // namespace CGAL
+
+#endif // CGAL_GLOBAL_ODT_MESH_3_INTERNAL_MOVING_TRIANGULATION_3_H

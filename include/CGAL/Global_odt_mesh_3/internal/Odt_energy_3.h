@@ -1,0 +1,152 @@
+// Copyright (c) 2026 The Global_odt_mesh_3 authors.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_GLOBAL_ODT_MESH_3_INTERNAL_ODT_ENERGY_3_H
+#define CGAL_GLOBAL_ODT_MESH_3_INTERNAL_ODT_ENERGY_3_H
+
+#include <array>
+
+namespace CGAL {
+namespace Global_odt_mesh_3 {
+namespace internal {
+
+// A vertex as the energy sees it: a point lifted to height |p|^2 - weight.
+// The weight is zero except for the protecting balls of features.
+struct Site
+{
+  double x, y, z;
+  double weight;
+};
+
+// What the cells around a vertex add up to: the gradient of the energy and the
+// diagonal D of equation (4.6), for which x - g/D is the AVV update (2.3).
+struct Site_gradient
+{
+  double x, y, z;
+  double diagonal;
+
+  Site_gradient& operator+=(const Site_gradient& o)
+  {
+    x += o.x; y += o.y; z += o.z; diagonal += o.diagonal;
+    return *this;
+  }
+};
+
+// The products of the edges of one cell from its first vertex, from which
+// energy, gradient, orientation and regularity all follow.
+//
+// With a, b, c the edges to the other vertices and h_a = |a|^2 - w_a + w_0 (and
+// so on) their lifted heights, the weighted circumcenter is
+//   x_0 + N / (2 det),  N = h_a (b x c) + h_b (c x a) + h_c (a x b).
+// N and det are polynomials, so that flat cells need no care, and differences
+// only are squared, so that the distance to the origin does not matter.
+struct Cell_products
+{
+  double ax, ay, az, bx, by, bz, cx, cy, cz;
+  double aa, bb, cc;            // squared lengths
+  double determinant;           // six times the volume
+  double nx, ny, nz;
+
+  Cell_products(const Site& s0, const Site& s1, const Site& s2, const Site& s3)
+    : ax(s1.x - s0.x), ay(s1.y - s0.y), az(s1.z - s0.z)
+    , bx(s2.x - s0.x), by(s2.y - s0.y), bz(s2.z - s0.z)
+    , cx(s3.x - s0.x), cy(s3.y - s0.y), cz(s3.z - s0.z)
+    , aa(ax * ax + ay * ay + az * az)
+    , bb(bx * bx + by * by + bz * bz)
+    , cc(cx * cx + cy * cy + cz * cz)
+  {
+    const double ha = aa - s1.weight + s0.weight;
+    const double hb = bb - s2.weight + s0.weight;
+    const double hc = cc - s3.weight + s0.weight;
+    const double bcx = by * cz - bz * cy, bcy = bz * cx - bx * cz, bcz = bx * cy - by * cx;
+    const double cax = cy * az - cz * ay, cay = cz * ax - cx * az, caz = cx * ay - cy * ax;
+    const double abx = ay * bz - az * by, aby = az * bx - ax * bz, abz = ax * by - ay * bx;
+    determinant = ax * bcx + ay * bcy + az * bcz;
+    nx = ha * bcx + hb * cax + hc * abx;
+    ny = ha * bcy + hb * cay + hc * aby;
+    nz = ha * bcz + hb * caz + hc * abz;
+  }
+
+  // Six times the volume times the power of `q` with respect to the sphere
+  // orthogonal to the four sites: negative iff `q` destroys the cell.
+  // `s0` is the cell's first vertex.
+  double power(const Site& s0, const Site& q) const
+  {
+    const double x = q.x - s0.x, y = q.y - s0.y, z = q.z - s0.z;
+    return determinant * (x * x + y * y + z * z - q.weight + s0.weight)
+           - (x * nx + y * ny + z * nz);
+  }
+};
+
+struct Cell_energy
+{
+  double energy;
+  std::array<Site_gradient, 4> gradient;
+};
+
+// Energy (4.1) and gradient (4.6) of a cell for uniform density 1:
+//   E   = |t|/20 sum_{i<j} l_ij^2 - |t|/4 sum_i w_i,
+//   g_i = |t|/2 (x_i - c_t).
+inline Cell_energy uniform_odt_energy(const Cell_products& t,
+                                      const Site& s0, const Site& s1,
+                                      const Site& s2, const Site& s3)
+{
+  Cell_energy r;
+  // The squared edge lengths add up to 3 (aa + bb + cc) - 2 (ab + bc + ca),
+  // that is 4 (aa + bb + cc) - |a + b + c|^2.
+  const double sx = t.ax + t.bx + t.cx, sy = t.ay + t.by + t.cy, sz = t.az + t.bz + t.cz;
+  const double squared_edges = 4 * (t.aa + t.bb + t.cc) - (sx * sx + sy * sy + sz * sz);
+  const double weights = s0.weight + s1.weight + s2.weight + s3.weight;
+  r.energy = t.determinant * (squared_edges / 120 - weights / 24);
+
+  const double f = 1. / 24, d = t.determinant / 12, diagonal = t.determinant / 12;
+  const double mx = f * t.nx, my = f * t.ny, mz = f * t.nz;
+  r.gradient[0] = { -mx, -my, -mz, diagonal };
+  r.gradient[1] = { d * t.ax - mx, d * t.ay - my, d * t.az - mz, diagonal };
+  r.gradient[2] = { d * t.bx - mx, d * t.by - my, d * t.bz - mz, diagonal };
+  r.gradient[3] = { d * t.cx - mx, d * t.cy - my, d * t.cz - mz, diagonal };
+  return r;
+}
+
+// The same for a density interpolated linearly between the values `rho` at the
+// vertices, R being their sum (Theorems 4.1 and 4.2):
+//   E   = |t|/120 sum_{i<j} l_ij^2 (R + rho_i + rho_j) - |t|/20 sum_i w_i (R + rho_i),
+//   g_i = |t|/10 (x_i - c_t) (R + rho_i).
+// The gradient approximates that of the continuous energy (3.1); it is not the
+// derivative of the interpolated one, whose minimizers shun high density.
+inline Cell_energy graded_odt_energy(const Cell_products& t,
+                                     const Site& s0, const Site& s1,
+                                     const Site& s2, const Site& s3,
+                                     const std::array<double, 4>& rho)
+{
+  Cell_energy r;
+  const double R = rho[0] + rho[1] + rho[2] + rho[3];
+  const double abx = t.ax - t.bx, aby = t.ay - t.by, abz = t.az - t.bz;
+  const double bcx = t.bx - t.cx, bcy = t.by - t.cy, bcz = t.bz - t.cz;
+  const double cax = t.cx - t.ax, cay = t.cy - t.ay, caz = t.cz - t.az;
+  const double edges =
+      t.aa * (R + rho[0] + rho[1]) + t.bb * (R + rho[0] + rho[2]) + t.cc * (R + rho[0] + rho[3])
+    + (abx * abx + aby * aby + abz * abz) * (R + rho[1] + rho[2])
+    + (bcx * bcx + bcy * bcy + bcz * bcz) * (R + rho[2] + rho[3])
+    + (cax * cax + cay * cay + caz * caz) * (R + rho[3] + rho[1]);
+  const double weights = s0.weight * (R + rho[0]) + s1.weight * (R + rho[1])
+                       + s2.weight * (R + rho[2]) + s3.weight * (R + rho[3]);
+  r.energy = t.determinant * (edges / 720 - weights / 120);
+
+  const double d = 2 * t.determinant;
+  const std::array<double, 4> f = { (R + rho[0]) / 120, (R + rho[1]) / 120,
+                                    (R + rho[2]) / 120, (R + rho[3]) / 120 };
+  r.gradient[0] = { -f[0] * t.nx, -f[0] * t.ny, -f[0] * t.nz, f[0] * d };
+  r.gradient[1] = { f[1] * (d * t.ax - t.nx), f[1] * (d * t.ay - t.ny), f[1] * (d * t.az - t.nz), f[1] * d };
+  r.gradient[2] = { f[2] * (d * t.bx - t.nx), f[2] * (d * t.by - t.ny), f[2] * (d * t.bz - t.nz), f[2] * d };
+  r.gradient[3] = { f[3] * (d * t.cx - t.nx), f[3] * (d * t.cy - t.ny), f[3] * (d * t.cz - t.nz), f[3] * d };
+  return r;
+}
+
+} // namespace internal
+} // namespace Global_odt_mesh_3
+} // namespace CGAL
+
+#endif // CGAL_GLOBAL_ODT_MESH_3_INTERNAL_ODT_ENERGY_3_H

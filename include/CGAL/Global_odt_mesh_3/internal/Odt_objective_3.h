@@ -1,0 +1,121 @@
+// Copyright (c) 2026 The Global_odt_mesh_3 authors.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_GLOBAL_ODT_MESH_3_INTERNAL_ODT_OBJECTIVE_3_H
+#define CGAL_GLOBAL_ODT_MESH_3_INTERNAL_ODT_OBJECTIVE_3_H
+
+#include <CGAL/Global_odt_mesh_3/internal/Moving_triangulation_3.h>
+
+#include <Eigen/Core>
+
+#include <functional>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Global_odt_mesh_3 {
+namespace internal {
+
+// The energy of a moving triangulation as a function of the coordinates of its
+// movable vertices, in the form that the minimizer wants. Frozen vertices are
+// held by a zero gradient.
+class Odt_objective_3
+{
+public:
+  // The density at a vertex, given its number and position.
+  typedef std::function<double(int, const Site&)> Density;
+
+  explicit Odt_objective_3(Moving_triangulation_3& mesh, Density density = Density())
+    : mesh_(mesh)
+    , density_(std::move(density))
+    , frozen_(mesh.number_of_movable_vertices, false)
+    , point_(3 * mesh.number_of_movable_vertices)
+    , gradient_(point_.size())
+    , diagonal_(point_.size())
+  {
+    start();
+  }
+
+  // Makes the triangulation regular where it is and evaluates there; false if it
+  // cannot be mended.
+  bool start()
+  {
+    mesh_.keep();
+    update_density();
+    is_feasible_ = mesh_.evaluate();
+    gather();
+    mesh_.keep();
+    return is_feasible_;
+  }
+
+  bool is_feasible() const { return is_feasible_; }
+  double value() const { return mesh_.energy(); }
+  const Eigen::VectorXd& point() const { return point_; }
+  const Eigen::VectorXd& gradient() const { return gradient_; }
+  const Eigen::VectorXd& diagonal() const { return diagonal_; }
+
+  bool evaluate(const Eigen::VectorXd& x)
+  {
+    for(int v = 0; v < mesh_.number_of_movable_vertices; ++v)
+    {
+      if(frozen_[v])
+        continue;
+      Site& s = mesh_.sites[v];
+      s.x = x[3 * v];
+      s.y = x[3 * v + 1];
+      s.z = x[3 * v + 2];
+    }
+    update_density();
+    if(!mesh_.evaluate())
+      return false;
+    gather();
+    return true;
+  }
+
+  void accept() { mesh_.keep(); }
+  void reject() { mesh_.restore(); }
+
+  bool is_frozen(int v) const { return frozen_[v]; }
+  void freeze(int v)
+  {
+    frozen_[v] = true;
+    gradient_.segment<3>(3 * v).setZero();
+  }
+
+private:
+  void update_density()
+  {
+    if(density_)
+      for(int v = 0; v < mesh_.number_of_movable_vertices; ++v)
+        mesh_.density[v] = density_(v, mesh_.sites[v]);
+  }
+
+  void gather()
+  {
+    const std::vector<Site_gradient>& g = mesh_.gradient();
+    for(int v = 0; v < mesh_.number_of_movable_vertices; ++v)
+    {
+      const Site& s = mesh_.sites[v];
+      point_.segment<3>(3 * v) << s.x, s.y, s.z;
+      diagonal_.segment<3>(3 * v).setConstant(g[v].diagonal);
+      if(frozen_[v])
+        gradient_.segment<3>(3 * v).setZero();
+      else
+        gradient_.segment<3>(3 * v) << g[v].x, g[v].y, g[v].z;
+    }
+  }
+
+  Moving_triangulation_3& mesh_;
+  Density density_;
+  std::vector<char> frozen_;
+  Eigen::VectorXd point_, gradient_, diagonal_;
+  bool is_feasible_ = false;
+};
+
+} // namespace internal
+} // namespace Global_odt_mesh_3
+} // namespace CGAL
+
+#endif // CGAL_GLOBAL_ODT_MESH_3_INTERNAL_ODT_OBJECTIVE_3_H
