@@ -15,6 +15,8 @@
 #include <CGAL/number_utils.h>
 #include <CGAL/property_map.h>
 
+#include <algorithm>
+#include <array>
 #include <cstddef>
 #include <numeric>
 #include <unordered_map>
@@ -37,7 +39,9 @@ struct Wall
 template <class Triangulation>
 struct Flattening
 {
-  std::vector<typename Triangulation::Vertex_handle> vertices;
+  typedef typename Triangulation::Vertex_handle Vertex_handle;
+  std::vector<Vertex_handle> vertices;
+  std::unordered_map<Vertex_handle, int, CGAL::Hash_handles_with_or_without_timestamps> site;
   std::vector<Wall<Triangulation> > walls;
 };
 
@@ -66,7 +70,7 @@ flatten_triangulation_3(const Triangulation& tr,
 
   std::vector<Vertex_handle> handles;
   std::vector<Site> sites;
-  std::unordered_map<Vertex_handle, int, Hash> number;
+  auto& number = flat.site;
   number.reserve(tr.number_of_vertices());
   std::vector<char> moves;
   for(auto v = tr.finite_vertices_begin(); v != tr.finite_vertices_end(); ++v)
@@ -121,19 +125,18 @@ flatten_triangulation_3(const Triangulation& tr,
   const auto first_fixed = std::stable_partition(order.begin(), order.end(), [&](std::size_t n)
                                                  { return moves[n] && has_cell[n]; });
   mesh.number_of_movable_vertices = static_cast<int>(first_fixed - order.begin());
-  std::vector<int> place(handles.size());
   for(std::size_t n = 0; n < order.size(); ++n)
   {
-    place[order[n]] = static_cast<int>(n);
     flat.vertices.push_back(handles[order[n]]);
+    number[handles[order[n]]] = static_cast<int>(n);
     mesh.sites.push_back(sites[order[n]]);
   }
 
   // Cells, neighbors and walls. CGAL orders the vertices of a cell as we do.
   mesh.topology.reserve(handles.size(), cells.size());
   for(Cell_handle c : cells)
-    mesh.topology.add_cell(place[number[c->vertex(0)]], place[number[c->vertex(1)]],
-                           place[number[c->vertex(2)]], place[number[c->vertex(3)]]);
+    mesh.topology.add_cell(number[c->vertex(0)], number[c->vertex(1)],
+                           number[c->vertex(2)], number[c->vertex(3)]);
   for(std::size_t n = 0; n < cells.size(); ++n)
     for(int i = 0; i < 4; ++i)
     {

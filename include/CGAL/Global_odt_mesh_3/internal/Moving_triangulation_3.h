@@ -85,6 +85,9 @@ public:
   {
     ++statistics_.evaluations;
     pass();
+    // A step that inverts so much is too long to be worth mending.
+    if(inverted_.size() > 20 + static_cast<std::size_t>(topology.number_of_cells()) / 10)
+      return false;
     if(!inverted_.empty() && !untangle() && !hold_back())
       return false;
     make_regular();
@@ -100,8 +103,8 @@ public:
     return inverted_.empty() && irregular_.empty() && intruders_.empty();
   }
 
-  // The vertices that entered the ball of a wall of one of their cells.
-  const std::vector<int>& intruders() const { return intruders_; }
+  // The vertices that the last evaluation kept out of the ball of a wall.
+  const std::vector<int>& retreated_vertices() const { return intruders_; }
 
   // Moves a vertex if all its cells stay positive, and makes its surroundings
   // regular. Energy and gradient follow.

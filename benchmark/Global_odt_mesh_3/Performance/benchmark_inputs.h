@@ -1,0 +1,126 @@
+// Copyright (c) 2026 The Global_odt_mesh_3 authors.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef GLOBAL_ODT_MESH_3_BENCHMARK_INPUTS_H
+#define GLOBAL_ODT_MESH_3_BENCHMARK_INPUTS_H
+
+#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+#include <CGAL/Image_3.h>
+#include <CGAL/Labeled_mesh_domain_3.h>
+#include <CGAL/Mesh_complex_3_in_triangulation_3.h>
+#include <CGAL/Mesh_criteria_3.h>
+#include <CGAL/Mesh_polyhedron_3.h>
+#include <CGAL/Mesh_triangulation_3.h>
+#include <CGAL/Polyhedral_mesh_domain_with_features_3.h>
+#include <CGAL/make_mesh_3.h>
+
+#include <cmath>
+#include <fstream>
+#include <stdexcept>
+#include <string>
+
+// The meshes that the optimizers are measured on: those of the paper's kind, at
+// the size of 4,000 to 18,000 vertices.
+namespace inputs {
+
+typedef CGAL::Exact_predicates_inexact_constructions_kernel Kernel;
+typedef Kernel::FT FT;
+typedef Kernel::Point_3 Point_3;
+typedef Kernel::Sphere_3 Sphere_3;
+namespace params = CGAL::parameters;
+
+typedef CGAL::Labeled_mesh_domain_3<Kernel> Labeled_domain;
+typedef CGAL::Mesh_triangulation_3<Labeled_domain>::type Labeled_triangulation;
+typedef CGAL::Mesh_complex_3_in_triangulation_3<Labeled_triangulation> Labeled_c3t3;
+
+typedef CGAL::Mesh_polyhedron_3<Kernel>::type Polyhedron;
+typedef CGAL::Polyhedral_mesh_domain_with_features_3<Kernel> Polyhedral_domain;
+typedef CGAL::Mesh_triangulation_3<Polyhedral_domain>::type Polyhedral_triangulation;
+typedef CGAL::Mesh_complex_3_in_triangulation_3<
+  Polyhedral_triangulation, Polyhedral_domain::Corner_index, Polyhedral_domain::Curve_index> Polyhedral_c3t3;
+
+inline Labeled_domain sphere_domain()
+{
+  return Labeled_domain::create_implicit_mesh_domain(
+    [](const Point_3& p) { return p.x() * p.x() + p.y() * p.y() + p.z() * p.z() - 1; },
+    Sphere_3(CGAL::ORIGIN, 2.));
+}
+
+inline Labeled_c3t3 sphere(const Labeled_domain& domain, double size)
+{
+  typedef CGAL::Mesh_criteria_3<Labeled_triangulation> Criteria;
+  Criteria criteria(params::facet_angle = 30, params::facet_size = size,
+                    params::facet_distance = size / 8, params::cell_radius_edge_ratio = 2,
+                    params::cell_size = size);
+  return CGAL::make_mesh_3<Labeled_c3t3>(domain, criteria, params::no_exude(), params::no_perturb());
+}
+
+// Cell sizes grow linearly from the surface to five times as much at the center.
+struct Graded_sphere_size
+{
+  typedef inputs::FT FT;
+  typedef inputs::Point_3 Point_3;
+  typedef Labeled_domain::Index Index;
+
+  FT smallest;
+  FT operator()(const Point_3& p, const int, const Index&) const
+  {
+    const FT depth = 1 - std::sqrt(p.x() * p.x() + p.y() * p.y() + p.z() * p.z());
+    return smallest * (1 + 4 * (std::max)(FT(0), depth));
+  }
+};
+
+inline Labeled_c3t3 graded_sphere(const Labeled_domain& domain, double smallest)
+{
+  typedef CGAL::Mesh_criteria_3<Labeled_triangulation> Criteria;
+  Criteria criteria(params::facet_angle = 30, params::facet_size = smallest,
+                    params::facet_distance = smallest / 8, params::cell_radius_edge_ratio = 2,
+                    params::cell_size = Graded_sphere_size{ smallest });
+  return CGAL::make_mesh_3<Labeled_c3t3>(domain, criteria, params::no_exude(), params::no_perturb());
+}
+
+inline Labeled_domain image_domain(const CGAL::Image_3& image)
+{
+  return Labeled_domain::create_labeled_image_mesh_domain(image);
+}
+
+inline Labeled_c3t3 image_mesh(const Labeled_domain& domain, double facet_size, double cell_size)
+{
+  typedef CGAL::Mesh_criteria_3<Labeled_triangulation> Criteria;
+  Criteria criteria(params::facet_angle = 30, params::facet_size = facet_size,
+                    params::facet_distance = facet_size / 4, params::cell_radius_edge_ratio = 3,
+                    params::cell_size = cell_size);
+  return CGAL::make_mesh_3<Labeled_c3t3>(domain, criteria, params::no_exude(), params::no_perturb());
+}
+
+inline Polyhedron read_polyhedron(const std::string& file)
+{
+  Polyhedron polyhedron;
+  std::ifstream in(file);
+  if(!(in >> polyhedron) || polyhedron.empty())
+    throw std::runtime_error("cannot read the surface " + file);
+  return polyhedron;
+}
+
+// Sizes are relative to the diagonal of the bounding box.
+inline Polyhedral_c3t3 polyhedral_mesh(const Polyhedral_domain& domain, double relative_size,
+                                       bool with_features)
+{
+  typedef CGAL::Mesh_criteria_3<Polyhedral_triangulation> Criteria;
+  const CGAL::Bbox_3 b = domain.bbox();
+  const double size = relative_size * std::sqrt(CGAL::square(b.xmax() - b.xmin()) + CGAL::square(b.ymax() - b.ymin())
+                                                + CGAL::square(b.zmax() - b.zmin()));
+  Criteria criteria(params::edge_size = size, params::facet_angle = 25, params::facet_size = size,
+                    params::facet_distance = size / 8, params::cell_radius_edge_ratio = 3,
+                    params::cell_size = size);
+  if(with_features)
+    return CGAL::make_mesh_3<Polyhedral_c3t3>(domain, criteria, params::no_exude(), params::no_perturb());
+  return CGAL::make_mesh_3<Polyhedral_c3t3>(domain, criteria, params::no_exude(), params::no_perturb(),
+                                            params::no_features());
+}
+
+} // namespace inputs
+
+#endif // GLOBAL_ODT_MESH_3_BENCHMARK_INPUTS_H

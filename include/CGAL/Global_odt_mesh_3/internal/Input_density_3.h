@@ -1,0 +1,168 @@
+// Copyright (c) 2026 The Global_odt_mesh_3 authors.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_GLOBAL_ODT_MESH_3_INTERNAL_INPUT_DENSITY_3_H
+#define CGAL_GLOBAL_ODT_MESH_3_INTERNAL_INPUT_DENSITY_3_H
+
+#include <CGAL/Global_odt_mesh_3/internal/Moving_triangulation_3.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <vector>
+
+namespace CGAL {
+namespace Global_odt_mesh_3 {
+namespace internal {
+
+// The density that the input mesh stands for, so that a graded mesh stays
+// graded: edge lengths averaged at the vertices, smoothed, and interpolated
+// linearly on a copy of the input, in which each vertex is found by walking from
+// the cell where it was last.
+class Input_density_3
+{
+public:
+  // The minimizer of E^rho equidistributes the integral of rho^(3/5), so that
+  // rho = 1/size^5 would be right if the gradient followed the density as
+  // vertices move. (4.6) takes it as constant around each vertex, which draws
+  // vertices to high density more strongly; this exponent reproduces the sizes.
+  static constexpr double exponent = 2.5;
+
+  // Sizes that differ less than this (largest over smallest, the outer 5 %
+  // of either side left out) are taken for one size.
+  static constexpr double uniform_ratio = 1.5;
+
+  explicit Input_density_3(const Moving_triangulation_3& mesh)
+    : topology_(mesh.topology)
+    , sites_(mesh.sites)
+    , last_cell_(mesh.number_of_movable_vertices)
+  {
+    for(int v = 0; v < mesh.number_of_movable_vertices; ++v)
+      last_cell_[v] = topology_.incident_cell(v);
+    compute_sizes(mesh);
+  }
+
+  bool is_uniform() const { return is_uniform_; }
+
+  // The smoothed size at a vertex of the input.
+  const std::vector<double>& sizes() const { return size_; }
+
+  // The wanted size where vertex v is now.
+  double size(int v, const Site& s)
+  {
+    std::array<double, 4> b;
+    const int c = locate(last_cell_[v], s, b);
+    last_cell_[v] = c;
+    double size = 0;
+    for(int i = 0; i < 4; ++i)
+      size += b[i] * size_[topology_.vertex(4 * c + i)];
+    return size;
+  }
+
+  // The density is one where the size is the mean size.
+  double density(double size) const { return std::pow(mean_size_ / size, exponent); }
+
+private:
+  void compute_sizes(const Moving_triangulation_3& mesh)
+  {
+    const std::size_t n = sites_.size();
+    std::vector<double> sum(n, 0), count(n, 0);
+    const auto for_each_edge = [this](auto f)
+    {
+      for(int c = 0; c < topology_.number_of_cell_slots(); ++c)
+        for(int i = 0; topology_.is_alive(c) && i < 3; ++i)
+          for(int j = i + 1; j < 4; ++j)
+            f(topology_.vertex(4 * c + i), topology_.vertex(4 * c + j));
+    };
+    for_each_edge([&](int u, int v)
+    {
+      const double l = std::sqrt(Moving_triangulation_3::squared_distance(sites_[u], sites_[v]));
+      sum[u] += l; sum[v] += l;
+      ++count[u]; ++count[v];
+    });
+    size_.assign(n, 0);
+    for(std::size_t v = 0; v < n; ++v)
+      if(count[v] > 0)
+        size_[v] = sum[v] / count[v];
+
+    for(int sweep = 0; sweep < smoothing_sweeps; ++sweep)
+    {
+      std::fill(sum.begin(), sum.end(), 0.);
+      for_each_edge([&](int u, int v) { sum[u] += size_[v]; sum[v] += size_[u]; });
+      for(std::size_t v = 0; v < n; ++v)
+        if(count[v] > 0)
+          size_[v] = (size_[v] + sum[v] / count[v]) / 2;
+    }
+
+    std::vector<double> sorted;
+    for(int v = 0; v < mesh.number_of_movable_vertices; ++v)
+      sorted.push_back(size_[v]);
+    if(sorted.empty())
+      return;
+    std::sort(sorted.begin(), sorted.end());
+    const std::size_t margin = sorted.size() / 20;
+    is_uniform_ = sorted[sorted.size() - 1 - margin] < uniform_ratio * sorted[margin];
+    mean_size_ = sorted[sorted.size() / 2];
+  }
+
+  // Visibility walk; a point beyond a wall gets the barycentric coordinates of
+  // the last cell, clamped.
+  int locate(int c, const Site& s, std::array<double, 4>& b) const
+  {
+    int previous = -1;
+    for(int step = 0; step < max_steps; ++step)
+    {
+      double total = 0;
+      int leave = -1;
+      double lowest = 0;
+      for(int i = 0; i < 4; ++i)
+      {
+        const std::array<int, 3>& f = Flat_triangulation_3::facet_vertices(i);
+        b[i] = Cell_products(s, sites_[topology_.vertex(4 * c + f[0])],
+                             sites_[topology_.vertex(4 * c + f[1])],
+                             sites_[topology_.vertex(4 * c + f[2])]).determinant;
+        total += b[i];
+        const int across = topology_.neighbor(4 * c + i);
+        if(b[i] < lowest && !Flat_triangulation_3::is_wall(across) && across / 4 != previous)
+        {
+          lowest = b[i];
+          leave = across / 4;
+        }
+      }
+      if(leave < 0 || step + 1 == max_steps)
+      {
+        double sum = 0;
+        for(double& x : b)
+        {
+          x = (std::max)(0., x / total);
+          sum += x;
+        }
+        for(double& x : b)
+          x = sum > 0 ? x / sum : 0.25;
+        return c;
+      }
+      previous = c;
+      c = leave;
+    }
+    return c;
+  }
+
+  static constexpr int smoothing_sweeps = 4;
+  static constexpr int max_steps = 200;
+
+  Flat_triangulation_3 topology_;
+  std::vector<Site> sites_;
+  std::vector<double> size_;
+  std::vector<int> last_cell_;
+  double mean_size_ = 1;
+  bool is_uniform_ = true;
+};
+
+} // namespace internal
+} // namespace Global_odt_mesh_3
+} // namespace CGAL
+
+#endif // CGAL_GLOBAL_ODT_MESH_3_INTERNAL_INPUT_DENSITY_3_H

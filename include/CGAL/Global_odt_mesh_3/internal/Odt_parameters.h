@@ -1,0 +1,46 @@
+// Copyright (c) 2026 The Global_odt_mesh_3 authors.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_GLOBAL_ODT_MESH_3_INTERNAL_ODT_PARAMETERS_H
+#define CGAL_GLOBAL_ODT_MESH_3_INTERNAL_ODT_PARAMETERS_H
+
+#include <CGAL/Mesh_3/parameters_defaults.h>
+#include <CGAL/assertions.h>
+
+#include <cmath>
+#include <cstddef>
+#include <functional>
+
+namespace CGAL {
+namespace Global_odt_mesh_3 {
+namespace internal {
+
+// What the caller of odt_optimize_mesh_3() may say.
+struct Odt_parameters
+{
+  double time_limit = 0;
+  std::size_t max_iteration_number = 0;
+  double convergence = parameters::default_values_for_mesh_3::odt_convergence_ratio;
+  double freeze_bound = parameters::default_values_for_mesh_3::odt_freeze_ratio;
+  bool do_freeze = true;
+  std::size_t number_of_rounds = 0;
+  double sliver_bound = 0;
+  unsigned int random_seed = 0;
+  std::function<bool(double)> callback;
+
+  void check() const
+  {
+    CGAL_precondition_msg(time_limit >= 0, "time_limit must be a number of seconds, not negative");
+    CGAL_precondition_msg(convergence >= 0 && convergence <= 1, "convergence must be in [0, 1]");
+    CGAL_precondition_msg(freeze_bound >= 0 && freeze_bound <= 1, "freeze_bound must be in [0, 1]");
+    CGAL_precondition_msg(sliver_bound >= 0 && sliver_bound < 180, "sliver_bound must be in [0, 180) degrees");
+  }
+};
+
+} // namespace internal
+} // namespace Global_odt_mesh_3
+} // namespace CGAL
+
+#endif // CGAL_GLOBAL_ODT_MESH_3_INTERNAL_ODT_PARAMETERS_H

@@ -1,0 +1,214 @@
+// Copyright (c) 2026 The Global_odt_mesh_3 authors.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_ODT_OPTIMIZE_MESH_3_H
+#define CGAL_ODT_OPTIMIZE_MESH_3_H
+
+#include <CGAL/license/Mesh_3.h>
+
+#include <CGAL/disable_warnings.h>
+
+#include <CGAL/Global_odt_mesh_3/internal/Named_parameters.h>
+#include <CGAL/Global_odt_mesh_3/internal/Odt_mesh_optimizer_3.h>
+#include <CGAL/Mesh_3/Mesh_global_optimizer.h>
+#include <CGAL/Mesh_3/Mesh_sizing_field.h>
+#include <CGAL/Mesh_3/Null_global_optimizer_visitor.h>
+#include <CGAL/Mesh_3/Odt_move.h>
+#include <CGAL/Mesh_3/internal/check_weights.h>
+#include <CGAL/Mesh_optimization_return_code.h>
+#include <CGAL/tags.h>
+
+#include <cstddef>
+#include <functional>
+#include <type_traits>
+
+namespace CGAL {
+
+namespace Global_odt_mesh_3 {
+namespace internal {
+
+// Periodic triangulations are left to the optimizer of Mesh_3.
+template <class C3T3, class MeshDomain>
+Mesh_optimization_return_code
+optimize_periodic(C3T3& c3t3, const MeshDomain& domain, const Odt_parameters& p)
+{
+  typedef Mesh_3::Mesh_sizing_field<typename C3T3::Triangulation> Sizing;
+  typedef Mesh_3::Odt_move<C3T3, Sizing> Move;
+  Mesh_3::Mesh_global_optimizer<C3T3, MeshDomain, Move>
+    optimizer(c3t3, domain, p.freeze_bound, p.do_freeze, p.convergence);
+  optimizer.set_time_limit(p.time_limit);
+  return optimizer(p.max_iteration_number == 0 ? 1000 : static_cast<int>(p.max_iteration_number));
+}
+
+template <class C3T3, class MeshDomain, class Visitor>
+Mesh_optimization_return_code
+optimize(C3T3& c3t3, const MeshDomain& domain, const Odt_parameters& p, Visitor& visitor)
+{
+  p.check();
+  CGAL_precondition(!Mesh_3::internal::has_non_protecting_weights(c3t3.triangulation(), domain));
+  if constexpr (std::is_same<typename C3T3::Triangulation::Periodic_tag, Tag_true>::value)
+    return optimize_periodic(c3t3, domain, p);
+  else
+    return Odt_mesh_optimizer_3<C3T3, MeshDomain, Visitor>(c3t3, domain, p, visitor)();
+}
+
+} // namespace internal
+} // namespace Global_odt_mesh_3
+
+/*!
+\ingroup PkgGlobalOdtMesh3Functions
+
+improves the cells of a tetrahedral mesh by moving its interior vertices to a
+local minimum of the optimal Delaunay triangulation energy
+\f$ E^\rho_{ODT} = \sum_\tau \int_\tau \rho\,(f_I - \mathbf{x}^2) \f$,
+the \f$ L^1 \f$ error of interpolating \f$ \mathbf{x}^2 \f$ linearly in each cell,
+by the L-BFGS method of Chen, Wang, L&eacute;vy, Liu and Sun (*Revisiting Optimal Delaunay
+Triangulation for 3D Graded Mesh Generation*, SIAM J. Sci. Comput. 36, 2014, Algorithm 1).
+
+The function takes the place of the one of the same name of the package \ref PkgMesh3.
+The density \f$ \rho \f$ comes from the sizes of the input's cells, so that a graded mesh
+stays graded.
+
+Vertices in dimension 0, 1 and 2, that is, corners and vertices on features and on
+surfaces, stay where they are, and so do interior vertices that are incident to a facet
+of the complex. The facets of the complex, with patch indices and surface centers, the
+features and the volume of each subdomain are those of the input. The result is an exact
+regular triangulation of as many vertices, in which a cell near the surface is in the
+subdomain where its dual point lies.
+
+If the domain or the callback throws, `c3t3` is as it was before the call. For the same input
+the result is the same, bit for bit, unless `time_limit` cuts it short. Handles to vertices and
+cells of `c3t3` become invalid.
+
+Meshes in periodic triangulations are handed over to `CGAL::Mesh_3::Mesh_global_optimizer`, which
+knows of the first five parameters only.
+
+\tparam C3T3 a model of the concept `MeshComplex_3InTriangulation_3`
+\tparam MeshDomain a model of the concept `MeshDomain_3`
+\tparam NamedParameters a sequence of named parameters, in each of the styles that the
+version of %CGAL in use knows: `parameters::time_limit = 10, parameters::do_freeze = false` in all,
+`parameters::time_limit(10).do_freeze(false)` from 5.6 on
+
+\param c3t3 the mesh, which is modified
+\param domain the domain from which `c3t3` was made
+\param np an optional sequence of named parameters among the ones listed below
+
+\cgalNamedParamsBegin
+  \cgalParamNBegin{time_limit}
+    \cgalParamDescription{the wall time, in seconds, after which no further iteration is begun; 0 means no limit.
+                          From \cgal 5.6 on also called `maximum_running_time`.}
+    \cgalParamType{`double`}
+    \cgalParamPrecondition{`time_limit >= 0`}
+    \cgalParamDefault{0}
+  \cgalParamNEnd
+  \cgalParamNBegin{max_iteration_number}
+    \cgalParamDescription{the number of iterations, that is, of accepted evaluations of the energy, at the most;
+                          0 means 1000. From \cgal 5.6 on also called `number_of_iterations`.}
+    \cgalParamType{`std::size_t`}
+    \cgalParamDefault{0}
+  \cgalParamNEnd
+  \cgalParamNBegin{convergence}
+    \cgalParamDescription{the process stops when the mean of the largest displacements (one in 500) falls below this ratio.
+                          The displacement of a vertex is the length of its move to the volume-weighted mean of the
+                          circumcenters around it, relative to its shortest incident edge.
+                          From \cgal 5.6 on also called `convergence_ratio`.}
+    \cgalParamType{`double`}
+    \cgalParamPrecondition{`0 <= convergence <= 1`}
+    \cgalParamDefault{0.02}
+  \cgalParamNEnd
+  \cgalParamNBegin{freeze_bound}
+    \cgalParamDescription{a vertex whose displacement is below this ratio is frozen, if `do_freeze` is `true`.
+                          From \cgal 5.6 on also called `vertex_freeze_bound`.}
+    \cgalParamType{`double`}
+    \cgalParamPrecondition{`0 <= freeze_bound <= 1`}
+    \cgalParamDefault{0.01}
+  \cgalParamNEnd
+  \cgalParamNBegin{do_freeze}
+    \cgalParamDescription{whether frozen vertices do not move any more. From \cgal 5.6 on also called `freeze`.}
+    \cgalParamType{`bool`}
+    \cgalParamDefault{`true`}
+  \cgalParamNEnd
+  \cgalParamNBegin{number_of_rounds}
+    \cgalParamDescription{the number of rounds of global search. The local minimizer is the only stage: every value acts as 0.}
+    \cgalParamType{`std::size_t`}
+    \cgalParamDefault{0}
+  \cgalParamNEnd
+  \cgalParamNBegin{sliver_bound}
+    \cgalParamDescription{the dihedral angle, in degrees, below which cells are to be treated one by one; 0 means not at all.
+                          The local minimizer is the only stage: every value acts as 0.}
+    \cgalParamType{`double`}
+    \cgalParamPrecondition{`0 <= sliver_bound < 180`}
+    \cgalParamDefault{0}
+  \cgalParamNEnd
+  \cgalParamNBegin{random_seed}
+    \cgalParamDescription{the seed of whatever is random. The local minimizer is not.}
+    \cgalParamType{`unsigned int`}
+    \cgalParamDefault{0}
+  \cgalParamNEnd
+  \cgalParamNBegin{callback}
+    \cgalParamDescription{a functor called before every iteration with the fraction done, which never falls;
+                          when it returns `false` the process stops with the mesh found so far, as if the
+                          time limit were reached. It is spelled `parameters::callback(f)`.}
+    \cgalParamType{a model of `bool(double)`}
+    \cgalParamDefault{none}
+  \cgalParamNEnd
+  \cgalParamNBegin{visitor}
+    \cgalParamDescription{an object with the member functions `after_compute_moves()`, `after_move_points()` and
+                          `end_of_iteration(int)`, called in each iteration in this order, and
+                          `after_rebuild_restricted_delaunay()`, called when `c3t3` is final.
+                          It is spelled `parameters::visitor(v)` and copied; pass `std::ref(v)` to keep its state.}
+    \cgalParamType{a class like `CGAL::Mesh_3::Null_global_optimizer_visitor`}
+    \cgalParamDefault{a visitor that does nothing}
+  \cgalParamNEnd
+\cgalNamedParamsEnd
+
+\return a value of type `CGAL::Mesh_optimization_return_code`, which is
+- `CGAL::TIME_LIMIT_REACHED` when `time_limit` has passed, or `callback` returned `false`;
+- `CGAL::MAX_ITERATION_NUMBER_REACHED` when `max_iteration_number` iterations have been made;
+- `CGAL::CONVERGENCE_REACHED` when the largest displacements are below `convergence`;
+- `CGAL::ALL_VERTICES_FROZEN` when `do_freeze` is `true` and all vertices that may move are frozen, also when there are none;
+- `CGAL::CANT_IMPROVE_ANYMORE` when no step along the search direction, nor along the gradient, lowers the energy,
+  or when no valid mesh can be made, in which case `c3t3` is as before.
+
+\pre No vertex but those on features carries a weight, that is, `exude_mesh_3()` has not been called before.
+*/
+template <class C3T3, class MeshDomain, class... NamedParameters>
+Mesh_optimization_return_code
+odt_optimize_mesh_3(C3T3& c3t3, const MeshDomain& domain, const NamedParameters&... np)
+{
+  namespace odt = Global_odt_mesh_3::internal;
+  odt::Odt_parameters parameters;
+  odt::read_arguments(parameters, 0, np...);
+  auto visitor = odt::find_visitor(Mesh_3::Null_global_optimizer_visitor<C3T3>(), np...);
+  return odt::optimize(c3t3, domain, parameters, odt::unwrap(visitor));
+}
+
+#ifndef DOXYGEN_RUNNING
+
+// The entry that Periodic_3_mesh_3 uses.
+template <class C3T3, class MeshDomain>
+Mesh_optimization_return_code
+odt_optimize_mesh_3_impl(C3T3& c3t3, const MeshDomain& domain, const double time_limit,
+                         std::size_t max_iteration_number, const double convergence,
+                         const double freeze_ratio, const bool do_freeze)
+{
+  namespace odt = Global_odt_mesh_3::internal;
+  odt::Odt_parameters parameters;
+  parameters.time_limit = time_limit;
+  parameters.max_iteration_number = max_iteration_number;
+  parameters.convergence = convergence;
+  parameters.freeze_bound = freeze_ratio;
+  parameters.do_freeze = do_freeze;
+  Mesh_3::Null_global_optimizer_visitor<C3T3> visitor;
+  return odt::optimize(c3t3, domain, parameters, visitor);
+}
+
+#endif // DOXYGEN_RUNNING
+
+} // namespace CGAL
+
+#include <CGAL/enable_warnings.h>
+
+#endif // CGAL_ODT_OPTIMIZE_MESH_3_H
