@@ -200,18 +200,8 @@ private:
       for(int k : v)
         on_wall_[k] = true;
     }
-    // The cells that nothing can change: all of whose vertices stay.
     fixed_cells_.clear();
-    const Triangulation& tr = c3t3_.triangulation();
-    for(auto c = tr.finite_cells_begin(); c != tr.finite_cells_end(); ++c)
-    {
-      Quadruple q;
-      for(int i = 0; i < 4; ++i)
-        q[i] = flat_.site.at(c->vertex(i));
-      std::sort(q.begin(), q.end());
-      if(q[0] >= number_of_movable_vertices_)
-        fixed_cells_.insert(q);
-    }
+    fixed_cells_.insert(flat_.fixed_cells.begin(), flat_.fixed_cells.end());
   }
 
   Weighted_point point(int v) const
@@ -550,15 +540,15 @@ private:
     for(auto v = c3t3_.vertices_in_complex_begin(); v != c3t3_.vertices_in_complex_end(); ++v)
     {
       const Vertex_handle old = v;
-      const Vertex_handle to = handles_[flat_.site.at(old)];
+      const Vertex_handle to = handles_[flat_.site[old]];
       const bool special = to->is_special();
       result.add_to_complex(to, c3t3_.corner_index(old));
       to->set_special(special);
     }
     if(c3t3_.number_of_edges_in_complex() > 0)
       for(auto e = c3t3_.edges_in_complex_begin(); e != c3t3_.edges_in_complex_end(); ++e)
-        result.add_to_complex(handles_[flat_.site.at(e->first->vertex(e->second))],
-                              handles_[flat_.site.at(e->first->vertex(e->third))],
+        result.add_to_complex(handles_[flat_.site[e->first->vertex(e->second)]],
+                              handles_[flat_.site[e->first->vertex(e->third)]],
                               c3t3_.curve_index(*e));
   }
 

@@ -9,8 +9,9 @@
 #include <CGAL/Global_odt_mesh_3/internal/Moving_triangulation_3.h>
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
-#include <CGAL/Time_stamper.h>
 #include <CGAL/Spatial_sort_traits_adapter_3.h>
+#include <CGAL/Time_stamper.h>
+#include <CGAL/Unique_hash_map.h>
 #include <CGAL/hilbert_sort.h>
 #include <CGAL/number_utils.h>
 #include <CGAL/property_map.h>
@@ -19,7 +20,6 @@
 #include <array>
 #include <cstddef>
 #include <numeric>
-#include <unordered_map>
 #include <utility>
 #include <vector>
 
@@ -35,14 +35,18 @@ struct Wall
   std::array<int, 3> vertices;      // counterclockwise seen from facet.first
 };
 
-// Which vertex of the triangulation is which site, and the walls.
+// Which vertex of the triangulation is which site, the walls, and what cannot
+// change.
 template <class Triangulation>
 struct Flattening
 {
   typedef typename Triangulation::Vertex_handle Vertex_handle;
+  typedef CGAL::Unique_hash_map<Vertex_handle, int, CGAL::Hash_handles_with_or_without_timestamps> Site_map;
   std::vector<Vertex_handle> vertices;
-  std::unordered_map<Vertex_handle, int, CGAL::Hash_handles_with_or_without_timestamps> site;
+  Site_map site;
   std::vector<Wall<Triangulation> > walls;
+  // The cells, inside and outside, all of whose vertices stay, as sorted sites.
+  std::vector<std::array<int, 4> > fixed_cells;
 };
 
 // Loads the cells of `tr` for which `is_inside` holds into flat arrays. Facets
@@ -71,12 +75,11 @@ flatten_triangulation_3(const Triangulation& tr,
   std::vector<Vertex_handle> handles;
   std::vector<Site> sites;
   auto& number = flat.site;
-  number.reserve(tr.number_of_vertices());
   std::vector<char> moves;
   for(auto v = tr.finite_vertices_begin(); v != tr.finite_vertices_end(); ++v)
   {
     const auto& p = tr.point(v);
-    number.emplace(v, static_cast<int>(handles.size()));
+    number[v] = static_cast<int>(handles.size());
     handles.push_back(v);
     sites.push_back({ CGAL::to_double(p.x()), CGAL::to_double(p.y()), CGAL::to_double(p.z()),
                       CGAL::to_double(p.weight()) });
@@ -84,33 +87,38 @@ flatten_triangulation_3(const Triangulation& tr,
   }
 
   std::vector<Cell_handle> cells;
-  std::unordered_map<Cell_handle, int, Hash> cell_number;
+  std::vector<std::array<int, 4> > inside_cells, outside_cells;
+  CGAL::Unique_hash_map<Cell_handle, int, Hash> cell_number(-1, 2 * tr.number_of_vertices());
   std::vector<char> has_cell(handles.size(), false);
   for(auto c = tr.all_cells_begin(); c != tr.all_cells_end(); ++c)
   {
-    const bool inside = !tr.is_infinite(c) && is_inside(c);
-    if(inside)
-    {
-      cell_number.emplace(c, static_cast<int>(cells.size()));
-      cells.push_back(c);
-    }
+    const bool infinite = tr.is_infinite(c);
+    const bool inside = !infinite && is_inside(c);
+    std::array<int, 4> v;
     for(int i = 0; i < 4; ++i)
     {
-      if(tr.is_infinite(c->vertex(i)))
-        continue;
-      char& flag = (inside ? has_cell : moves)[number[c->vertex(i)]];
-      flag = inside;
+      v[i] = tr.is_infinite(c->vertex(i)) ? -1 : number[c->vertex(i)];
+      if(v[i] >= 0)
+        (inside ? has_cell : moves)[v[i]] = inside;
     }
+    if(inside)
+    {
+      cell_number[c] = static_cast<int>(cells.size());
+      cells.push_back(c);
+      inside_cells.push_back(v);
+    }
+    else if(!infinite)
+      outside_cells.push_back(v);
   }
   const auto separates = [&](Cell_handle c, int i)
   {
-    return cell_number.count(c->neighbor(i)) == 0 || is_wall(Facet(c, i));
+    return cell_number[c->neighbor(i)] < 0 || is_wall(Facet(c, i));
   };
-  for(Cell_handle c : cells)
+  for(std::size_t n = 0; n < cells.size(); ++n)
     for(int i = 0; i < 4; ++i)
-      if(separates(c, i))
+      if(separates(cells[n], i))
         for(int j : Flat_triangulation_3::facet_vertices(i))
-          moves[number[c->vertex(j)]] = false;
+          moves[inside_cells[n][j]] = false;
 
   // Movable vertices first, both groups along a Hilbert curve.
   std::vector<Kernel::Point_3> points;
@@ -125,25 +133,37 @@ flatten_triangulation_3(const Triangulation& tr,
   const auto first_fixed = std::stable_partition(order.begin(), order.end(), [&](std::size_t n)
                                                  { return moves[n] && has_cell[n]; });
   mesh.number_of_movable_vertices = static_cast<int>(first_fixed - order.begin());
+  std::vector<int> place(handles.size());
   for(std::size_t n = 0; n < order.size(); ++n)
   {
+    place[order[n]] = static_cast<int>(n);
     flat.vertices.push_back(handles[order[n]]);
     number[handles[order[n]]] = static_cast<int>(n);
     mesh.sites.push_back(sites[order[n]]);
   }
 
+  for(auto* group : { &inside_cells, &outside_cells })
+    for(std::array<int, 4>& v : *group)
+    {
+      for(int& k : v)
+        k = place[k];
+      if(*std::min_element(v.begin(), v.end()) < mesh.number_of_movable_vertices)
+        continue;
+      flat.fixed_cells.push_back(v);
+      std::sort(flat.fixed_cells.back().begin(), flat.fixed_cells.back().end());
+    }
+
   // Cells, neighbors and walls. CGAL orders the vertices of a cell as we do.
   mesh.topology.reserve(handles.size(), cells.size());
-  for(Cell_handle c : cells)
-    mesh.topology.add_cell(number[c->vertex(0)], number[c->vertex(1)],
-                           number[c->vertex(2)], number[c->vertex(3)]);
+  for(const std::array<int, 4>& v : inside_cells)
+    mesh.topology.add_cell(v[0], v[1], v[2], v[3]);
   for(std::size_t n = 0; n < cells.size(); ++n)
     for(int i = 0; i < 4; ++i)
     {
       const Cell_handle c = cells[n], d = c->neighbor(i);
       const int slot = static_cast<int>(4 * n) + i;
-      const auto other = cell_number.find(d);
-      const int mirror = other == cell_number.end() ? -1 : 4 * other->second + d->index(c);
+      const int other = cell_number[d];
+      const int mirror = other < 0 ? -1 : 4 * other + d->index(c);
       if(!separates(c, i))
       {
         if(slot < mirror)
