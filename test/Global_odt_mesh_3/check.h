@@ -1,0 +1,39 @@
+// Copyright (c) 2026 The Global_odt_mesh_3 authors.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef GLOBAL_ODT_MESH_3_TEST_CHECK_H
+#define GLOBAL_ODT_MESH_3_TEST_CHECK_H
+
+#include <cstdlib>
+#include <iostream>
+
+// Counts failed checks, and says which; unlike assertions it goes on.
+namespace check {
+
+inline int& failures()
+{
+  static int n = 0;
+  return n;
+}
+
+template <class... What>
+void that(bool ok, const What&... what)
+{
+  if(ok)
+    return;
+  ++failures();
+  std::cerr << "FAILED: ";
+  (std::cerr << ... << what) << std::endl;
+}
+
+inline int result()
+{
+  std::cout << (failures() == 0 ? "all checks passed" : "some checks FAILED") << std::endl;
+  return failures() == 0 ? EXIT_SUCCESS : EXIT_FAILURE;
+}
+
+} // namespace check
+
+#endif // GLOBAL_ODT_MESH_3_TEST_CHECK_H
