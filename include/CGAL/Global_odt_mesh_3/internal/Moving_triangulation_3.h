@@ -84,12 +84,17 @@ public:
   bool evaluate()
   {
     ++statistics_.evaluations;
+    retreated_.clear();
     pass();
     // A step that inverts so much is too long to be worth mending.
     if(inverted_.size() > 20 + static_cast<std::size_t>(topology.number_of_cells()) / 10)
       return false;
-    if(!inverted_.empty() && !untangle() && !hold_back())
-      return false;
+    if(!inverted_.empty())
+    {
+      const std::size_t damage = inverted_.size();
+      if(!untangle() && (stuck_.size() > 20 + damage || !hold_back()))
+        return false;
+    }
     make_regular();
     retreat_from_wall_balls();
     return true;
@@ -103,8 +108,8 @@ public:
     return inverted_.empty() && irregular_.empty() && intruders_.empty();
   }
 
-  // The vertices that the last evaluation kept out of the ball of a wall.
-  const std::vector<int>& retreated_vertices() const { return intruders_; }
+  // The vertices that the last evaluation kept from going where they were sent.
+  const std::vector<int>& retreated_vertices() const { return retreated_; }
 
   // Moves a vertex if all its cells stay positive, and makes its surroundings
   // regular. Energy and gradient follow.
@@ -301,34 +306,46 @@ private:
     return volume;
   }
 
-  // Lawson's algorithm, from the facets in irregular_. The power of facets that
-  // no flip can remove now may be cured by later flips nearby.
+  // Lawson's algorithm, from the facets in irregular_. Facets that no flip can
+  // remove wait until flips nearby have changed their surroundings.
   void make_regular()
   {
     // Each flip lowers the lifted surface; the bound only guards against
     // rounding.
     std::size_t budget = 1000 + 40 * irregular_.size();
-    while(!irregular_.empty() && budget-- > 0)
+    std::vector<int> waiting;
+    std::size_t flips = 0;
+    for(;;)
     {
-      const int slot = irregular_.back();
-      irregular_.pop_back();
-      const int c = slot / 4;
-      if(!topology.is_alive(c))
-        continue;
-      const int across = topology.neighbor(slot);
-      if(Flat_triangulation_3::is_wall(across))
-        continue;
-      const Site& origin = sites[topology.vertex(4 * c)];
-      const Site& q = sites[topology.vertex(across)];
-      const Cell_products t = products(c);
-      if(!is_irregular(t.power(origin, q), squared_distance(origin, q)))
-        continue;
-      mend_facet(slot, t.determinant + products(across / 4).determinant);
+      while(!irregular_.empty() && budget-- > 0)
+      {
+        const int slot = irregular_.back();
+        irregular_.pop_back();
+        const int c = slot / 4;
+        if(!topology.is_alive(c))
+          continue;
+        const int across = topology.neighbor(slot);
+        if(Flat_triangulation_3::is_wall(across))
+          continue;
+        const Site& origin = sites[topology.vertex(4 * c)];
+        const Site& q = sites[topology.vertex(across)];
+        const Cell_products t = products(c);
+        if(!is_irregular(t.power(origin, q), squared_distance(origin, q)))
+          continue;
+        if(mend_facet(slot, t.determinant + products(across / 4).determinant))
+          ++flips;
+        else
+          waiting.push_back(slot);
+      }
+      irregular_.clear();
+      if(flips == 0)
+        return;
+      irregular_.swap(waiting);
+      flips = 0;
     }
-    irregular_.clear();
   }
 
-  void mend_facet(int slot, double volume)
+  bool mend_facet(int slot, double volume)
   {
     const std::array<double, 3> after = volumes_after_2_3(slot);
     const double flat = 1e-12 * volume;
@@ -337,26 +354,31 @@ private:
     {
       for(int c : flip_2_3(slot))
         push_facets(c);
-      return;
+      return true;
     }
     // The edge across from the k-th vertex of the facet is reflex.
     if(after[(k + 1) % 3] <= flat || after[(k + 2) % 3] <= flat)
-      return;
+      return false;
     const std::array<int, 3>& f = Flat_triangulation_3::facet_vertices(slot % 4);
+    const int u = f[(k + 1) % 3], v = f[(k + 2) % 3];
     std::array<int, 3> ring;
-    if(topology.has_degree_3(slot / 4, f[(k + 1) % 3], f[(k + 2) % 3], ring))
+    if(topology.has_degree_3(slot / 4, u, v, ring))
+    {
       for(int c : flip_3_2(ring))
         push_facets(c);
+      return true;
+    }
+    return false;
   }
 
   // Gives all cells positive volume, first by flips that lower the sum of the
-  // negative volumes, then by moving a vertex into the kernel of its star. The
-  // cells for which this fails are left in stuck_.
+  // negative volumes, then, if much is left, by moving vertices into the kernel
+  // of their star. The cells for which this fails are left in stuck_.
   bool untangle()
   {
     keep_topology();
     statistics_.untangled_cells += inverted_.size();
-    std::size_t budget = 100 + 20 * inverted_.size();
+    std::size_t budget = 100 + 8 * inverted_.size();
     stuck_.clear();
     while(!inverted_.empty() && budget-- > 0)
     {
@@ -367,8 +389,10 @@ private:
     }
     stuck_.insert(stuck_.end(), inverted_.begin(), inverted_.end());
     inverted_.clear();
-    stuck_.erase(std::remove_if(stuck_.begin(), stuck_.end(), [this](int c)
-                                { return !is_inverted(c) || move_into_kernel(c); }),
+    // Such a move is a jump of the energy, out of place once the steps are small.
+    const bool may_jump = stuck_.size() > most_cells_held_back;
+    stuck_.erase(std::remove_if(stuck_.begin(), stuck_.end(), [&](int c)
+                                { return !is_inverted(c) || (may_jump && move_into_kernel(c)); }),
                  stuck_.end());
     stuck_.erase(std::remove_if(stuck_.begin(), stuck_.end(), [this](int c)
                                 { return !is_inverted(c); }),
@@ -419,7 +443,12 @@ private:
       ++statistics_.holds;
       pass();
       if(inverted_.empty() || untangle())
+      {
+        for(int v = 0; v < number_of_movable_vertices; ++v)
+          if(level[v] == standstill)
+            retreated_.push_back(v);
         return true;
+      }
     }
     return false;
   }
@@ -441,7 +470,8 @@ private:
   bool best_untangling_flip(int c)
   {
     const auto negative = [](double volume) { return (std::max)(0., -volume); };
-    double best_gain = 0;
+    // Flips that gain next to nothing go on forever.
+    double best_gain = 0.1 * negative(products(c).determinant);
     int best_slot = -1;
     std::array<int, 3> best_ring;
     for(int i = 0; i < 4; ++i)
@@ -580,6 +610,7 @@ private:
         if(outside && relocate(v, s))
         {
           ++statistics_.retreats;
+          retreated_.push_back(v);
           break;
         }
       }
@@ -587,9 +618,11 @@ private:
     make_regular();
   }
 
+  static constexpr std::size_t most_cells_held_back = 16;
+
   std::vector<Site_gradient> gradient_;
   double energy_ = 0;
-  std::vector<int> inverted_, irregular_, intruders_, stuck_, star_;
+  std::vector<int> inverted_, irregular_, intruders_, stuck_, star_, retreated_;
   std::vector<Site> kept_sites_, trial_sites_;
   Flat_triangulation_3 kept_topology_;
   bool topology_is_kept_ = false;

@@ -74,8 +74,6 @@ private:
   // As CGAL's optimizers, which bound the number of iterations even if the user
   // does not.
   static constexpr std::size_t most_iterations = 1000;
-  // How often a vertex may run into the ball of a wall before it is left there.
-  static constexpr int most_retreats = 3;
   static constexpr std::size_t iterations_between_compactions = 50;
 
   Mesh_optimization_return_code minimize(Odt_objective_3& objective, bool is_graded)
@@ -89,7 +87,6 @@ private:
       p.energy_tolerance = 1e-3;
     }
     Limited_memory_bfgs minimizer(p);
-    retreats_.assign(mesh_.number_of_movable_vertices, 0);
     const std::size_t limit = parameters_.max_iteration_number == 0 ? most_iterations
                                                                     : parameters_.max_iteration_number;
     for(;;)
@@ -97,7 +94,7 @@ private:
       if(is_time_limit_reached())
         return TIME_LIMIT_REACHED;
       const double displacement = compute_displacements(objective);
-      if(parameters_.do_freeze && number_of_frozen_vertices_ == mesh_.number_of_movable_vertices)
+      if(parameters_.do_freeze && objective.number_of_frozen_vertices() == mesh_.number_of_movable_vertices)
         return ALL_VERTICES_FROZEN;
       if(displacement < parameters_.convergence)
         return CONVERGENCE_REACHED;
@@ -110,9 +107,6 @@ private:
       if(minimizer.iterate(objective) == Limited_memory_bfgs::NO_STEP_FOUND)
         return CANT_IMPROVE_ANYMORE;
       visitor_.after_move_points();
-      for(int v : mesh_.retreated_vertices())
-        if(++retreats_[v] == most_retreats)
-          freeze(objective, v);
       visitor_.end_of_iteration(static_cast<int>(number_of_iterations_));
       ++number_of_iterations_;
       if(number_of_iterations_ % iterations_between_compactions == 0)
@@ -141,21 +135,13 @@ private:
     for(int v = 0; v < n; ++v)
     {
       displacement_[v] = g.segment<3>(3 * v).norm() / (d[3 * v] * shortest_edge_[v]);
-      if(parameters_.do_freeze && displacement_[v] < parameters_.freeze_bound && !objective.is_frozen(v))
-        freeze(objective, v);
+      if(parameters_.do_freeze && displacement_[v] < parameters_.freeze_bound)
+        objective.freeze(v);
     }
     const std::size_t count = (std::max)(std::size_t(1), static_cast<std::size_t>(n) / 500);
     std::nth_element(displacement_.begin(), displacement_.begin() + (count - 1), displacement_.end(),
                      std::greater<double>());
     return std::accumulate(displacement_.begin(), displacement_.begin() + count, 0.) / double(count);
-  }
-
-  void freeze(Odt_objective_3& objective, int v)
-  {
-    if(objective.is_frozen(v))
-      return;
-    objective.freeze(v);
-    ++number_of_frozen_vertices_;
   }
 
   // The fraction done is the largest of those of time, iterations, and orders of
@@ -182,9 +168,7 @@ private:
   Real_timer timer_;
   Moving_triangulation_3 mesh_;
   std::vector<double> displacement_, shortest_edge_;
-  std::vector<int> retreats_;
   std::size_t number_of_iterations_ = 0;
-  int number_of_frozen_vertices_ = 0;
   double first_displacement_ = 0;
   double fraction_ = 0;
 };

@@ -31,6 +31,7 @@ public:
     : mesh_(mesh)
     , density_(std::move(density))
     , frozen_(mesh.number_of_movable_vertices, false)
+    , retreats_(mesh.number_of_movable_vertices, 0)
     , point_(3 * mesh.number_of_movable_vertices)
     , gradient_(point_.size())
     , diagonal_(point_.size())
@@ -74,17 +75,29 @@ public:
     return true;
   }
 
-  void accept() { mesh_.keep(); }
+  // Vertices that are held back again and again, at a wall, are frozen.
+  void accept()
+  {
+    for(int v : mesh_.retreated_vertices())
+      if(++retreats_[v] == most_retreats)
+        freeze(v);
+    mesh_.keep();
+  }
   void reject() { mesh_.restore(); }
 
+  int number_of_frozen_vertices() const { return number_of_frozen_vertices_; }
   bool is_frozen(int v) const { return frozen_[v]; }
   void freeze(int v)
   {
+    if(!frozen_[v])
+      ++number_of_frozen_vertices_;
     frozen_[v] = true;
     gradient_.segment<3>(3 * v).setZero();
   }
 
 private:
+  static constexpr int most_retreats = 3;
+
   void update_density()
   {
     if(density_)
@@ -110,6 +123,8 @@ private:
   Moving_triangulation_3& mesh_;
   Density density_;
   std::vector<char> frozen_;
+  std::vector<int> retreats_;
+  int number_of_frozen_vertices_ = 0;
   Eigen::VectorXd point_, gradient_, diagonal_;
   bool is_feasible_ = false;
 };

@@ -1,0 +1,236 @@
+// Copyright (c) 2026 The Global_odt_mesh_3 authors.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+// The flat triangulation stays valid under flips and agrees with CGAL's exact
+// one while its vertices move, and the minimizer finds a stationary point.
+
+#include "check.h"
+
+#include <CGAL/Global_odt_mesh_3/internal/Flatten_triangulation_3.h>
+#include <CGAL/Global_odt_mesh_3/internal/Limited_memory_bfgs.h>
+#include <CGAL/Global_odt_mesh_3/internal/Odt_objective_3.h>
+
+#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+#include <CGAL/Regular_triangulation_3.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <iostream>
+#include <iterator>
+#include <map>
+#include <random>
+#include <set>
+#include <vector>
+
+using namespace CGAL::Global_odt_mesh_3::internal;
+typedef CGAL::Exact_predicates_inexact_constructions_kernel Kernel;
+typedef CGAL::Regular_triangulation_3<Kernel> Regular;
+
+// Random points in the unit cube, whose surface carries a regular grid, all
+// displaced by `shift`; some vertices weighted on request.
+static Moving_triangulation_3 random_cube(int grid, int interior, double shift, bool weighted, std::mt19937& random)
+{
+  std::uniform_real_distribution<double> u(0, 1);
+  std::vector<Regular::Weighted_point> points;
+  const auto add = [&](double x, double y, double z, double w)
+  { points.emplace_back(Kernel::Point_3(x + shift, y + shift, z + shift), w); };
+  for(int i = 0; i <= grid; ++i)
+    for(int j = 0; j <= grid; ++j)
+      for(int k = 0; k <= grid; ++k)
+        if(i % grid == 0 || j % grid == 0 || k % grid == 0)
+          add(i / double(grid), j / double(grid), k / double(grid), 0);
+  const double size = std::pow(1. / interior, 1. / 3);
+  for(int n = 0; n < interior; ++n)
+  {
+    const double w = weighted && n % 10 == 0 ? 0.05 * size * size : 0;
+    add(u(random), u(random), u(random), w);
+  }
+  Regular tr(points.begin(), points.end());
+  Moving_triangulation_3 mesh;
+  flatten_triangulation_3(
+    tr, [](Regular::Cell_handle) { return true; }, [](const Regular::Facet&) { return false; },
+    [](Regular::Vertex_handle) { return true; },
+    [](const Regular::Facet&) { return Wall_ball{ 0, 0, 0, -1e300 }; }, mesh);
+  return mesh;
+}
+
+// The number of cells by which the flat and CGAL's exact triangulation of the
+// same points differ.
+static std::size_t difference_to_exact(const Moving_triangulation_3& mesh)
+{
+  typedef std::array<int, 4> Cell;
+  std::set<Cell> flat, exact;
+  for(int c = 0; c < mesh.topology.number_of_cell_slots(); ++c)
+    if(mesh.topology.is_alive(c))
+    {
+      Cell v;
+      for(int i = 0; i < 4; ++i)
+        v[i] = mesh.topology.vertex(4 * c + i);
+      std::sort(v.begin(), v.end());
+      flat.insert(v);
+    }
+  Regular tr;
+  std::map<Regular::Vertex_handle, int> number;
+  for(std::size_t v = 0; v < mesh.sites.size(); ++v)
+  {
+    const Site& s = mesh.sites[v];
+    number[tr.insert(Regular::Weighted_point(Kernel::Point_3(s.x, s.y, s.z), s.weight))] = static_cast<int>(v);
+  }
+  for(auto c = tr.finite_cells_begin(); c != tr.finite_cells_end(); ++c)
+  {
+    Cell v;
+    for(int i = 0; i < 4; ++i)
+      v[i] = number[c->vertex(i)];
+    std::sort(v.begin(), v.end());
+    exact.insert(v);
+  }
+  std::vector<Cell> only;
+  std::set_symmetric_difference(flat.begin(), flat.end(), exact.begin(), exact.end(), std::back_inserter(only));
+  return only.size();
+}
+
+// Each pair of flips 2-3 and 3-2 leads back to the same cells.
+static void flips(std::mt19937& random)
+{
+  Moving_triangulation_3 mesh = random_cube(3, 60, 0, false, random);
+  Flat_triangulation_3& t = mesh.topology;
+  check::that(t.is_valid(), "the flat triangulation is not valid after loading");
+  const auto cells = [&t]
+  {
+    std::set<std::array<int, 4> > s;
+    for(int c = 0; c < t.number_of_cell_slots(); ++c)
+      if(t.is_alive(c))
+      {
+        std::array<int, 4> v = {{ t.vertex(4 * c), t.vertex(4 * c + 1), t.vertex(4 * c + 2), t.vertex(4 * c + 3) }};
+        std::sort(v.begin(), v.end());
+        s.insert(v);
+      }
+    return s;
+  };
+  const auto before = cells();
+  int flipped = 0;
+  for(int slot = 0; slot < 4 * static_cast<int>(before.size()); slot += 7)
+  {
+    if(!t.is_alive(slot / 4) || Flat_triangulation_3::is_wall(t.neighbor(slot)))
+      continue;
+    const std::array<int, 3> three = t.flip_2_3(slot);
+    check::that(t.is_valid(), "not valid after flip 2-3");
+    std::array<int, 3> ring;
+    const bool found = t.has_degree_3(three[1], 0, 1, ring);
+    check::that(found, "the new edge does not have degree 3");
+    if(!found)
+      return;
+    t.flip_3_2(ring);
+    check::that(t.is_valid(), "not valid after flip 3-2");
+    ++flipped;
+  }
+  check::that(flipped > 50, "only ", flipped, " flips");
+  check::that(cells() == before, "flips 2-3 and 3-2 do not undo each other");
+  t.compact();
+  check::that(t.is_valid() && cells() == before, "compaction changes cells");
+}
+
+// After every step of a random walk, the mended triangulation is the exact one.
+// Lawson's flips may get stuck after a wild step; this must be rare, be noticed
+// by is_regular(), and be over with the next step.
+static void random_walk(bool weighted, double shift, std::mt19937& random)
+{
+  Moving_triangulation_3 mesh = random_cube(4, 200, shift, weighted, random);
+  check::that(difference_to_exact(mesh) == 0, "loaded triangulation is not CGAL's");
+  std::uniform_real_distribution<double> u(-1, 1);
+  mesh.keep();
+  std::size_t failures = 0, stuck = 0;
+  for(int step = 0; step < 40; ++step)
+  {
+    const double amplitude = step % 2 == 0 ? 0.05 : 0.01;
+    for(int v = 0; v < mesh.number_of_movable_vertices; ++v)
+    {
+      Site& s = mesh.sites[v];
+      s.x = std::clamp(s.x - shift + amplitude * u(random), 0.02, 0.98) + shift;
+      s.y = std::clamp(s.y - shift + amplitude * u(random), 0.02, 0.98) + shift;
+      s.z = std::clamp(s.z - shift + amplitude * u(random), 0.02, 0.98) + shift;
+    }
+    if(!mesh.evaluate())
+    {
+      mesh.restore();
+      ++failures;
+      check::that(mesh.topology.is_valid() && difference_to_exact(mesh) == 0, "not the exact triangulation after restoring");
+      continue;
+    }
+    check::that(mesh.topology.is_valid(), "flat triangulation not valid after step ", step);
+    const std::size_t difference = difference_to_exact(mesh);
+    // The energy updated flip by flip is that of a fresh pass.
+    const double energy = mesh.energy();
+    const Site_gradient g = mesh.gradient()[0];
+    const bool regular = mesh.is_regular();
+    check::that(regular == (difference == 0), difference, " cells differ from CGAL's after step ", step);
+    check::that(regular || step % 2 == 0, "not regular after the small step ", step);
+    stuck += !regular;
+    check::that(std::abs(mesh.energy() - energy) <= 1e-10 * energy, "the energy is not that of the cells");
+    check::that(std::abs(mesh.gradient()[0].x - g.x) <= 1e-10 * g.diagonal, "the gradient is not that of the cells");
+    mesh.keep();
+  }
+  check::that(failures < 10, failures, " of 40 steps could not be mended");
+  check::that(stuck <= 1, stuck, " of 40 steps did not end on the exact triangulation");
+  check::that(mesh.statistics().flips > 1000, "the walk hardly flipped");
+}
+
+// L-BFGS lowers the energy step by step and reaches a vanishing gradient, lower
+// than the AVV iteration ends.
+static void minimization(double shift, std::mt19937& random)
+{
+  Moving_triangulation_3 mesh = random_cube(8, 1500, shift, false, random);
+  Moving_triangulation_3 copy = mesh;
+  Odt_objective_3 objective(mesh);
+  Limited_memory_bfgs minimizer;
+  const double tolerance = shift == 0 ? 1e-9 : 1e-8;   // the coordinates' own rounding
+  double energy = objective.value();
+  int n = 0;
+  while(objective.gradient().norm() > tolerance && n < 400)
+  {
+    if(minimizer.iterate(objective) != Limited_memory_bfgs::STEP_TAKEN)
+      break;
+    check::that(objective.value() <= energy * (1 + 1e-8), "the energy rose in iteration ", n);
+    energy = objective.value();
+    if(++n % 50 == 0)
+    {
+      mesh.topology.compact();
+      mesh.keep();
+    }
+  }
+  std::cout << "L-BFGS, origin moved by " << shift << ": " << n << " iterations, |g| "
+            << objective.gradient().norm() << ", E " << energy << std::endl;
+  check::that(objective.gradient().norm() <= tolerance, "no convergence");
+  check::that(difference_to_exact(mesh) <= 4, "the minimizer's triangulation is not CGAL's");
+
+  Odt_objective_3 avv(copy);
+  for(int i = 0; i < 500; ++i)
+  {
+    const Eigen::VectorXd start = avv.point();
+    Eigen::VectorXd step = -(avv.gradient().array() / avv.diagonal().array()).matrix();
+    while(!avv.evaluate(start + step))
+    {
+      avv.reject();
+      step /= 2;
+    }
+    avv.accept();
+  }
+  check::that(energy < avv.value(), "AVV finds a lower energy: ", avv.value(), " < ", energy);
+}
+
+int main()
+{
+  const unsigned int seed = 11;
+  std::cout << "seed " << seed << std::endl;
+  std::mt19937 random(seed);
+  flips(random);
+  random_walk(false, 0, random);
+  random_walk(true, 0, random);
+  random_walk(false, 1000, random);
+  minimization(0, random);
+  minimization(1000, random);
+  return check::result();
+}
