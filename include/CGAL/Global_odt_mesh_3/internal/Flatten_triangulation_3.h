@@ -88,6 +88,7 @@ flatten_triangulation_3(const Triangulation& tr,
 
   std::vector<Cell_handle> cells;
   std::vector<std::array<int, 4> > inside_cells, outside_cells;
+  std::vector<Wall<Triangulation> > outside_walls;
   CGAL::Unique_hash_map<Cell_handle, int, Hash> cell_number(-1, 2 * tr.number_of_vertices());
   std::vector<char> has_cell(handles.size(), false);
   for(auto c = tr.all_cells_begin(); c != tr.all_cells_end(); ++c)
@@ -108,7 +109,21 @@ flatten_triangulation_3(const Triangulation& tr,
       inside_cells.push_back(v);
     }
     else if(!infinite)
+    {
       outside_cells.push_back(v);
+      // Facets of the complex without any cell of the complex, as occur where
+      // the surface folds, are no walls of the flat cells but have to stay, too.
+      for(int i = 0; i < 4; ++i)
+      {
+        const Cell_handle d = c->neighbor(i);
+        const bool second_visit = !tr.is_infinite(d) && d < Cell_handle(c);
+        if(!second_visit && (tr.is_infinite(d) || !is_inside(d)) && is_wall(Facet(c, i)))
+        {
+          const auto& f = Flat_triangulation_3::facet_vertices(i);
+          outside_walls.push_back({ Facet(c, i), {{ v[f[0]], v[f[1]], v[f[2]] }} });
+        }
+      }
+    }
   }
   const auto separates = [&](Cell_handle c, int i)
   {
@@ -182,6 +197,13 @@ flatten_triangulation_3(const Triangulation& tr,
       if(mirror >= 0)
         mesh.topology.set_neighbors(mirror, ~wall);
     }
+  for(Wall<Triangulation>& wall : outside_walls)
+  {
+    for(int& v : wall.vertices)
+      v = place[v];
+    flat.walls.push_back(wall);
+    mesh.wall_balls.push_back(make_ball(wall.facet));
+  }
   mesh.topology.compact();
   return flat;
 }

@@ -61,7 +61,8 @@ public:
     {
       compute_direction(f.diagonal());
       const double slope = direction_.dot(g_);
-      if(slope < 0 && line_search(f, energy, slope))
+      // What the step may gain has to be more than rounding.
+      if(slope < -1e-15 * std::abs(energy) && line_search(f, energy, slope))
         return STEP_TAKEN;
       // The curvature may be stale; try the plain preconditioned gradient.
       if(size_ == 0)

@@ -1,0 +1,364 @@
+// Copyright (c) 2026 The Global_odt_mesh_3 authors.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+// The call: named parameters in all styles, return codes, cancellation,
+// exceptions, degenerate meshes, and the calls from make_mesh_3().
+
+#include "mesh_contract.h"
+#include "mesh_domains.h"
+
+#include <CGAL/odt_optimize_mesh_3.h>
+#include <CGAL/refine_mesh_3.h>
+#include <CGAL/version.h>
+
+#include <functional>
+#include <iostream>
+#include <limits>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+using domains::Labeled_c3t3;
+using domains::Labeled_domain;
+using domains::Point_3;
+namespace params = CGAL::parameters;
+
+typedef Mesh_contract<Labeled_c3t3, Labeled_domain> Contract;
+
+static void parameter_styles(const Labeled_c3t3& input, const Labeled_domain& domain)
+{
+  Labeled_c3t3 reference(input);
+  CGAL::odt_optimize_mesh_3(reference, domain, params::time_limit = 100, params::max_iteration_number = 5,
+                            params::convergence = 0.001, params::freeze_bound = 0.0005, params::do_freeze = false);
+  const auto expected = Contract::points(reference);
+  check::that(expected != Contract::points(input), "parameters: nothing moved");
+  const auto compare = [&](const Labeled_c3t3& c3t3, const char* style)
+  { check::that(Contract::points(c3t3) == expected, "parameters given as ", style, " have another effect"); };
+  {
+    Labeled_c3t3 c(input);
+    CGAL::odt_optimize_mesh_3(c, domain, params::do_freeze = false, params::number_of_rounds = 0,
+                              params::freeze_bound = 0.0005, params::sliver_bound = 0, params::random_seed(5),
+                              params::convergence = 0.001, params::max_iteration_number = 5);
+    compare(c, "values with =, in another order, with the new ones among them");
+  }
+#if CGAL_VERSION_NR < 1050600000
+  {
+    Labeled_c3t3 c(input);
+    CGAL::odt_optimize_mesh_3(c, domain, 100, 5, 0.001, 0.0005, false);
+    compare(c, "values by position");
+  }
+#else
+  {
+    Labeled_c3t3 c(input);
+    CGAL::odt_optimize_mesh_3(c, domain, params::time_limit(100).max_iteration_number(5).convergence(0.001)
+                                               .freeze_bound(0.0005).do_freeze(false));
+    compare(c, "a chain");
+  }
+  {
+    Labeled_c3t3 c(input);
+    CGAL::odt_optimize_mesh_3(c, domain, params::maximum_running_time(100).number_of_iterations(5)
+                                               .convergence_ratio(0.001).vertex_freeze_bound(0.0005).freeze(false));
+    compare(c, "a chain of canonical names");
+  }
+  {
+    Labeled_c3t3 c(input);
+    CGAL::odt_optimize_mesh_3(c, domain, params::number_of_rounds(0).convergence(0.001).max_iteration_number(5),
+                              params::freeze_bound(0.0005).do_freeze(false).random_seed(3));
+    compare(c, "two chains");
+  }
+#endif
+  {
+    Labeled_c3t3 c(input);
+    CGAL::odt_optimize_mesh_3_impl(c, domain, 100., std::size_t(5), 0.001, 0.0005, false);
+    compare(c, "arguments of odt_optimize_mesh_3_impl()");
+  }
+}
+
+static void bad_parameters(const Labeled_c3t3& input, const Labeled_domain& domain)
+{
+  const Contract contract(input, domain, "bad parameters");
+  Labeled_c3t3 c3t3(input);
+  const auto refuses = [&](const char* name, const std::function<void()>& call)
+  {
+    bool thrown = false;
+    try { call(); }
+    catch(const CGAL::Precondition_exception& e)
+    {
+      thrown = e.message().find(name) != std::string::npos;
+    }
+    check::that(thrown, "no precondition names the bad ", name);
+  };
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  const CGAL::Failure_behaviour behaviour = CGAL::set_error_behaviour(CGAL::THROW_EXCEPTION);
+  const CGAL::Failure_function handler = CGAL::set_error_handler(
+    [](const char*, const char*, const char*, int, const char*) {});
+  refuses("time_limit", [&] { CGAL::odt_optimize_mesh_3(c3t3, domain, params::time_limit = -1); });
+  refuses("time_limit", [&] { CGAL::odt_optimize_mesh_3(c3t3, domain, params::time_limit = nan); });
+  refuses("convergence", [&] { CGAL::odt_optimize_mesh_3(c3t3, domain, params::convergence = 1.5); });
+  refuses("convergence", [&] { CGAL::odt_optimize_mesh_3(c3t3, domain, params::convergence = nan); });
+  refuses("freeze_bound", [&] { CGAL::odt_optimize_mesh_3(c3t3, domain, params::freeze_bound = -0.1); });
+  refuses("freeze_bound", [&] { CGAL::odt_optimize_mesh_3(c3t3, domain, params::freeze_bound = nan); });
+  refuses("sliver_bound", [&] { CGAL::odt_optimize_mesh_3(c3t3, domain, params::sliver_bound = 200.); });
+  refuses("sliver_bound", [&] { CGAL::odt_optimize_mesh_3(c3t3, domain, params::sliver_bound = nan); });
+  CGAL::set_error_handler(handler);
+  CGAL::set_error_behaviour(behaviour);
+  contract.check_untouched(c3t3);
+}
+
+static void return_codes(const Labeled_c3t3& input, const Labeled_domain& domain)
+{
+  const Contract contract(input, domain, "return codes");
+  const auto expect = [&](CGAL::Mesh_optimization_return_code code, CGAL::Mesh_optimization_return_code expected,
+                          const Labeled_c3t3& c3t3, const char* what)
+  {
+    check::that(code == expected, what, ": return code ", code, ", not ", expected);
+    contract.check(c3t3);
+  };
+  {
+    Labeled_c3t3 c(input);
+    expect(CGAL::odt_optimize_mesh_3(c, domain, params::time_limit = 1e-9, params::convergence = 0),
+           CGAL::TIME_LIMIT_REACHED, c, "time limit");
+    contract.check_untouched(c);
+  }
+  {
+    Labeled_c3t3 c(input);
+    int iterations = 0;
+    const auto count = [&](double) { ++iterations; return true; };
+    expect(CGAL::odt_optimize_mesh_3(c, domain, params::max_iteration_number = 3, params::convergence = 0,
+                                     params::do_freeze = false, params::callback(count)),
+           CGAL::MAX_ITERATION_NUMBER_REACHED, c, "iterations");
+    check::that(iterations == 3, iterations, " iterations instead of 3");
+  }
+  {
+    Labeled_c3t3 c(input);
+    expect(CGAL::odt_optimize_mesh_3(c, domain, params::convergence = 0.05, params::do_freeze = false),
+           CGAL::CONVERGENCE_REACHED, c, "convergence");
+  }
+  {
+    Labeled_c3t3 c(input);
+    expect(CGAL::odt_optimize_mesh_3(c, domain, params::convergence = 0, params::freeze_bound = 0.3),
+           CGAL::ALL_VERTICES_FROZEN, c, "freezing");
+  }
+  {
+    Labeled_c3t3 c(input);
+    expect(CGAL::odt_optimize_mesh_3(c, domain, params::convergence = 0, params::do_freeze = false),
+           CGAL::CANT_IMPROVE_ANYMORE, c, "exhaustion");
+  }
+}
+
+static void cancellation(const Labeled_c3t3& input, const Labeled_domain& domain)
+{
+  const Contract contract(input, domain, "cancellation");
+  std::vector<double> fractions;
+  Labeled_c3t3 c3t3(input);
+  const auto code = CGAL::odt_optimize_mesh_3(
+    c3t3, domain, params::callback([&](double f) { fractions.push_back(f); return fractions.size() < 4; }));
+  check::that(code == CGAL::TIME_LIMIT_REACHED, "cancellation: return code ", code);
+  check::that(fractions.size() == 4, "the callback was called ", fractions.size(), " times");
+  contract.check(c3t3);
+  check::that(Contract::points(c3t3) != Contract::points(input), "cancellation threw the iterations away");
+
+  fractions.clear();
+  Labeled_c3t3 all(input);
+  CGAL::odt_optimize_mesh_3(all, domain, params::callback([&](double f) { fractions.push_back(f); return true; }));
+  for(std::size_t n = 0; n < fractions.size(); ++n)
+    check::that(fractions[n] >= 0 && fractions[n] <= 1 && (n == 0 || fractions[n] >= fractions[n - 1]),
+                "the fraction done goes from ", n == 0 ? 0. : fractions[n - 1], " to ", fractions[n]);
+}
+
+static void exceptions(const Labeled_c3t3& input)
+{
+  // A domain that starts to throw after so many questions.
+  long questions_left = -1;
+  const Labeled_domain domain = domains::labeled([&](const Point_3& p) -> int
+  {
+    if(questions_left >= 0 && questions_left-- == 0)
+      throw std::runtime_error("the domain fails");
+    return domains::squared(p) < 1 ? 1 : 0;
+  });
+  const Contract contract(input, domain, "exceptions");
+  const auto throws = [&](const char* what, Labeled_c3t3& c3t3, const std::function<void()>& call)
+  {
+    bool thrown = false;
+    try { call(); }
+    catch(const std::runtime_error&) { thrown = true; }
+    questions_left = -1;
+    check::that(thrown, what, " did not throw");
+    contract.check_untouched(c3t3);
+    contract.check(c3t3);
+  };
+  Labeled_c3t3 c3t3(input);
+  for(long n : { 0L, 10L, 500L })
+    throws("domain", c3t3, [&] { questions_left = n; CGAL::odt_optimize_mesh_3(c3t3, domain); });
+  for(int n : { 0, 1, 5 })
+  {
+    int calls = 0;
+    throws("callback", c3t3, [&]
+    {
+      CGAL::odt_optimize_mesh_3(c3t3, domain, params::convergence = 0, params::callback([&](double) -> bool
+      {
+        if(calls++ == n)
+          throw std::runtime_error("the callback fails");
+        return true;
+      }));
+    });
+  }
+}
+
+struct Counting_visitor
+{
+  int moves = 0, moved = 0, rebuilt = 0, iterations = 0;
+  void after_compute_moves() { ++moves; }
+  void after_move_points() { ++moved; }
+  void after_rebuild_restricted_delaunay() { ++rebuilt; }
+  void end_of_iteration(int i) { iterations = i == iterations ? i + 1 : -1; }
+};
+
+static void visitor(const Labeled_c3t3& input, const Labeled_domain& domain)
+{
+  Counting_visitor v;
+  Labeled_c3t3 c3t3(input);
+  CGAL::odt_optimize_mesh_3(c3t3, domain, params::max_iteration_number = 4, params::convergence = 0,
+                            params::do_freeze = false, params::visitor(std::ref(v)));
+  check::that(v.moves == 4 && v.moved == 4 && v.iterations == 4 && v.rebuilt == 1, "the visitor counted ",
+              v.moves, ' ', v.moved, ' ', v.iterations, ' ', v.rebuilt);
+}
+
+// Marks on the second side the facets that are in the complex on one only, after
+// a vertex was inserted outside.
+static void mend_facets(Labeled_c3t3& c3t3)
+{
+  auto& tr = c3t3.triangulation();
+  for(auto f = tr.finite_facets_begin(); f != tr.finite_facets_end(); ++f)
+  {
+    auto g = *f, h = tr.mirror_facet(*f);
+    if(c3t3.is_in_complex(g) == c3t3.is_in_complex(h))
+      continue;
+    if(c3t3.is_in_complex(h))
+      std::swap(g, h);
+    h.first->set_surface_patch_index(h.second, c3t3.surface_patch_index(g));
+    h.first->set_facet_surface_center(h.second, g.first->get_facet_surface_center(g.second));
+    h.first->set_facet_surface_center_index(h.second, g.first->get_facet_surface_center_index(g.second));
+  }
+}
+
+static void degenerate(const Labeled_c3t3& sphere_mesh, const Labeled_domain& domain)
+{
+  const auto survives = [&](const std::string& name, Labeled_c3t3& c3t3, bool may_move)
+  {
+    const Contract contract(c3t3, domain, name);
+    const auto code = CGAL::odt_optimize_mesh_3(c3t3, domain);
+    contract.check(c3t3);
+    if(!may_move)
+    {
+      contract.check_untouched(c3t3);
+      check::that(code == CGAL::ALL_VERTICES_FROZEN, name, ": return code ", code);
+      check::that(CGAL::odt_optimize_mesh_3(c3t3, domain, params::do_freeze = false) == CGAL::CONVERGENCE_REACHED,
+                  name, ": without freezing, the return code is not CONVERGENCE_REACHED");
+    }
+  };
+  typedef Labeled_c3t3::Triangulation::Weighted_point Weighted_point;
+  {
+    Labeled_c3t3 c;
+    survives("nothing at all", c, false);
+    c.triangulation().insert(Weighted_point(Point_3(0, 0, 0)));
+    survives("one vertex", c, false);
+    c.triangulation().insert(Weighted_point(Point_3(1, 0, 0)));
+    c.triangulation().insert(Weighted_point(Point_3(0, 1, 0)));
+    survives("one triangle", c, false);
+  }
+  {
+    Labeled_c3t3 c;
+    for(int i = 0; i < 8; ++i)
+      c.triangulation().insert(Weighted_point(Point_3(2 + (i & 1), 2 + (i >> 1 & 1), 2.1 + (i >> 2 & 1))));
+    survives("no cell in the complex", c, false);
+  }
+  {
+    Labeled_c3t3 c;
+    const double s = 0.9;
+    for(const Point_3& p : { Point_3(s, 0, 0), Point_3(-s, s, 0), Point_3(-s, -s, -s), Point_3(0, 0, s) })
+    {
+      const auto v = c.triangulation().insert(Weighted_point(p));
+      v->set_dimension(2);
+    }
+    const auto cell = c.triangulation().finite_cells_begin();
+    c.add_to_complex(cell, 1);
+    for(int i = 0; i < 4; ++i)
+    {
+      c.add_to_complex(cell, i, std::make_pair(0, 1));
+      const auto mirror = c.triangulation().mirror_facet(std::make_pair(Labeled_c3t3::Cell_handle(cell), i));
+      cell->set_facet_surface_center(i, CGAL::ORIGIN);
+      mirror.first->set_facet_surface_center(mirror.second, CGAL::ORIGIN);
+    }
+    survives("one cell", c, false);
+  }
+  {
+    Labeled_c3t3 c = domains::mesh(domain, 1.2);
+    survives("hardly an interior vertex", c, true);
+  }
+  {
+    Labeled_c3t3 c(sphere_mesh);
+    for(auto v = c.triangulation().finite_vertices_begin(); v != c.triangulation().finite_vertices_end(); ++v)
+      v->set_dimension(2);
+    survives("all vertices on the surface", c, false);
+  }
+  {
+    Labeled_c3t3 c(sphere_mesh);
+    const auto v = c.triangulation().insert(Weighted_point(Point_3(2, 0.1, 0.2)));
+    v->set_dimension(2);
+    mend_facets(c);
+    survives("isolated vertex", c, true);
+  }
+  {
+    Labeled_c3t3 c(sphere_mesh);
+    c.add_far_point(Weighted_point(Point_3(20, 1, 2)));
+    mend_facets(c);
+    survives("far point", c, true);
+    check::that(c.number_of_far_points() == 1, "the far point was lost");
+  }
+}
+
+static void called_by_the_mesher()
+{
+  // A domain of its own for each, as it carries the random generator.
+  const Labeled_domain domain = domains::sphere(), same_domain = domains::sphere();
+  domains::Labeled_criteria criteria(params::facet_angle = 25, params::facet_size = 0.3, params::facet_distance = 0.05,
+                                     params::cell_radius_edge_ratio = 2.5, params::cell_size = 0.3);
+  const auto plain = CGAL::make_mesh_3<Labeled_c3t3>(domain, criteria, params::no_exude(), params::no_perturb());
+  const Contract contract(plain, domain, "make_mesh_3 with odt()");
+  const auto c3t3 = CGAL::make_mesh_3<Labeled_c3t3>(same_domain, criteria, params::no_exude(), params::no_perturb(),
+                                                   params::odt());
+  contract.check(c3t3);
+  check::that(Contract::points(c3t3) != Contract::points(plain), "make_mesh_3 with odt() does not optimize");
+
+  Labeled_c3t3 refined(plain);
+  CGAL::refine_mesh_3(refined, domain, criteria, params::no_exude(), params::no_perturb(), params::no_reset_c3t3(),
+                      params::odt(params::time_limit = 10, params::convergence = 0.1));
+  contract.check(refined);
+  check::that(Contract::points(refined) != Contract::points(plain), "refine_mesh_3 with odt() does not optimize");
+
+  // The optimized mesh satisfies the mesher, perturber and exuder.
+  Labeled_c3t3 after(c3t3);
+  CGAL::perturb_mesh_3(after, domain, params::sliver_bound = 5, params::time_limit = 5);
+  CGAL::exude_mesh_3(after, params::sliver_bound = 5, params::time_limit = 5);
+  check::that(after.triangulation().is_valid(), "not valid after perturbation and exudation");
+  check::that(after.number_of_facets_in_complex() > 0 && after.number_of_cells_in_complex() > 0,
+              "nothing left after perturbation and exudation");
+}
+
+int main()
+{
+  const Labeled_domain domain = domains::sphere();
+  const Labeled_c3t3 mesh = domains::mesh(domain, 0.25);
+  parameter_styles(mesh, domain);
+  bad_parameters(mesh, domain);
+  return_codes(mesh, domain);
+  cancellation(mesh, domain);
+  exceptions(mesh);
+  visitor(mesh, domain);
+  degenerate(mesh, domain);
+  called_by_the_mesher();
+  return check::result();
+}
