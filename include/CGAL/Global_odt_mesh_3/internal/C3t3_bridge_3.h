@@ -9,7 +9,11 @@
 #include <CGAL/Global_odt_mesh_3/internal/Flatten_triangulation_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/Moving_triangulation_3.h>
 
+#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+#include <CGAL/Spatial_sort_traits_adapter_3.h>
 #include <CGAL/number_utils.h>
+#include <CGAL/property_map.h>
+#include <CGAL/spatial_sort.h>
 
 #include <boost/functional/hash.hpp>
 
@@ -17,6 +21,9 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <iterator>
+#include <limits>
+#include <numeric>
 #include <set>
 #include <unordered_map>
 #include <unordered_set>

@@ -1,0 +1,47 @@
+// Copyright (c) 2026 The Global_odt_mesh_3 authors.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+// A segmented image with several subdomains: their interfaces stay, each is
+// optimized inside.
+//
+//   optimize_labeled_image_mesh [image.inr.gz]
+
+#include "optimize_and_report.h"
+
+#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+#include <CGAL/Image_3.h>
+#include <CGAL/Labeled_mesh_domain_3.h>
+#include <CGAL/Mesh_complex_3_in_triangulation_3.h>
+#include <CGAL/Mesh_criteria_3.h>
+#include <CGAL/Mesh_triangulation_3.h>
+#include <CGAL/make_mesh_3.h>
+
+#include <cstdlib>
+#include <iostream>
+#include <string>
+
+typedef CGAL::Exact_predicates_inexact_constructions_kernel K;
+typedef CGAL::Labeled_mesh_domain_3<K> Domain;
+typedef CGAL::Mesh_triangulation_3<Domain>::type Tr;
+typedef CGAL::Mesh_complex_3_in_triangulation_3<Tr> C3t3;
+typedef CGAL::Mesh_criteria_3<Tr> Criteria;
+namespace params = CGAL::parameters;
+
+int main(int argc, char* argv[])
+{
+  const std::string file = argc > 1 ? argv[1] : CGAL::data_file_path("images/liver.inr.gz");
+  CGAL::Image_3 image;
+  if(!image.read(file.c_str()))
+  {
+    std::cerr << "cannot read the image " << file << '\n';
+    return EXIT_FAILURE;
+  }
+  const Domain domain = Domain::create_labeled_image_mesh_domain(image);
+  const Criteria criteria(params::facet_angle = 30, params::facet_size = 6, params::facet_distance = 2,
+                          params::cell_radius_edge_ratio = 3, params::cell_size = 8);
+  C3t3 c3t3 = CGAL::make_mesh_3<C3t3>(domain, criteria, params::no_perturb(), params::no_exude());
+  optimize_and_report(c3t3, domain, "labeled_image");
+  return EXIT_SUCCESS;
+}

@@ -1,0 +1,54 @@
+// Copyright (c) 2026 The Global_odt_mesh_3 authors.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+// A polyhedral domain with sharp features: vertices on them, with the balls that
+// protect them, stay, and no other vertex enters a ball.
+//
+//   optimize_mesh_with_features [surface.off]
+
+#include "optimize_and_report.h"
+
+#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+#include <CGAL/Mesh_complex_3_in_triangulation_3.h>
+#include <CGAL/Mesh_criteria_3.h>
+#include <CGAL/Mesh_polyhedron_3.h>
+#include <CGAL/Mesh_triangulation_3.h>
+#include <CGAL/Polyhedral_mesh_domain_with_features_3.h>
+#include <CGAL/make_mesh_3.h>
+
+#include <cstdlib>
+#include <fstream>
+#include <iostream>
+#include <string>
+
+typedef CGAL::Exact_predicates_inexact_constructions_kernel K;
+typedef CGAL::Mesh_polyhedron_3<K>::type Polyhedron;
+typedef CGAL::Polyhedral_mesh_domain_with_features_3<K> Domain;
+typedef CGAL::Mesh_triangulation_3<Domain>::type Tr;
+typedef CGAL::Mesh_complex_3_in_triangulation_3<Tr, Domain::Corner_index, Domain::Curve_index> C3t3;
+typedef CGAL::Mesh_criteria_3<Tr> Criteria;
+namespace params = CGAL::parameters;
+
+int main(int argc, char* argv[])
+{
+  const std::string file = argc > 1 ? argv[1] : CGAL::data_file_path("meshes/fandisk.off");
+  Polyhedron polyhedron;
+  std::ifstream in(file);
+  if(!(in >> polyhedron))
+  {
+    std::cerr << "cannot read the surface " << file << '\n';
+    return EXIT_FAILURE;
+  }
+  Domain domain(polyhedron);
+  domain.detect_features();
+  const Criteria criteria(params::edge_size = 0.025, params::facet_angle = 25, params::facet_size = 0.03,
+                          params::facet_distance = 0.003, params::cell_radius_edge_ratio = 3,
+                          params::cell_size = 0.03);
+  C3t3 c3t3 = CGAL::make_mesh_3<C3t3>(domain, criteria, params::no_perturb(), params::no_exude());
+  optimize_and_report(c3t3, domain, "features");
+  std::cout << c3t3.number_of_corners() << " corners and " << c3t3.number_of_edges_in_complex()
+            << " edges of features are where they were\n";
+  return EXIT_SUCCESS;
+}

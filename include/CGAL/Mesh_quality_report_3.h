@@ -1,0 +1,237 @@
+// Copyright (c) 2026 The Global_odt_mesh_3 authors.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_MESH_QUALITY_REPORT_3_H
+#define CGAL_MESH_QUALITY_REPORT_3_H
+
+#include <CGAL/Global_odt_mesh_3/internal/Odt_energy_3.h>
+
+#include <CGAL/number_utils.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <iomanip>
+#include <limits>
+#include <map>
+#include <ostream>
+#include <sstream>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+
+/*!
+\ingroup PkgGlobalOdtMesh3Classes
+
+The class `Mesh_quality_report_3` holds measures of the shape of the cells of a mesh complex. It is
+filled by `mesh_quality_report_3()` and printed as a table by `operator<<`.
+*/
+struct Mesh_quality_report_3
+{
+  /// The part of a mesh in one subdomain.
+  struct Subdomain
+  {
+    std::size_t number_of_cells = 0;
+    double volume = 0;   ///< the sum of the volumes of the cells
+    double energy = 0;   ///< the ODT energy of uniform density, (2.1) of the paper: \f$ \sum |\tau|/20 \sum_{i<j} l_{ij}^2 \f$
+  };
+
+  static constexpr int number_of_angle_bins = 180;        ///< of one degree each
+  static constexpr int number_of_radius_ratio_bins = 50;  ///< of 0.02 each
+
+  std::size_t number_of_vertices = 0;
+  std::size_t number_of_cells = 0;
+  std::size_t number_of_facets = 0;      ///< of the complex
+  double smallest_angle = 180;           ///< the smallest dihedral angle, in degrees
+  double largest_angle = 0;              ///< the largest dihedral angle, in degrees
+  double mean_radius_ratio = 0;          ///< three times the inradius over the circumradius, 1 for the regular tetrahedron
+  double smallest_radius_ratio = 1;
+  std::array<std::size_t, number_of_angle_bins> angles{};           ///< six dihedral angles a cell
+  std::array<std::size_t, number_of_radius_ratio_bins> radius_ratios{};
+  std::vector<std::pair<double, std::size_t> > cells_below;         ///< angle in degrees, and number of cells with a smaller one
+  std::map<std::string, Subdomain> subdomains;                      ///< by printed index
+
+  /// The sum over all subdomains.
+  Subdomain total() const
+  {
+    Subdomain sum;
+    for(const auto& s : subdomains)
+    {
+      sum.number_of_cells += s.second.number_of_cells;
+      sum.volume += s.second.volume;
+      sum.energy += s.second.energy;
+    }
+    return sum;
+  }
+};
+
+namespace Global_odt_mesh_3 {
+namespace internal {
+
+// The six dihedral angles, in degrees, and 3 r / R of a tetrahedron.
+struct Cell_shape
+{
+  std::array<double, 6> angles;
+  double radius_ratio;
+
+  Cell_shape(const Site& s0, const Site& s1, const Site& s2, const Site& s3)
+  {
+    const std::array<const Site*, 4> s = {{ &s0, &s1, &s2, &s3 }};
+    typedef std::array<double, 3> Vector;
+    const auto minus = [](const Site& a, const Site& b) { return Vector{{ a.x - b.x, a.y - b.y, a.z - b.z }}; };
+    const auto cross = [](const Vector& a, const Vector& b)
+    { return Vector{{ a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0] }}; };
+    const auto dot = [](const Vector& a, const Vector& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; };
+
+    // Inward normals of the facets opposite to each vertex; their lengths are
+    // twice the areas.
+    std::array<Vector, 4> normal;
+    double area = 0;
+    for(int i = 0; i < 4; ++i)
+    {
+      const Site& a = *s[(i + 1) % 4];
+      normal[i] = cross(minus(*s[(i + 2) % 4], a), minus(*s[(i + 3) % 4], a));
+      if(i % 2 == 0)
+        for(double& x : normal[i])
+          x = -x;
+      area += std::sqrt(dot(normal[i], normal[i])) / 2;
+    }
+    int n = 0;
+    for(int i = 0; i < 3; ++i)
+      for(int j = i + 1; j < 4; ++j)
+      {
+        const Vector c = cross(normal[i], normal[j]);
+        // The angle between the facets is the supplement of that of the normals.
+        angles[n++] = std::atan2(std::sqrt(dot(c, c)), -dot(normal[i], normal[j])) * 180 / CGAL_PI;
+      }
+    // r = 3 V / area; R = |N| / (2 det) of the unweighted sites.
+    const auto unweighted = [](Site p) { p.weight = 0; return p; };
+    const Cell_products t(unweighted(s0), unweighted(s1), unweighted(s2), unweighted(s3));
+    const double numerator = std::sqrt(t.nx * t.nx + t.ny * t.ny + t.nz * t.nz);
+    radius_ratio = numerator > 0 && area > 0
+                 ? (std::min)(1., 3 * t.determinant * t.determinant / (area * numerator)) : 0.;
+  }
+};
+
+} // namespace internal
+} // namespace Global_odt_mesh_3
+
+/*!
+\ingroup PkgGlobalOdtMesh3Functions
+
+measures the cells of a mesh complex.
+
+\tparam C3T3 a model of `MeshComplex_3InTriangulation_3`
+
+\param c3t3 the mesh
+\param bounds angles in degrees: cells with a smaller dihedral angle are counted for each
+*/
+template <class C3T3>
+Mesh_quality_report_3 mesh_quality_report_3(const C3T3& c3t3,
+                                            const std::vector<double>& bounds = { 5, 10, 15, 20, 30 })
+{
+  namespace odt = Global_odt_mesh_3::internal;
+  typedef Mesh_quality_report_3 Report;
+  Report report;
+  report.number_of_vertices = c3t3.triangulation().number_of_vertices();
+  report.number_of_facets = c3t3.number_of_facets_in_complex();
+  for(double b : bounds)
+    report.cells_below.emplace_back(b, 0);
+  double sum = 0;
+  std::map<typename C3T3::Subdomain_index, Report::Subdomain> subdomains;
+  for(auto c = c3t3.cells_in_complex_begin(); c != c3t3.cells_in_complex_end(); ++c)
+  {
+    std::array<odt::Site, 4> s;
+    for(int i = 0; i < 4; ++i)
+    {
+      const auto& p = c3t3.triangulation().point(c, i);
+      s[i] = { to_double(p.x()), to_double(p.y()), to_double(p.z()), to_double(p.weight()) };
+    }
+    const odt::Cell_shape shape(s[0], s[1], s[2], s[3]);
+    const auto extremes = std::minmax_element(shape.angles.begin(), shape.angles.end());
+    report.smallest_angle = (std::min)(report.smallest_angle, *extremes.first);
+    report.largest_angle = (std::max)(report.largest_angle, *extremes.second);
+    for(auto& bound : report.cells_below)
+      bound.second += *extremes.first < bound.first;
+    for(double a : shape.angles)
+      ++report.angles[(std::min)(static_cast<int>(a), Report::number_of_angle_bins - 1)];
+    sum += shape.radius_ratio;
+    report.smallest_radius_ratio = (std::min)(report.smallest_radius_ratio, shape.radius_ratio);
+    ++report.radius_ratios[(std::min)(static_cast<int>(shape.radius_ratio * Report::number_of_radius_ratio_bins),
+                                      Report::number_of_radius_ratio_bins - 1)];
+    const odt::Cell_products t(s[0], s[1], s[2], s[3]);
+    Report::Subdomain& subdomain = subdomains[c3t3.subdomain_index(c)];
+    ++subdomain.number_of_cells;
+    subdomain.volume += t.determinant / 6;
+    subdomain.energy += odt::uniform_odt_energy(t, s[0], s[1], s[2], s[3]).energy;
+    ++report.number_of_cells;
+  }
+  if(report.number_of_cells > 0)
+    report.mean_radius_ratio = sum / double(report.number_of_cells);
+  for(const auto& s : subdomains)
+  {
+    std::ostringstream name;
+    name << s.first;
+    report.subdomains[name.str()] = s.second;
+  }
+  return report;
+}
+
+/*!
+\ingroup PkgGlobalOdtMesh3Functions
+
+prints a report as a table with histograms.
+*/
+inline std::ostream& operator<<(std::ostream& out, const Mesh_quality_report_3& r)
+{
+  std::ostringstream s;   // leaves the format of `out` alone
+  s << "vertices " << r.number_of_vertices << ", cells " << r.number_of_cells
+    << ", facets of the complex " << r.number_of_facets << '\n'
+    << std::fixed << std::setprecision(2)
+    << "dihedral angles " << r.smallest_angle << " - " << r.largest_angle << " degrees\n"
+    << std::setprecision(4)
+    << "radius ratio 3r/R   mean " << r.mean_radius_ratio << ", smallest " << r.smallest_radius_ratio << '\n'
+    << "cells with an angle below";
+  s << std::defaultfloat << std::setprecision(6);
+  for(const auto& b : r.cells_below)
+    s << "  " << b.first << ": " << b.second;
+  s << "\nsubdomain        cells          volume      ODT energy\n";
+  const auto row = [&s](const std::string& name, const Mesh_quality_report_3::Subdomain& d)
+  {
+    s << std::left << std::setw(10) << name << std::right << std::setw(12) << d.number_of_cells
+      << std::setw(16) << d.volume << std::setw(16) << d.energy << '\n';
+  };
+  for(const auto& d : r.subdomains)
+    row(d.first, d.second);
+  if(r.subdomains.size() > 1)
+    row("all", r.total());
+
+  const auto histogram = [&s](const char* title, const std::vector<std::size_t>& bins, double width, int precision)
+  {
+    s << title << '\n';
+    const std::size_t highest = bins.empty() ? 0 : *std::max_element(bins.begin(), bins.end());
+    for(std::size_t n = 0; n < bins.size(); ++n)
+    {
+      const std::size_t bar = highest == 0 ? 0 : (bins[n] * 50 + highest - 1) / highest;
+      s << std::fixed << std::setprecision(precision) << std::setw(7) << double(n) * width << " - "
+        << std::setw(4) << double(n + 1) * width << std::setw(9) << bins[n] << ' ' << std::string(bar, '#') << '\n';
+    }
+  };
+  std::vector<std::size_t> angles(18, 0), ratios(10, 0);
+  for(std::size_t n = 0; n < r.angles.size(); ++n)
+    angles[n / 10] += r.angles[n];
+  for(std::size_t n = 0; n < r.radius_ratios.size(); ++n)
+    ratios[n / 5] += r.radius_ratios[n];
+  histogram("dihedral angles, degrees", angles, 10, 0);
+  histogram("radius ratios", ratios, 0.1, 1);
+  return out << s.str();
+}
+
+} // namespace CGAL
+
+#endif // CGAL_MESH_QUALITY_REPORT_3_H

@@ -1,0 +1,109 @@
+// Copyright (c) 2026 The Global_odt_mesh_3 authors.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+// The quality report against closed forms, and its independence of where the
+// mesh is and how it is turned.
+
+#include "check.h"
+
+#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+#include <CGAL/Labeled_mesh_domain_3.h>
+#include <CGAL/Mesh_complex_3_in_triangulation_3.h>
+#include <CGAL/Mesh_quality_report_3.h>
+#include <CGAL/Mesh_triangulation_3.h>
+
+#include <array>
+#include <cmath>
+#include <sstream>
+#include <string>
+#include <vector>
+
+typedef CGAL::Exact_predicates_inexact_constructions_kernel Kernel;
+typedef Kernel::Point_3 Point_3;
+typedef CGAL::Mesh_triangulation_3<CGAL::Labeled_mesh_domain_3<Kernel> >::type Triangulation;
+typedef CGAL::Mesh_complex_3_in_triangulation_3<Triangulation> C3t3;
+
+// The triangulation of the points, all cells in subdomain 1.
+static C3t3 complex(const std::vector<Point_3>& points)
+{
+  C3t3 c3t3;
+  for(const Point_3& p : points)
+    c3t3.triangulation().insert(Triangulation::Weighted_point(p));
+  for(auto c = c3t3.triangulation().finite_cells_begin(); c != c3t3.triangulation().finite_cells_end(); ++c)
+    c3t3.add_to_complex(c, 1);
+  return c3t3;
+}
+
+static void near(double a, double b, double tolerance, const char* what)
+{
+  check::that(std::abs(a - b) <= tolerance, what, ": ", a, ", not ", b);
+}
+
+static std::size_t sum(const std::array<std::size_t, 180>& bins)
+{
+  std::size_t n = 0;
+  for(std::size_t b : bins)
+    n += b;
+  return n;
+}
+
+int main()
+{
+  const double degree = 180 / CGAL_PI;
+  {
+    const auto r = CGAL::mesh_quality_report_3(complex({ { 1, 1, 1 }, { 1, -1, -1 }, { -1, 1, -1 }, { -1, -1, 1 } }));
+    const double angle = std::acos(1. / 3) * degree;
+    near(r.smallest_angle, angle, 1e-10, "smallest angle of the regular tetrahedron");
+    near(r.largest_angle, angle, 1e-10, "largest angle of the regular tetrahedron");
+    near(r.mean_radius_ratio, 1, 1e-12, "radius ratio of the regular tetrahedron");
+    near(r.total().volume, 8. / 3, 1e-12, "volume of the regular tetrahedron of edge sqrt(8)");
+    near(r.total().energy, 8. / 3 * 48 / 20, 1e-12, "energy of the regular tetrahedron");
+    check::that(r.angles[70] == 6 && sum(r.angles) == 6, "histogram of the regular tetrahedron");
+    check::that(r.cells_below.back().second == 0, "the regular tetrahedron counts as bad");
+  }
+  const std::vector<Point_3> corner = { { 0, 0, 0 }, { 1, 0, 0 }, { 0, 1, 0 }, { 0, 0, 1 } };
+  {
+    const auto r = CGAL::mesh_quality_report_3(complex(corner), { 50, 60 });
+    near(r.largest_angle, 90, 1e-10, "largest angle of the cube's corner");
+    near(r.smallest_angle, std::acos(1 / std::sqrt(3.)) * degree, 1e-10, "smallest angle of the cube's corner");
+    // r = 1 / (3 + sqrt(3)), R = sqrt(3) / 2.
+    near(r.mean_radius_ratio, 3 / (3 + std::sqrt(3.)) / (std::sqrt(3.) / 2), 1e-12, "radius ratio of the cube's corner");
+    check::that(r.cells_below.size() == 2 && r.cells_below[0].second == 0 && r.cells_below[1].second == 1,
+                "cells below 50 and 60 degrees");
+  }
+  {
+    // Four points near a great circle: nearly flat.
+    const double h = 1e-9;
+    const auto r = CGAL::mesh_quality_report_3(complex({ { 1, 0, h }, { -1, 0, h }, { 0, 1, -h }, { 0, -1, -h } }));
+    check::that(r.number_of_cells == 1 && r.smallest_angle < 1e-6 && r.largest_angle > 180 - 1e-6
+                && r.mean_radius_ratio < 1e-7, "sliver");
+    check::that(r.angles[0] == 4 && r.angles[179] == 2, "histogram of the sliver");
+  }
+  {
+    // The same far away and turned.
+    std::vector<Point_3> moved;
+    const double c = std::cos(0.7), s = std::sin(0.7);
+    for(const Point_3& p : corner)
+      moved.emplace_back(c * p.x() - s * p.y() + 1e4, s * p.x() + c * p.y() - 2e4, p.z() + 3e4);
+    const auto r = CGAL::mesh_quality_report_3(complex(corner)), t = CGAL::mesh_quality_report_3(complex(moved));
+    near(t.smallest_angle, r.smallest_angle, 1e-8, "turned, smallest angle");
+    near(t.mean_radius_ratio, r.mean_radius_ratio, 1e-9, "turned, radius ratio");
+    near(t.total().energy, r.total().energy, 1e-9, "turned, energy");
+  }
+  {
+    std::vector<Point_3> cube;
+    for(int i = 0; i < 8; ++i)
+      cube.emplace_back(i & 1, i >> 1 & 1, i >> 2 & 1);
+    const auto r = CGAL::mesh_quality_report_3(complex(cube));
+    near(r.total().volume, 1, 1e-14, "volume of the cube");
+    check::that(sum(r.angles) == 6 * r.number_of_cells && r.number_of_cells >= 5, "six angles a cell");
+    std::ostringstream out;
+    out << r;
+    check::that(out.str().find("mean") != std::string::npos && out.str().find("degrees") != std::string::npos,
+                "the printed report");
+  }
+  check::that(CGAL::mesh_quality_report_3(C3t3()).number_of_cells == 0, "empty complex");
+  return check::result();
+}
