@@ -85,9 +85,16 @@ void write_cutaway(const C3t3& c3t3, const std::string& file)
   std::ofstream out(file);
   for(const Polygon& p : polygons)
   {
-    for(int k : { 0, 2, 4, 0 })
-      out << p.xy[k] << ' ' << p.xy[k + 1] << ' ' << p.color << '\n';
-    out << '\n';
+    // A dark triangle, and on it one a little smaller: outlined, in order.
+    const double x = (p.xy[0] + p.xy[2] + p.xy[4]) / 3, y = (p.xy[1] + p.xy[3] + p.xy[5]) / 3;
+    for(const bool outline : { true, false })
+    {
+      const double scale = outline ? 1.02 : 0.91;
+      for(int k : { 0, 2, 4, 0 })
+        out << x + scale * (p.xy[k] - x) << ' ' << y + scale * (p.xy[k + 1] - y) << ' '
+            << (outline ? 0x303030 : p.color) << '\n';
+      out << '\n';
+    }
   }
 }
 
@@ -111,7 +118,7 @@ void draw_before_and_after(const C3t3& before, const C3t3& after, const std::str
   script << "set terminal pngcairo size 1400,1150 font 'sans,13'\n"
          << "set output '" << prefix << ".png'\n"
          << "set multiplot layout 2,2\n"
-         << "unset key; unset border; unset tics; set size ratio -1; set style fill solid 1.0 border lc rgb '#404040'\n"
+         << "unset key; unset border; unset tics; set size ratio -1; set style fill solid 1.0 noborder\n"
          << "set title 'before: mean 3r/R " << b.mean_radius_ratio << ", " << b.cells_below[1].second
          << " cells below 10 degrees'\n"
          << "plot '" << prefix << "_before.dat' using 1:2:3 with filledcurves closed lc rgb variable\n"

@@ -1,0 +1,38 @@
+#!/usr/bin/env bash
+# Installs what is missing, builds and runs the tests: all with the system's
+# CGAL, those of the contract also with the CGAL of Debian 13 and of Debian
+# testing.
+#
+#   run_tests.sh [build directory]
+set -euo pipefail
+cd "$(dirname "$0")/.."
+scripts/install_dependencies.sh
+build=${1:-build-tests}
+mkdir -p "$build"
+data=$(scripts/extract_data.sh "$build")
+status=0
+
+# run NAME LABEL [cmake options]
+run() {
+  local name=$1 label=$2
+  shift 2
+  echo "=== tests with the CGAL of $name ==="
+  cmake -S . -B "$build/$name" -DCMAKE_BUILD_TYPE=Release -DGLOBAL_ODT_MESH_3_BUILD_TESTS=ON \
+        -DGLOBAL_ODT_MESH_3_CONTRACT_TESTS_ONLY="$([ -n "$label" ] && echo ON || echo OFF)" \
+        -DCMAKE_CXX_COMPILER_LAUNCHER=ccache -DCGAL_DATA_DIR="$data" "$@" > "$build/$name.log" 2>&1 \
+    || { cat "$build/$name.log"; status=1; return; }
+  grep -i "using header-only\|CGAL_VERSION\|Using CGAL" "$build/$name.log" || true
+  cmake --build "$build/$name" -j2 || { status=1; return; }
+  (cd "$build/$name" && ctest --output-on-failure) || status=1
+}
+
+for suite in testing trixie; do
+  mkdir -p "$build/$suite-cgal"
+  if cgal=$(scripts/fetch_cgal.sh "$suite" "$build/$suite-cgal"); then
+    run "$suite" contract -DCGAL_DIR="$cgal"
+  else
+    echo "=== $suite cannot be reached: its CGAL is not tested ==="
+  fi
+done
+run system ""
+exit $status
