@@ -11,9 +11,14 @@ for package in $packages; do
 done
 [ -z "$missing" ] && exit 0
 
+if ! command -v apt-get > /dev/null; then
+  echo "this is no Debian; install what corresponds to:$missing" >&2
+  exit 1
+fi
 echo "installing:$missing"
 sudo=""
 [ "$(id -u)" -eq 0 ] || sudo=sudo
-$sudo apt-get update -qq
+# What matters is whether the packages can be installed, not whether every source answers.
+$sudo apt-get update -qq || true
 # shellcheck disable=SC2086
-DEBIAN_FRONTEND=noninteractive $sudo apt-get install -y -qq --no-install-recommends $missing > /dev/null
+$sudo env DEBIAN_FRONTEND=noninteractive apt-get install -y -qq --no-install-recommends $missing > /dev/null

@@ -3,7 +3,7 @@
 # elephant, or of the closed surface given, optimized, with its quality report
 # and pictures before and after.
 #
-#   run_main_example.sh [surface.off [relative size]]
+#   run_main_example.sh [surface.off [size relative to the bounding box]]
 set -euo pipefail
 surface=""
 [ $# -eq 0 ] || surface=$(realpath "$1")
@@ -20,9 +20,6 @@ mkdir -p "$build/results"
 cd "$build/results"
 program=../examples/Global_odt_mesh_3/optimize_polyhedral_mesh
 export CGAL_DATA_DIR=$data
-if [ -n "$surface" ]; then
-  "$program" "$surface" "${2:-0.0105}"
-else
-  "$program"
-fi
-echo "results are in $PWD"
+"$program" ${surface:+"$surface"} ${2:+"$2"} | tee report.txt
+echo "report, meshes and picture are in $PWD:"
+ls

@@ -67,7 +67,7 @@ the \f$ L^1 \f$ error of interpolating \f$ \mathbf{x}^2 \f$ linearly in each cel
 by the L-BFGS method of Chen, Wang, L&eacute;vy, Liu and Sun (*Revisiting Optimal Delaunay
 Triangulation for 3D Graded Mesh Generation*, SIAM J. Sci. Comput. 36, 2014, Algorithm 1).
 
-The function takes the place of the one of the same name of the package \ref PkgMesh3.
+The function takes the place of the one of the same name of the package Mesh_3.
 The density \f$ \rho \f$ comes from the sizes of the input's cells, so that a graded mesh
 stays graded.
 
@@ -112,21 +112,19 @@ version of %CGAL in use knows: `parameters::time_limit = 10, parameters::do_free
   \cgalParamNBegin{convergence}
     \cgalParamDescription{the process stops when the mean of the largest displacements (one in 500) falls below this ratio.
                           The displacement of a vertex is the length of its move to the volume-weighted mean of the
-                          circumcenters around it, relative to its shortest incident edge.
-                          From \cgal 5.6 on also called `convergence_ratio`.}
+                          circumcenters around it, relative to its shortest incident edge.}
     \cgalParamType{`double`}
     \cgalParamPrecondition{`0 <= convergence <= 1`}
     \cgalParamDefault{0.02}
   \cgalParamNEnd
   \cgalParamNBegin{freeze_bound}
-    \cgalParamDescription{a vertex whose displacement is below this ratio is frozen, if `do_freeze` is `true`.
-                          From \cgal 5.6 on also called `vertex_freeze_bound`.}
+    \cgalParamDescription{a vertex whose displacement is below this ratio is frozen, if `do_freeze` is `true`.}
     \cgalParamType{`double`}
     \cgalParamPrecondition{`0 <= freeze_bound <= 1`}
     \cgalParamDefault{0.01}
   \cgalParamNEnd
   \cgalParamNBegin{do_freeze}
-    \cgalParamDescription{whether frozen vertices do not move any more. From \cgal 5.6 on also called `freeze`.}
+    \cgalParamDescription{whether frozen vertices do not move any more.}
     \cgalParamType{`bool`}
     \cgalParamDefault{`true`}
   \cgalParamNEnd

@@ -31,6 +31,7 @@ class Mesh_contract
   typedef typename Triangulation::Cell_handle Cell_handle;
   typedef typename Triangulation::Facet Facet;
   typedef typename Triangulation::Edge Edge;
+  typedef typename Triangulation::Vertex::Index Index;
   typedef typename C3t3::Subdomain_index Subdomain_index;
   typedef std::array<double, 4> Point;      // with the weight
   typedef std::array<Point, 3> Triangle;
@@ -57,8 +58,9 @@ public:
                 " -> ", after.interior);
     check::that(after.hidden == 0, n, after.hidden, " hidden vertices");
     check::that(after.fixed == before_.fixed, n, "vertices on the boundary or their dimension or index changed");
-    check::that(after.facets == before_.facets, n, "facets of the complex changed, ",
+    check::that(after.facets == before_.facets, n, "facets of the complex, their patches or surface centers changed, ",
                 before_.facets.size(), " -> ", after.facets.size());
+    check::that(after.stale_duals == 0, n, after.stale_duals, " cells remember the dual point of other vertices");
     check::that(after.one_sided_facets == 0, n, after.one_sided_facets,
                 " facets differ in patch or surface center on their two sides");
     check::that(after.centers_off == before_.centers_off, n, after.centers_off,
@@ -128,12 +130,12 @@ private:
   struct State
   {
     std::size_t vertices = 0, interior = 0, hidden = 0, one_sided_facets = 0, centers_off = 0,
-                misplaced_facets = 0, misplaced_cells = 0, bad_indices = 0, far_points = 0, cells = 0;
+                misplaced_facets = 0, misplaced_cells = 0, stale_duals = 0, bad_indices = 0, far_points = 0, cells = 0;
     bool counters_right = false;
     long euler = 0;
     double box_volume = 0;
-    std::set<std::tuple<Point, int, bool> > fixed;
-    std::multiset<std::pair<Triangle, std::string> > facets;
+    std::map<Point, std::tuple<int, bool, Index> > fixed;
+    std::map<Triangle, std::pair<std::string, std::array<double, 3> > > facets;   // patch and surface center
     std::multiset<std::pair<Point, std::string> > corners;
     std::multiset<std::pair<Segment, std::string> > edges;
     std::map<Subdomain_index, double> volume;
@@ -189,11 +191,11 @@ private:
           ++interior;
           const auto s = subdomains.find(v);
           if(s != subdomains.end() && s->second.size() == 1
-             && !(v->index() == typename C3t3::Triangulation::Vertex::Index(*s->second.begin())))
+             && !(v->index() == Index(*s->second.begin())))
             ++bad_indices;
         }
         else
-          fixed.insert(std::make_tuple(p, v->in_dimension(), v->is_special()));
+          fixed.emplace(p, std::make_tuple(v->in_dimension(), v->is_special(), v->index()));
       }
       if(vertices > 0)
         box_volume = (hi[0] - lo[0]) * (hi[1] - lo[1]) * (hi[2] - lo[2]);
@@ -202,12 +204,16 @@ private:
     void read_cells(const C3t3& c3t3, const Domain& domain, const Triangulation& tr)
     {
       const auto is_in_domain = domain.is_in_domain_object();
+      const auto weighted_circumcenter = tr.geom_traits().construct_weighted_circumcenter_3_object();
       for(auto c = tr.finite_cells_begin(); c != tr.finite_cells_end(); ++c)
       {
         const Subdomain_index label = c3t3.subdomain_index(c);
         const auto wanted = is_in_domain(tr.dual(c));
         if(label != (wanted ? Subdomain_index(*wanted) : Subdomain_index()))
           ++misplaced_cells;
+        // Cells cache their dual points.
+        if(!(tr.dual(c) == weighted_circumcenter(tr.point(c, 0), tr.point(c, 1), tr.point(c, 2), tr.point(c, 3))))
+          ++stale_duals;
         if(!c3t3.is_in_complex(c))
           continue;
         ++cells;
@@ -256,7 +262,9 @@ private:
            > 1e-4 * std::abs(power[0]))
           ++centers_off;
         std::sort(t.begin(), t.end());
-        facets.insert({ t, patch_to_string(c3t3.surface_patch_index(*f)) });
+        facets.emplace(t, std::make_pair(patch_to_string(c3t3.surface_patch_index(*f)),
+                                         std::array<double, 3>{{ CGAL::to_double(center.x()), CGAL::to_double(center.y()),
+                                                                 CGAL::to_double(center.z()) }}));
         for(int k = 0; k < 3; ++k)
         {
           surface_vertices.insert(t[k]);

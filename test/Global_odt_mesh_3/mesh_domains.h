@@ -118,9 +118,11 @@ inline Labeled_c3t3 graded_mesh(const Labeled_domain& domain, double smallest)
 }
 
 // An image of n^3 voxels in the cube [0, 1]^3, filled by f(x, y, z).
-template <class Word, class F>
-CGAL::Image_3 image(int n, WORD_KIND kind, SIGN sign, const F& f)
+// ImageIO is in namespace CGAL from 6.0 on.
+template <class Word, class Kind, class Sign, class F>
+CGAL::Image_3 image(int n, Kind kind, Sign sign, const F& f)
 {
+  using namespace CGAL;
   _image* im = _createImage(n, n, n, 1, 1. / (n - 1), 1. / (n - 1), 1. / (n - 1), sizeof(Word), kind, sign);
   Word* word = static_cast<Word*>(im->data);
   for(int k = 0; k < n; ++k)
@@ -133,6 +135,7 @@ CGAL::Image_3 image(int n, WORD_KIND kind, SIGN sign, const F& f)
 // Three labels: a ball cut by a plane, and a smaller ball inside.
 inline CGAL::Image_3 labeled_image()
 {
+  using namespace CGAL;
   return image<unsigned char>(32, WK_FIXED, SGN_UNSIGNED, [](double x, double y, double z)
   {
     const double r = (x - 0.5) * (x - 0.5) + (y - 0.5) * (y - 0.5) + (z - 0.5) * (z - 0.5);
@@ -142,6 +145,7 @@ inline CGAL::Image_3 labeled_image()
 
 inline CGAL::Image_3 gray_image()
 {
+  using namespace CGAL;
   return image<float>(32, WK_FLOAT, SGN_SIGNED, [](double x, double y, double z)
   {
     return 1 - 4 * ((x - 0.5) * (x - 0.5) + (y - 0.5) * (y - 0.5) + 1.7 * (z - 0.5) * (z - 0.5));

@@ -1,0 +1,156 @@
+// Copyright (c) 2026 The Global_odt_mesh_3 authors.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+// odt_optimize_mesh_3() beside CGAL's own optimizer, Mesh_global_optimizer with
+// Odt_move, on the same meshes in one run, in process CPU time.
+//
+//   compare_with_mesh_3 [iterations of CGAL's optimizer, default 100]
+//
+// CGAL's optimizer does not freeze vertices here, nor does ours where iterations
+// are compared. Environment: CGAL_DATA_DIR, the directory of CGAL's data.
+
+#include "benchmark_inputs.h"
+
+#include <CGAL/Mesh_quality_report_3.h>
+#include <CGAL/Timer.h>
+#include <CGAL/odt_optimize_mesh_3.h>
+
+#include <algorithm>
+#include <cstdio>
+#include <cstdlib>
+#include <functional>
+#include <string>
+#include <vector>
+
+using namespace inputs;
+
+static int cgal_iterations = 100;
+
+static double seconds(const std::function<void()>& f)
+{
+  CGAL::Timer timer;
+  timer.start();
+  f();
+  timer.stop();
+  return timer.time();
+}
+
+// The time from the first direction to the end of the last iteration.
+struct Iteration_timer
+{
+  CGAL::Timer timer;
+  int iterations = 0;
+  double total = 0;
+  void after_compute_moves() { if(!timer.is_running()) timer.start(); }
+  void after_move_points() {}
+  void after_rebuild_restricted_delaunay() {}
+  void end_of_iteration(int)
+  {
+    ++iterations;
+    total = timer.time();
+  }
+};
+
+template <class C3t3>
+void print_quality(const char* what, const C3t3& c3t3)
+{
+  const CGAL::Mesh_quality_report_3 r = CGAL::mesh_quality_report_3(c3t3, { 10, 20 });
+  std::printf("  %-28s mean 3r/R %.4f  angles %6.2f - %6.2f  cells <10: %5zu  <20: %5zu  volume %.8g\n", what,
+              r.mean_radius_ratio, r.smallest_angle, r.largest_angle, r.cells_below[0].second, r.cells_below[1].second,
+              r.total().volume);
+}
+
+template <class C3t3, class Domain>
+void compare(const char* name, const C3t3& input, const Domain& domain)
+{
+  typedef typename C3t3::Triangulation Triangulation;
+  namespace odt = CGAL::Global_odt_mesh_3::internal;
+  std::printf("\n%s: %zu vertices\n", name, std::size_t(input.triangulation().number_of_vertices()));
+  print_quality("input", input);
+
+  // Exact rebuild, import and export, the best of five each.
+  double rebuild = 1e300, bridge = 1e300;
+  std::vector<typename Triangulation::Weighted_point> points;
+  for(auto v = input.triangulation().finite_vertices_begin(); v != input.triangulation().finite_vertices_end(); ++v)
+    points.push_back(input.triangulation().point(v));
+  C3t3 moved(input);
+  CGAL::odt_optimize_mesh_3(moved, domain);
+  for(int n = 0; n < 5; ++n)
+  {
+    rebuild = (std::min)(rebuild, seconds([&]
+    {
+      Triangulation tr;
+      tr.insert(points.begin(), points.end());
+    }));
+    C3t3 copy(moved);
+    bridge = (std::min)(bridge, seconds([&]
+    {
+      odt::Moving_triangulation_3 mesh;
+      odt::C3t3_bridge_3<C3t3, Domain> b(copy, domain);
+      b.load(mesh);
+      b.store(mesh);
+    }));
+  }
+  std::printf("  exact rebuild %.1f ms; import and export %.1f ms, %.2f rebuilds\n",
+              1e3 * rebuild, 1e3 * bridge, bridge / rebuild);
+
+  C3t3 ours(input);
+  const double default_time = seconds([&] { CGAL::odt_optimize_mesh_3(ours, domain); });
+  print_quality("ours, default call", ours);
+
+  C3t3 hundred(input);
+  Iteration_timer timer;
+  const double hundred_time = seconds([&]
+  {
+    CGAL::odt_optimize_mesh_3(hundred, domain, params::do_freeze = false, params::convergence = 0,
+                              params::max_iteration_number = 100, params::visitor(std::ref(timer)));
+  });
+  print_quality("ours, 100 iterations", hundred);
+
+  typedef CGAL::Mesh_3::Mesh_sizing_field<Triangulation> Sizing;
+  typedef CGAL::Mesh_3::Odt_move<C3t3, Sizing> Move;
+  C3t3 cgal(input);
+  CGAL::Mesh_3::Mesh_global_optimizer<C3t3, Domain, Move> optimizer(cgal, domain, 0.01, false, 0.);
+  const double cgal_time = seconds([&] { optimizer(cgal_iterations); });
+  print_quality(("CGAL, " + std::to_string(cgal_iterations) + " iterations").c_str(), cgal);
+
+  const double iteration = timer.total / timer.iterations, cgal_iteration = cgal_time / cgal_iterations;
+  std::printf("  an iteration: ours %.2f ms, CGAL's %.1f ms: %.0f times faster\n", 1e3 * iteration, 1e3 * cgal_iteration,
+              cgal_iteration / iteration);
+  std::printf("  the call: default %.3f s, 100 iterations %.3f s; 100 of CGAL's %.1f s%s: %.0f and %.0f times faster\n",
+              default_time, hundred_time, 100 * cgal_iteration, cgal_iterations == 100 ? "" : " (extrapolated)",
+              100 * cgal_iteration / default_time, 100 * cgal_iteration / hundred_time);
+  std::fflush(stdout);
+}
+
+int main(int argc, char* argv[])
+{
+  if(argc > 1)
+    cgal_iterations = (std::max)(1, std::atoi(argv[1]));
+  {
+    const Labeled_domain domain = sphere_domain();
+    compare("sphere", sphere(domain, 0.0572), domain);
+    compare("graded sphere", graded_sphere(domain, 0.0392), domain);
+  }
+  {
+    const Polyhedron elephant = read_polyhedron(CGAL::data_file_path("meshes/elephant.off"));
+    const Polyhedral_domain domain(elephant);
+    compare("elephant", polyhedral_mesh(domain, 0.0104, false), domain);
+  }
+  {
+    const Polyhedron fandisk = read_polyhedron(CGAL::data_file_path("meshes/fandisk.off"));
+    Polyhedral_domain domain(fandisk);
+    domain.detect_features();
+    compare("fandisk", polyhedral_mesh(domain, 0.0158, true), domain);
+  }
+  {
+    CGAL::Image_3 image;
+    if(!image.read(CGAL::data_file_path("images/liver.inr.gz").c_str()))
+      return EXIT_FAILURE;
+    const Labeled_domain domain = image_domain(image);
+    compare("liver", image_mesh(domain, 3.9, 5.6), domain);
+  }
+  return EXIT_SUCCESS;
+}

@@ -1,0 +1,106 @@
+// Copyright (c) 2026 The Global_odt_mesh_3 authors.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+// Figures 6 and 7 of the paper: L-BFGS and the AVV iteration from the same random
+// interior of a cube, on the same engine, in process CPU time.
+//
+//   minimize_in_cube [number of seeds, default 5]
+//
+// The cube has 18,083 vertices, of which 3,752 are a grid on its surface that
+// stays.
+
+#include <CGAL/Global_odt_mesh_3/internal/Flatten_triangulation_3.h>
+#include <CGAL/Global_odt_mesh_3/internal/Limited_memory_bfgs.h>
+#include <CGAL/Global_odt_mesh_3/internal/Odt_objective_3.h>
+
+#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+#include <CGAL/Regular_triangulation_3.h>
+#include <CGAL/Timer.h>
+
+#include <cmath>
+#include <cstdio>
+#include <cstdlib>
+#include <random>
+#include <vector>
+
+using namespace CGAL::Global_odt_mesh_3::internal;
+typedef CGAL::Exact_predicates_inexact_constructions_kernel Kernel;
+typedef CGAL::Regular_triangulation_3<Kernel> Regular;
+
+static Moving_triangulation_3 random_cube(unsigned int seed)
+{
+  const int grid = 25, vertices = 18083;
+  std::vector<Regular::Weighted_point> points;
+  for(int i = 0; i <= grid; ++i)
+    for(int j = 0; j <= grid; ++j)
+      for(int k = 0; k <= grid; ++k)
+        if(i % grid == 0 || j % grid == 0 || k % grid == 0)
+          points.emplace_back(Kernel::Point_3(double(i) / grid, double(j) / grid, double(k) / grid), 0);
+  std::mt19937 random(seed);
+  std::uniform_real_distribution<double> u(0, 1);
+  while(points.size() < vertices)
+  {
+    const double x = u(random), y = u(random), z = u(random);
+    points.emplace_back(Kernel::Point_3(x, y, z), 0);
+  }
+  const Regular tr(points.begin(), points.end());
+  Moving_triangulation_3 mesh;
+  flatten_triangulation_3(
+    tr, [](Regular::Cell_handle) { return true; }, [](const Regular::Facet&) { return false; },
+    [](Regular::Vertex_handle) { return true; },
+    [](const Regular::Facet&) { return Wall_ball{ 0, 0, 0, -1e300 }; }, mesh);
+  return mesh;
+}
+
+static void compact_now_and_then(Moving_triangulation_3& mesh, int iteration)
+{
+  if(iteration % 50 == 0)
+  {
+    mesh.topology.compact();
+    mesh.keep();
+  }
+}
+
+int main(int argc, char* argv[])
+{
+  const int seeds = argc > 1 ? std::atoi(argv[1]) : 5;
+  std::printf("seed  L-BFGS: its  CPU s  |g|       E           AVV: its  CPU s  |g|       E           E %%     time\n");
+  for(int seed = 1; seed <= seeds; ++seed)
+  {
+    Moving_triangulation_3 mesh = random_cube(seed), copy = mesh;
+
+    CGAL::Timer timer;
+    timer.start();
+    Odt_objective_3 objective(mesh);
+    Limited_memory_bfgs minimizer;
+    int n = 0;
+    while(n < 400 && objective.gradient().norm() > 1e-9
+          && minimizer.iterate(objective) == Limited_memory_bfgs::STEP_TAKEN)
+      compact_now_and_then(mesh, ++n);
+    const double time = timer.time();
+
+    timer.reset();
+    Odt_objective_3 avv(copy);
+    int m = 0;
+    while(m < 499)
+    {
+      const Eigen::VectorXd start = avv.point();
+      Eigen::VectorXd step = -(avv.gradient().array() / avv.diagonal().array()).matrix();
+      while(!avv.evaluate(start + step))
+      {
+        avv.reject();
+        step /= 2;
+      }
+      avv.accept();
+      compact_now_and_then(copy, ++m);
+    }
+    const double avv_time = timer.time();
+    std::printf("%4d  %11d %6.2f  %.2e  %.5e %9d %6.2f  %.2e  %.5e %+.3f  %.2f\n", seed, n, time,
+                objective.gradient().norm(), objective.value(), m, avv_time, avv.gradient().norm(), avv.value(),
+                100 * (objective.value() / avv.value() - 1), avv_time / time);
+    std::fflush(stdout);
+  }
+  return EXIT_SUCCESS;
+}
