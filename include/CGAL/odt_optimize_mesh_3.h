@@ -10,6 +10,11 @@
 
 #include <CGAL/disable_warnings.h>
 
+#ifdef CGAL_LINKED_WITH_TBB
+// Mesh_global_optimizer.h of CGAL 6.0 needs it and does not include it.
+#  include <tbb/enumerable_thread_specific.h>
+#endif
+
 #include <CGAL/Global_odt_mesh_3/internal/Named_parameters.h>
 #include <CGAL/Global_odt_mesh_3/internal/Odt_mesh_optimizer_3.h>
 #include <CGAL/Mesh_3/Mesh_global_optimizer.h>

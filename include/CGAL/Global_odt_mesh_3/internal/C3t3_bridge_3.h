@@ -552,11 +552,20 @@ private:
       result.add_to_complex(to, c3t3_.corner_index(old));
       to->set_special(special);
     }
-    if(c3t3_.number_of_edges_in_complex() > 0)
-      for(auto e = c3t3_.edges_in_complex_begin(); e != c3t3_.edges_in_complex_end(); ++e)
-        result.add_to_complex(handles_[flat_.site[e->first->vertex(e->second)]],
-                              handles_[flat_.site[e->first->vertex(e->third)]],
-                              c3t3_.curve_index(*e));
+    if(c3t3_.number_of_edges_in_complex() == 0)
+      return;
+    std::vector<std::pair<Vertex_handle, typename C3t3::Curve_index> > neighbors;
+    for(std::size_t v = 0; v < handles_.size(); ++v)
+    {
+      neighbors.clear();
+      c3t3_.adjacent_vertices_in_complex(flat_.vertices[v], std::back_inserter(neighbors));
+      for(const auto& n : neighbors)
+      {
+        const std::size_t w = flat_.site[n.first];
+        if(v < w)
+          result.add_to_complex(handles_[v], handles_[w], n.second);
+      }
+    }
   }
 
   // As CGAL's optimizers do, leave the mean circumradius in meshing_info.

@@ -7,6 +7,7 @@
 #define CGAL_GLOBAL_ODT_MESH_3_INTERNAL_ODT_PARAMETERS_H
 
 #include <CGAL/Mesh_3/parameters_defaults.h>
+#include <CGAL/Named_function_parameters.h>
 #include <CGAL/assertions.h>
 
 #include <cmath>
