@@ -123,7 +123,7 @@ version of %CGAL in use knows: `parameters::time_limit = 10, parameters::do_free
     \cgalParamDefault{0.02}
   \cgalParamNEnd
   \cgalParamNBegin{freeze_bound}
-    \cgalParamDescription{a vertex whose displacement is below this ratio is frozen, if `do_freeze` is `true`.}
+    \cgalParamDescription{a vertex whose displacement is below this ratio for six iterations in a row is frozen, if `do_freeze` is `true`.}
     \cgalParamType{`double`}
     \cgalParamPrecondition{`0 <= freeze_bound <= 1`}
     \cgalParamDefault{0.01}

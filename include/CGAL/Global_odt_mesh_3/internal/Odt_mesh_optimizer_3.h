@@ -75,6 +75,7 @@ private:
   // does not.
   static constexpr std::size_t most_iterations = 1000;
   static constexpr std::size_t iterations_between_compactions = 50;
+  static constexpr int iterations_to_freeze = 6;
 
   Mesh_optimization_return_code minimize(Odt_objective_3& objective, bool is_graded)
   {
@@ -123,19 +124,22 @@ private:
   }
 
   // The displacement of a vertex is the length of the AVV move (2.3), |g|/D,
-  // over its shortest edge. Freezes the vertices below freeze_bound and returns
-  // the mean of the largest displacements, one in five hundred.
+  // over its shortest edge. Freezes the vertices that are below freeze_bound for
+  // some iterations and returns the mean of the largest displacements, one in five hundred.
   double compute_displacements(Odt_objective_3& objective)
   {
     const int n = mesh_.number_of_movable_vertices;
     mesh_.shortest_edges(shortest_edge_);
     displacement_.resize(n);
+    still_.resize(n, 0);
     const Eigen::VectorXd& g = objective.gradient();
     const Eigen::VectorXd& d = objective.diagonal();
     for(int v = 0; v < n; ++v)
     {
       displacement_[v] = g.segment<3>(3 * v).norm() / (d[3 * v] * shortest_edge_[v]);
-      if(parameters_.do_freeze && displacement_[v] < parameters_.freeze_bound)
+      // A vertex may come to rest for a moment while those around it still move.
+      still_[v] = displacement_[v] < parameters_.freeze_bound ? still_[v] + 1 : 0;
+      if(parameters_.do_freeze && still_[v] == iterations_to_freeze)
         objective.freeze(v);
     }
     const std::size_t count = (std::max)(std::size_t(1), static_cast<std::size_t>(n) / 500);
@@ -168,6 +172,7 @@ private:
   Real_timer timer_;
   Moving_triangulation_3 mesh_;
   std::vector<double> displacement_, shortest_edge_;
+  std::vector<int> still_;
   std::size_t number_of_iterations_ = 0;
   double first_displacement_ = 0;
   double fraction_ = 0;
