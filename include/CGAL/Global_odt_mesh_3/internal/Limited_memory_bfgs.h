@@ -18,7 +18,7 @@ namespace internal {
 
 struct Limited_memory_bfgs_parameters
 {
-  int memory = 7;                   // number of correction pairs
+  int memory = 12;                  // number of correction pairs
   double delta = 0.1;               // of the approximate Wolfe condition
   double energy_tolerance = 1e-9;   // by how much, relatively, the energy may rise in a step
   int max_halvings = 20;            // of the step length, before giving up
