@@ -11,8 +11,12 @@
 
 #include <CGAL/odt_optimize_mesh_3.h>
 
+#include <algorithm>
+#include <cmath>
 #include <iostream>
 #include <string>
+#include <utility>
+#include <vector>
 
 namespace params = CGAL::parameters;
 
@@ -67,6 +71,53 @@ void test(const std::string& name, const C3t3& input, const Domain& domain, bool
   contract.check(again);
 }
 
+// Mean edge length between vertices of the interior, by distance from the center.
+static std::vector<std::pair<double, int> > edge_length_profile(const domains::Labeled_c3t3& c3t3)
+{
+  std::vector<std::pair<double, int> > bins(5, { 0., 0 });
+  const auto& tr = c3t3.triangulation();
+  for(auto e = tr.finite_edges_begin(); e != tr.finite_edges_end(); ++e)
+  {
+    const auto u = e->first->vertex(e->second), v = e->first->vertex(e->third);
+    if(u->in_dimension() != 3 || v->in_dimension() != 3)
+      continue;
+    const domains::Point_3 m = CGAL::midpoint(u->point().point(), v->point().point());
+    auto& bin = bins[(std::min)(4, static_cast<int>(5 * std::sqrt(domains::squared(m))))];
+    bin.first += std::sqrt(CGAL::squared_distance(u->point().point(), v->point().point()));
+    ++bin.second;
+  }
+  for(auto& bin : bins)
+    bin.first /= (std::max)(1, bin.second);
+  return bins;
+}
+
+// A uniform mesh is taken for uniform, and a graded one keeps its sizes, however
+// long the minimizer runs.
+static void grading(const domains::Labeled_domain& domain)
+{
+  using namespace domains;
+  namespace odt = CGAL::Global_odt_mesh_3::internal;
+  Labeled_c3t3 uniform = mesh(domain, 0.2), graded = graded_mesh(domain, 0.07);
+  odt::Moving_triangulation_3 flat;
+  odt::C3t3_bridge_3<Labeled_c3t3, Labeled_domain> uniform_bridge(uniform, domain), graded_bridge(graded, domain);
+  uniform_bridge.load(flat);
+  check::that(odt::Input_density_3(flat).is_uniform(), "a uniform mesh is not taken for uniform");
+  graded_bridge.load(flat);
+  check::that(!odt::Input_density_3(flat).is_uniform(), "a graded mesh is taken for uniform");
+
+  const auto before = edge_length_profile(graded);
+  CGAL::odt_optimize_mesh_3(graded, domain, params::do_freeze = false, params::convergence = 0,
+                            params::max_iteration_number = 150);
+  const auto after = edge_length_profile(graded);
+  for(std::size_t n = 0; n < before.size(); ++n)
+  {
+    if(before[n].second < 50)
+      continue;
+    std::cout << "  edge length in bin " << n << ": " << before[n].first << " -> " << after[n].first << std::endl;
+    check::that(std::abs(after[n].first / before[n].first - 1) < 0.1, "sizes in bin ", n, " changed");
+  }
+}
+
 int main()
 {
   using namespace domains;
@@ -74,6 +125,7 @@ int main()
     const Labeled_domain domain = sphere();
     test("sphere", mesh(domain, 0.2), domain);
     test("graded sphere", graded_mesh(domain, 0.1), domain);
+    grading(domain);
   }
   {
     const Labeled_domain domain = torus();

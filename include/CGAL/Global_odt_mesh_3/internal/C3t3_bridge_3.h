@@ -104,6 +104,7 @@ public:
       ++statistics_.repair_rounds;
       if(!send_back(tr, offenders))
         return false;
+      clear_labels(tr);
     }
     C3t3 result;
     result.triangulation().swap(tr);
@@ -293,18 +294,22 @@ private:
       offenders.insert(v);
   }
 
-  // Finds every wall among the facets of `tr` and marks it on both sides by its
-  // patch index.
-  bool find_walls(Triangulation& tr, std::set<int>& offenders)
+  void clear_labels(Triangulation& tr) const
   {
-    found_.assign(flat_.walls.size(), Facet(Cell_handle(), -1));
-    bare_walls_.clear();
     for(auto c = tr.all_cells_begin(); c != tr.all_cells_end(); ++c)
     {
       c->set_subdomain_index(Subdomain_index());
       for(int i = 0; i < 4; ++i)
         c->set_surface_patch_index(i, Surface_patch_index());
     }
+  }
+
+  // Finds every wall among the facets of `tr` and marks it on both sides by its
+  // patch index.
+  bool find_walls(Triangulation& tr, std::set<int>& offenders)
+  {
+    found_.assign(flat_.walls.size(), Facet(Cell_handle(), -1));
+    bare_walls_.clear();
     std::size_t number_found = 0;
     for(auto c = tr.finite_cells_begin(); c != tr.finite_cells_end(); ++c)
     {
@@ -557,6 +562,8 @@ private:
     std::vector<std::pair<Vertex_handle, typename C3t3::Curve_index> > neighbors;
     for(std::size_t v = 0; v < handles_.size(); ++v)
     {
+      if(flat_.vertices[v]->in_dimension() >= 2)
+        continue;
       neighbors.clear();
       c3t3_.adjacent_vertices_in_complex(flat_.vertices[v], std::back_inserter(neighbors));
       for(const auto& n : neighbors)

@@ -125,15 +125,18 @@ flatten_triangulation_3(const Triangulation& tr,
       }
     }
   }
-  const auto separates = [&](Cell_handle c, int i)
-  {
-    return cell_number[c->neighbor(i)] < 0 || is_wall(Facet(c, i));
-  };
+  // The cell beyond each facet, or -1, and whether the facet is a wall.
+  std::vector<int> beyond(4 * cells.size());
+  std::vector<char> separates(beyond.size());
   for(std::size_t n = 0; n < cells.size(); ++n)
     for(int i = 0; i < 4; ++i)
-      if(separates(cells[n], i))
+    {
+      beyond[4 * n + i] = cell_number[cells[n]->neighbor(i)];
+      separates[4 * n + i] = beyond[4 * n + i] < 0 || is_wall(Facet(cells[n], i));
+      if(separates[4 * n + i])
         for(int j : Flat_triangulation_3::facet_vertices(i))
           moves[inside_cells[n][j]] = false;
+    }
 
   // Movable vertices first, both groups along a Hilbert curve.
   std::vector<Kernel::Point_3> points;
@@ -177,9 +180,9 @@ flatten_triangulation_3(const Triangulation& tr,
     {
       const Cell_handle c = cells[n], d = c->neighbor(i);
       const int slot = static_cast<int>(4 * n) + i;
-      const int other = cell_number[d];
+      const int other = beyond[slot];
       const int mirror = other < 0 ? -1 : 4 * other + d->index(c);
-      if(!separates(c, i))
+      if(!separates[slot])
       {
         if(slot < mirror)
           mesh.topology.set_neighbors(slot, mirror);
