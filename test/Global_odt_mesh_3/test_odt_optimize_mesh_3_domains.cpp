@@ -97,7 +97,7 @@ static void grading(const domains::Labeled_domain& domain)
 {
   using namespace domains;
   namespace odt = CGAL::Global_odt_mesh_3::internal;
-  Labeled_c3t3 uniform = mesh(domain, 0.2), graded = graded_mesh(domain, 0.07);
+  Labeled_c3t3 uniform = mesh(domain, 0.2), graded = graded_mesh(domain, 0.05);
   odt::Moving_triangulation_3 flat;
   odt::C3t3_bridge_3<Labeled_c3t3, Labeled_domain> uniform_bridge(uniform, domain), graded_bridge(graded, domain);
   uniform_bridge.load(flat);
