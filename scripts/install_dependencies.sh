@@ -4,7 +4,7 @@
 set -euo pipefail
 
 packages="g++ cmake make ccache libcgal-dev libcgal-demo libeigen3-dev libtbb-dev libgmp-dev libmpfr-dev
-          libboost-dev libboost-program-options-dev zlib1g-dev libbenchmark-dev gnuplot-nox"
+          libboost-dev zlib1g-dev gnuplot-nox"
 missing=""
 for package in $packages; do
   dpkg-query -W -f '${Status}' "$package" 2>/dev/null | grep -q "ok installed" || missing="$missing $package"

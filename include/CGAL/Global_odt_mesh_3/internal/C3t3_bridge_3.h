@@ -56,19 +56,10 @@ class C3t3_bridge_3
   typedef typename C3t3::Surface_patch_index Surface_patch_index;
 
 public:
-  struct Statistics
-  {
-    std::size_t oracle_calls = 0;
-    std::size_t repair_rounds = 0;
-    std::size_t retreated_vertices = 0;
-  };
-
   C3t3_bridge_3(C3t3& c3t3, const Mesh_domain& domain)
     : c3t3_(c3t3)
     , domain_(domain)
   {}
-
-  const Statistics& statistics() const { return statistics_; }
 
   // Loads the complex. Vertices of the interior move, if all around them is
   // inside and no facet of the complex touches them.
@@ -101,7 +92,6 @@ public:
     std::set<int> offenders;
     while(!check(tr, offenders))
     {
-      ++statistics_.repair_rounds;
       if(!send_back(tr, offenders))
         return false;
       clear_labels(tr);
@@ -163,14 +153,14 @@ private:
 
   Wall_ball smallest_ball(const Facet& f, const std::array<Site, 3>& s) const
   {
-    // In the plane: x = s0 + (h_a (n x b)... ) of the two edges a, b and n = a x b.
+    // With the edges a, b from s0, their lifted heights h_a, h_b and n = a x b, the
+    // center is s0 + (h_a (b x n) + h_b (n x a)) / (2 |n|^2).
     const double ax = s[1].x - s[0].x, ay = s[1].y - s[0].y, az = s[1].z - s[0].z;
     const double bx = s[2].x - s[0].x, by = s[2].y - s[0].y, bz = s[2].z - s[0].z;
     const double nx = ay * bz - az * by, ny = az * bx - ax * bz, nz = ax * by - ay * bx;
     const double ha = ax * ax + ay * ay + az * az - s[1].weight + s[0].weight;
     const double hb = bx * bx + by * by + bz * bz - s[2].weight + s[0].weight;
     const double nn = nx * nx + ny * ny + nz * nz;
-    // c = s0 + (ha (b x n) + hb (n x a)) / (2 |n|^2)
     Wall_ball ball;
     ball.x = s[0].x + (ha * (by * nz - bz * ny) + hb * (ny * az - nz * ay)) / (2 * nn);
     ball.y = s[0].y + (ha * (bz * nx - bx * nz) + hb * (nz * ax - nx * az)) / (2 * nn);
@@ -267,7 +257,7 @@ private:
     offenders.clear();
     hopeless_ = false;
     if(tr.number_of_vertices() != handles_.size() || has_hidden_vertex())
-      blame_hidden_vertices(tr, offenders);
+      blame_hidden_vertices(offenders);
     else if(find_walls(tr, offenders) && label_cells(tr, offenders))
       ask_domain(tr, offenders);
     return offenders.empty() && !hopeless_;
@@ -280,7 +270,7 @@ private:
 
   // A vertex without handle is hidden by a weighted one; two that share a handle
   // coincide.
-  void blame_hidden_vertices(const Triangulation&, std::set<int>& offenders)
+  void blame_hidden_vertices(std::set<int>& offenders)
   {
     for(std::size_t v = 0; v < handles_.size(); ++v)
       if(handles_[v] == Vertex_handle() || number(handles_[v]) != static_cast<int>(v))
@@ -458,7 +448,6 @@ private:
       if(q[3] < number_of_movable_vertices_
          || (q[0] >= number_of_movable_vertices_ && fixed_cells_.count(q) > 0))
         continue;
-      ++statistics_.oracle_calls;
       const auto subdomain = is_in_domain(tr.dual(c));
       const Subdomain_index label = subdomain ? Subdomain_index(*subdomain) : Subdomain_index();
       if(label == c->subdomain_index())
@@ -481,7 +470,6 @@ private:
   {
     if(offenders.empty())
       return false;
-    statistics_.retreated_vertices += offenders.size();
     const bool rebuild = offenders.size() > handles_.size() / 20 || has_hidden_vertex()
                          || tr.number_of_vertices() != handles_.size();
     Cell_handle hint;
@@ -605,7 +593,6 @@ private:
   std::vector<Facet> found_;
   std::set<Facet> bare_walls_;
   bool hopeless_ = false;
-  Statistics statistics_;
 };
 
 } // namespace internal

@@ -71,8 +71,6 @@ public:
     }
   }
 
-  const Eigen::VectorXd& direction() const { return direction_; }
-
 private:
   void compute_direction(const Eigen::VectorXd& diagonal)
   {

@@ -111,16 +111,6 @@ public:
   // The vertices that the last evaluation kept from going where they were sent.
   const std::vector<int>& retreated_vertices() const { return retreated_; }
 
-  // Moves a vertex if all its cells stay positive, and makes its surroundings
-  // regular. Energy and gradient follow.
-  bool try_move(int v, const Site& s)
-  {
-    topology.star(v, star_);
-    const bool moved = relocate(v, s);
-    make_regular();
-    return moved;
-  }
-
   // The shortest edge of each movable vertex.
   void shortest_edges(std::vector<double>& length) const
   {

@@ -66,10 +66,6 @@ public:
     return code;
   }
 
-  std::size_t number_of_iterations() const { return number_of_iterations_; }
-  const Moving_triangulation_3& mesh() const { return mesh_; }
-  const C3t3_bridge_3<C3t3, Mesh_domain>& bridge() const { return bridge_; }
-
 private:
   // As CGAL's optimizers, which bound the number of iterations even if the user
   // does not.
