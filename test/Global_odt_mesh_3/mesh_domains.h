@@ -118,7 +118,7 @@ inline Labeled_c3t3 graded_mesh(const Labeled_domain& domain, double smallest)
 }
 
 // An image of n^3 voxels in the cube [0, 1]^3, filled by f(x, y, z).
-// ImageIO is in namespace CGAL from 6.0 on.
+// ImageIO is in namespace CGAL in the latest versions.
 template <class Word, class Kind, class Sign, class F>
 CGAL::Image_3 image(int n, Kind kind, Sign sign, const F& f)
 {
