@@ -8,25 +8,19 @@
 
 #include <CGAL/Global_odt_mesh_3/internal/Flatten_triangulation_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/Moving_triangulation_3.h>
+#include <CGAL/Global_odt_mesh_3/internal/Restricted_triangulation_3.h>
+#include <CGAL/Global_odt_mesh_3/internal/Spatial_order.h>
 
-#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
-#include <CGAL/Spatial_sort_traits_adapter_3.h>
+#include <CGAL/Time_stamper.h>
+#include <CGAL/Unique_hash_map.h>
 #include <CGAL/number_utils.h>
-#include <CGAL/property_map.h>
-#include <CGAL/spatial_sort.h>
-
-#include <boost/functional/hash.hpp>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
 #include <iterator>
-#include <limits>
-#include <numeric>
-#include <set>
 #include <unordered_map>
-#include <unordered_set>
 #include <utility>
 #include <vector>
 
@@ -35,13 +29,8 @@ namespace Global_odt_mesh_3 {
 namespace internal {
 
 // The way from a c3t3 to the flat problem, and back from new positions to a
-// c3t3 that keeps every promise of the first.
-//
-// The way back builds CGAL's exact regular triangulation of the new positions
-// and looks for the walls in it. Vertices that stand in the way of a wall, or
-// belong to a cell whose dual point the domain places elsewhere than in the
-// subdomain enclosed by the walls, go back toward where they came from. The
-// input c3t3 is only changed by a swap at the end.
+// c3t3 that keeps every promise of the first. In between, the complex may go
+// through several states. The input is only changed by a swap at the end.
 template <class C3t3, class Mesh_domain>
 class C3t3_bridge_3
 {
@@ -49,457 +38,195 @@ class C3t3_bridge_3
   typedef typename Triangulation::Vertex_handle Vertex_handle;
   typedef typename Triangulation::Cell_handle Cell_handle;
   typedef typename Triangulation::Facet Facet;
-  typedef typename Triangulation::Geom_traits Geom_traits;
   typedef typename Triangulation::Bare_point Bare_point;
-  typedef typename Triangulation::Weighted_point Weighted_point;
   typedef typename C3t3::Subdomain_index Subdomain_index;
   typedef typename C3t3::Surface_patch_index Surface_patch_index;
+  typedef CGAL::Unique_hash_map<Vertex_handle, int, CGAL::Hash_handles_with_or_without_timestamps> Site_map;
+  typedef std::vector<Wall_facet<Triangulation> > Walls;
 
 public:
+  typedef Restricted_triangulation_3<Triangulation, Mesh_domain> Complex;
+
   C3t3_bridge_3(C3t3& c3t3, const Mesh_domain& domain)
     : c3t3_(c3t3)
-    , domain_(domain)
+    , complex_(domain)
   {}
 
-  // Loads the complex. Vertices of the interior move, if all around them is
-  // inside and no facet of the complex touches them.
-  void load(Moving_triangulation_3& mesh)
+  const Complex& complex() const { return complex_; }
+
+  // Loads the complex. Vertices of the interior move, unless a boundary facet
+  // touches them; those that surfaces run smoothly through move if `boundary_moves`.
+  void load(Moving_triangulation_3& mesh, bool boundary_moves)
   {
     const Triangulation& tr = c3t3_.triangulation();
-    if(tr.dimension() == 3)
-      flat_ = flatten_triangulation_3(
-        tr,
-        [this](Cell_handle c) { return c3t3_.is_in_complex(c); },
-        [this](const Facet& f) { return is_wall(f); },
-        [](Vertex_handle v) { return v->in_dimension() == 3; },
-        [this](const Facet& f) { return surface_ball(f); },
-        mesh);
-    else
-      mesh = Moving_triangulation_3();
-    original_.assign(mesh.sites.begin(), mesh.sites.begin() + mesh.number_of_movable_vertices);
+    mesh = Moving_triangulation_3();
+    if(tr.dimension() != 3)
+      return;
+    for(auto v = tr.finite_vertices_begin(); v != tr.finite_vertices_end(); ++v)
+    {
+      const auto& p = tr.point(v);
+      site_[v] = static_cast<int>(complex_.vertices.size());
+      complex_.vertices.push_back(v);
+      complex_.sites.push_back({ CGAL::to_double(p.x()), CGAL::to_double(p.y()), CGAL::to_double(p.z()),
+                                 CGAL::to_double(p.weight()) });
+    }
+    complex_.triangulation = &tr;
+    Walls walls = flatten([this](Vertex_handle v) { return site_[v]; }, mesh.topology);
+    const std::vector<int> place = sort_vertices(walls, mesh.topology, boundary_moves);
+    mesh.topology.renumber_vertices(place);
+    for(Wall_facet<Triangulation>& w : walls)
+      for(int& v : w.vertices)
+        v = place[v];
+    input_vertices_ = complex_.vertices;
+    complex_.boundary = boundary(walls);
+    complex_.boundary.measure_fans(complex_.sites);
+    read_surface_centers(walls);
+    read_labels();
+    finish(walls, mesh);
   }
 
-  // Rebuilds the c3t3 from the positions of the movable vertices, or leaves it
-  // as it is and returns false if no valid complex can be made of them.
-  bool store(const Moving_triangulation_3& mesh)
+  // Loads the state that store() has led to.
+  void reload(Moving_triangulation_3& mesh)
   {
-    Triangulation tr;
-    sites_ = mesh.sites;
-    number_of_movable_vertices_ = mesh.number_of_movable_vertices;
-    strikes_.assign(number_of_movable_vertices_, 0);
-    prepare_walls();
-    build(tr);
-    std::set<int> offenders;
-    while(!check(tr, offenders))
-    {
-      if(!send_back(tr, offenders))
-        return false;
-      clear_labels(tr);
-    }
+    const Walls walls = flatten([](Vertex_handle v) { return Numbered_triangulation_3<Triangulation>::number(v); },
+                                mesh.topology);
+    finish(walls, mesh);
+  }
+
+  // Takes the complex to the positions of the movable vertices; false if no valid
+  // complex can be made of them, and the complex is as it was.
+  bool store(const Moving_triangulation_3& mesh, const typename Complex::Update& mode)
+  {
+    return complex_.update(mesh.sites, mode);
+  }
+
+  // Replaces the c3t3 by the state that store() has led to.
+  void commit()
+  {
+    if(!complex_.has_changed())
+      return;
     C3t3 result;
-    result.triangulation().swap(tr);
+    result.triangulation().swap(complex_.own_triangulation());
     fill(result);
     c3t3_.swap(result);
     c3t3_.clear_manifold_info();
-    return true;
   }
 
 private:
-  typedef std::array<int, 3> Triple;
-  typedef std::array<int, 4> Quadruple;
-
-  struct Triple_hash
+  template <class Number>
+  Walls flatten(const Number& number, Flat_triangulation_3& flat) const
   {
-    template <class Array>
-    std::size_t operator()(const Array& t) const { return boost::hash_range(t.begin(), t.end()); }
-  };
-
-  static Triple sorted(Triple t)
-  {
-    std::sort(t.begin(), t.end());
-    return t;
-  }
-
-  bool is_wall(const Facet& f) const
-  {
-    return c3t3_.is_in_complex(f)
-           || c3t3_.subdomain_index(f.first) != c3t3_.subdomain_index(f.first->neighbor(f.second));
-  }
-
-  static Site site(const Weighted_point& p)
-  {
-    return { CGAL::to_double(p.x()), CGAL::to_double(p.y()), CGAL::to_double(p.z()),
-             CGAL::to_double(p.weight()) };
-  }
-
-  // The surface Delaunay ball of a facet. A c3t3 that was not made by the mesher
-  // may lack surface centers; then the smallest ball orthogonal to the facet
-  // that lies on its dual edge stands in.
-  Wall_ball surface_ball(const Facet& f) const
-  {
-    std::array<Site, 3> s;
-    for(int k = 0; k < 3; ++k)
-      s[k] = site(c3t3_.triangulation().point(f.first, Flat_triangulation_3::facet_vertices(f.second)[k]));
-    const auto& center = f.first->get_facet_surface_center(f.second);
-    Wall_ball ball = { CGAL::to_double(center.x()), CGAL::to_double(center.y()),
-                       CGAL::to_double(center.z()), 0 };
-    const double p0 = ball.power(s[0]), p1 = ball.power(s[1]), p2 = ball.power(s[2]);
-    const double spread = (std::max)({ p0, p1, p2 }) - (std::min)({ p0, p1, p2 });
-    if(!(spread <= 1e-4 * std::abs(p0)))
-      return smallest_ball(f, s);
-    ball.squared_radius = (std::min)({ p0, p1, p2 });
-    return ball;
-  }
-
-  Wall_ball smallest_ball(const Facet& f, const std::array<Site, 3>& s) const
-  {
-    // With the edges a, b from s0, their lifted heights h_a, h_b and n = a x b, the
-    // center is s0 + (h_a (b x n) + h_b (n x a)) / (2 |n|^2).
-    const double ax = s[1].x - s[0].x, ay = s[1].y - s[0].y, az = s[1].z - s[0].z;
-    const double bx = s[2].x - s[0].x, by = s[2].y - s[0].y, bz = s[2].z - s[0].z;
-    const double nx = ay * bz - az * by, ny = az * bx - ax * bz, nz = ax * by - ay * bx;
-    const double ha = ax * ax + ay * ay + az * az - s[1].weight + s[0].weight;
-    const double hb = bx * bx + by * by + bz * bz - s[2].weight + s[0].weight;
-    const double nn = nx * nx + ny * ny + nz * nz;
-    Wall_ball ball;
-    ball.x = s[0].x + (ha * (by * nz - bz * ny) + hb * (ny * az - nz * ay)) / (2 * nn);
-    ball.y = s[0].y + (ha * (bz * nx - bx * nz) + hb * (nz * ax - nx * az)) / (2 * nn);
-    ball.z = s[0].z + (ha * (bx * ny - by * nx) + hb * (nx * ay - ny * ax)) / (2 * nn);
-    // Slide along the normal to between the dual points of the two cells.
-    double lowest = -(std::numeric_limits<double>::max)(), highest = -lowest;
-    const Triangulation& tr = c3t3_.triangulation();
-    for(Cell_handle c : { f.first, f.first->neighbor(f.second) })
-    {
-      if(tr.is_infinite(c))
-        continue;
-      const Bare_point p = tr.dual(c);
-      const double t = ((CGAL::to_double(p.x()) - ball.x) * nx + (CGAL::to_double(p.y()) - ball.y) * ny
-                        + (CGAL::to_double(p.z()) - ball.z) * nz) / nn;
-      // Facet vertices run counterclockwise seen from f.first, so that the
-      // normal points to it.
-      (c == f.first ? highest : lowest) = t;
-    }
-    const double t = (std::max)((std::min)(0., highest), (std::min)(lowest, highest));
-    ball.x += t * nx; ball.y += t * ny; ball.z += t * nz;
-    ball.squared_radius = 0;
-    ball.squared_radius = ball.power(s[0]);
-    return ball;
-  }
-
-  void prepare_walls()
-  {
-    wall_of_.clear();
-    wall_of_.reserve(flat_.walls.size());
-    on_wall_.assign(sites_.size(), false);
-    for(std::size_t w = 0; w < flat_.walls.size(); ++w)
-    {
-      const Triple& v = flat_.walls[w].vertices;
-      wall_of_.emplace(sorted(v), static_cast<int>(w));
-      for(int k : v)
-        on_wall_[k] = true;
-    }
-    fixed_cells_.clear();
-    fixed_cells_.insert(flat_.fixed_cells.begin(), flat_.fixed_cells.end());
-  }
-
-  Weighted_point point(int v) const
-  {
-    const Weighted_point& old = c3t3_.triangulation().point(flat_.vertices[v]);
-    if(v >= number_of_movable_vertices_ || is_home(v))
-      return old;
-    const Geom_traits& gt = c3t3_.triangulation().geom_traits();
-    return gt.construct_weighted_point_3_object()(Bare_point(sites_[v].x, sites_[v].y, sites_[v].z));
-  }
-
-  bool is_home(int v) const
-  {
-    const Site& a = sites_[v];
-    const Site& b = original_[v];
-    return a.x == b.x && a.y == b.y && a.z == b.z;
-  }
-
-  // The exact regular triangulation. Until the end, a vertex's meshing_info is
-  // its number.
-  void build(Triangulation& tr)
-  {
-    handles_.assign(sites_.size(), Vertex_handle());
-    typedef CGAL::Exact_predicates_inexact_constructions_kernel Kernel;
-    std::vector<Kernel::Point_3> points;
-    points.reserve(sites_.size());
-    for(const Site& s : sites_)
-      points.emplace_back(s.x, s.y, s.z);
-    std::vector<std::size_t> order(sites_.size());
-    std::iota(order.begin(), order.end(), std::size_t(0));
-    typedef CGAL::Pointer_property_map<Kernel::Point_3>::type Point_map;
-    CGAL::spatial_sort(order.begin(), order.end(),
-                       CGAL::Spatial_sort_traits_adapter_3<Kernel, Point_map>(CGAL::make_property_map(points)));
-    Cell_handle hint;
-    for(std::size_t v : order)
-      insert(tr, static_cast<int>(v), hint);
-  }
-
-  void insert(Triangulation& tr, int v, Cell_handle& hint)
-  {
-    const Vertex_handle h = hint == Cell_handle() ? tr.insert(point(v)) : tr.insert(point(v), hint);
-    handles_[v] = h;
-    if(h == Vertex_handle())
-      return;
-    h->set_meshing_info(v);
-    hint = h->cell();
-  }
-
-  static int number(Vertex_handle h) { return static_cast<int>(h->meshing_info()); }
-
-  // Labels the triangulation; collects in `offenders` the displaced vertices
-  // that keep it from being what it has to be.
-  bool check(Triangulation& tr, std::set<int>& offenders)
-  {
-    offenders.clear();
-    hopeless_ = false;
-    if(tr.number_of_vertices() != handles_.size() || has_hidden_vertex())
-      blame_hidden_vertices(offenders);
-    else if(find_walls(tr, offenders) && label_cells(tr, offenders))
-      ask_domain(tr, offenders);
-    return offenders.empty() && !hopeless_;
-  }
-
-  bool has_hidden_vertex() const
-  {
-    return std::find(handles_.begin(), handles_.end(), Vertex_handle()) != handles_.end();
-  }
-
-  // A vertex without handle is hidden by a weighted one; two that share a handle
-  // coincide.
-  void blame_hidden_vertices(std::set<int>& offenders)
-  {
-    for(std::size_t v = 0; v < handles_.size(); ++v)
-      if(handles_[v] == Vertex_handle() || number(handles_[v]) != static_cast<int>(v))
-        blame(static_cast<int>(v), offenders);
-    hopeless_ = offenders.empty();
-  }
-
-  void blame(int v, std::set<int>& offenders) const
-  {
-    if(v < number_of_movable_vertices_ && !is_home(v))
-      offenders.insert(v);
-  }
-
-  void clear_labels(Triangulation& tr) const
-  {
-    for(auto c = tr.all_cells_begin(); c != tr.all_cells_end(); ++c)
-    {
-      c->set_subdomain_index(Subdomain_index());
-      for(int i = 0; i < 4; ++i)
-        c->set_surface_patch_index(i, Surface_patch_index());
-    }
-  }
-
-  // Finds every wall among the facets of `tr` and marks it on both sides by its
-  // patch index.
-  bool find_walls(Triangulation& tr, std::set<int>& offenders)
-  {
-    found_.assign(flat_.walls.size(), Facet(Cell_handle(), -1));
-    bare_walls_.clear();
-    std::size_t number_found = 0;
-    for(auto c = tr.finite_cells_begin(); c != tr.finite_cells_end(); ++c)
-    {
-      std::array<int, 4> v;
-      int on_wall = 0;
-      for(int i = 0; i < 4; ++i)
+    return flatten_triangulation_3(
+      *complex_.triangulation, number,
+      [](Cell_handle c) { return c->subdomain_index() != Subdomain_index(); },
+      [](const Facet& f)
       {
-        v[i] = number(c->vertex(i));
-        on_wall += on_wall_[v[i]];
-      }
-      for(int i = 0; i < 4; ++i)
-      {
-        if(on_wall - on_wall_[v[i]] < 3)
-          continue;
-        const std::array<int, 3>& f = Flat_triangulation_3::facet_vertices(i);
-        const Triple t = {{ v[f[0]], v[f[1]], v[f[2]] }};
-        const auto it = wall_of_.find(sorted(t));
-        if(it == wall_of_.end() || found_[it->second].second >= 0)
-          continue;
-        // Of the two sides keep the one of the input's facet.
-        const Wall<Triangulation>& wall = flat_.walls[it->second];
-        const bool same_side = is_rotation(t, wall.vertices);
-        const Facet here(c, i);
-        const Facet there = tr.mirror_facet(here);
-        found_[it->second] = same_side ? here : there;
-        ++number_found;
-        const Surface_patch_index patch = c3t3_.surface_patch_index(wall.facet);
-        c->set_surface_patch_index(i, patch);
-        there.first->set_surface_patch_index(there.second, patch);
-        if(!c3t3_.is_in_complex(wall.facet))
-        {
-          bare_walls_.insert(here);
-          bare_walls_.insert(there);
-        }
-      }
-    }
-    if(number_found == found_.size())
-      return true;
-    for(std::size_t w = 0; w < found_.size(); ++w)
-      if(found_[w].second < 0)
-        blame_around(tr, w, offenders);
-    hopeless_ = offenders.empty();
-    return false;
+        return f.first->is_facet_on_surface(f.second)
+               || f.first->subdomain_index() != f.first->neighbor(f.second)->subdomain_index();
+      },
+      flat);
   }
 
-  static bool is_rotation(const Triple& a, const Triple& b)
+  Boundary_complex_3 boundary(const Walls& walls)
   {
-    for(int k = 0; k < 3; ++k)
-      if(a[k] == b[0] && a[(k + 1) % 3] == b[1] && a[(k + 2) % 3] == b[2])
-        return true;
-    return false;
-  }
-
-  // A wall is missing: to blame are the vertices in its ball, else the neighbors
-  // of its vertices, else their neighbors and so on.
-  void blame_around(const Triangulation& tr, std::size_t w, std::set<int>& offenders) const
-  {
-    const Wall_ball ball = surface_ball(flat_.walls[w].facet);
-    std::set<int> region(flat_.walls[w].vertices.begin(), flat_.walls[w].vertices.end());
-    for(int ring = 0; ring < 6; ++ring)
+    std::vector<Boundary_facet> facets;
+    facets.reserve(walls.size());
+    for(const Wall_facet<Triangulation>& w : walls)
     {
-      std::set<int> grown = region;
-      for(int v : region)
-      {
-        std::vector<Vertex_handle> neighbors;
-        tr.finite_adjacent_vertices(handles_[v], std::back_inserter(neighbors));
-        for(Vertex_handle h : neighbors)
-          grown.insert(number(h));
-      }
-      region.swap(grown);
-      const std::size_t before = offenders.size();
-      for(int v : region)
-        if(ball.power(sites_[v]) <= 0)
-          blame(v, offenders);
-      if(offenders.size() == before && ring > 0)
-        for(int v : region)
-          blame(v, offenders);
-      if(offenders.size() > before)
-        return;
+      const Cell_handle c = w.facet.first;
+      const int i = w.facet.second;
+      facets.push_back({ w.vertices,
+                         {{ complex_.labels.number(c->subdomain_index()),
+                            complex_.labels.number(c->neighbor(i)->subdomain_index()) }},
+                         c->is_facet_on_surface(i) ? complex_.patches.number(c->surface_patch_index(i))
+                                                   : int(Boundary_facet::no_patch) });
     }
+    return Boundary_complex_3(std::move(facets), complex_.sites.size());
   }
 
-  bool is_bounded(Cell_handle c, int i) const
+  // Numbers the vertices along Hilbert curves, those of the interior first, then
+  // those that move on surfaces, then the rest. Gives each vertex's new number.
+  std::vector<int> sort_vertices(const Walls& walls, const Flat_triangulation_3& flat, bool boundary_moves)
   {
-    return c->is_facet_on_surface(i) || (!bare_walls_.empty() && bare_walls_.count(Facet(c, i)) > 0);
-  }
-
-  // Floods the parts between the walls with the subdomain that the input has on
-  // this side of the wall.
-  bool label_cells(Triangulation& tr, std::set<int>& offenders)
-  {
-    std::vector<Cell_handle> stack, reached;
-    bool consistent = true;
-    const auto reach = [&](Cell_handle c, const Subdomain_index& label)
+    const Boundary_complex_3 b = boundary(walls);
+    const auto is_interior = [&](std::size_t v)
     {
-      if(c->tds_data().is_clear())
-      {
-        c->tds_data().mark_in_conflict();
-        c->set_subdomain_index(label);
-        stack.push_back(c);
-        reached.push_back(c);
-      }
-      if(c->subdomain_index() != label
-         || (tr.is_infinite(c) && label != Subdomain_index()))
-      {
-        consistent = false;
-        for(int i = 0; i < 4; ++i)
-          if(!tr.is_infinite(c->vertex(i)))
-            blame(number(c->vertex(i)), offenders);
-      }
+      return complex_.vertices[v]->in_dimension() == 3 && complex_.sites[v].weight == 0
+             && flat.incident_cell(static_cast<int>(v)) >= 0 && !b.has_facets(static_cast<int>(v));
     };
-    for(std::size_t w = 0; w < found_.size(); ++w)
+    const auto slides = [&](std::size_t v)
     {
-      const Facet& input = flat_.walls[w].facet;
-      const Cell_handle c = found_[w].first;
-      reach(c, c3t3_.subdomain_index(input.first));
-      reach(c->neighbor(found_[w].second),
-            c3t3_.subdomain_index(input.first->neighbor(input.second)));
-      while(!stack.empty())
-      {
-        const Cell_handle d = stack.back();
-        stack.pop_back();
-        for(int i = 0; i < 4; ++i)
-          if(!is_bounded(d, i))
-            reach(d->neighbor(i), d->subdomain_index());
-      }
+      return complex_.vertices[v]->in_dimension() == 2 && complex_.sites[v].weight == 0
+             && b.number_of_fans(static_cast<int>(v)) == 1 && b.is_disk(static_cast<int>(v), 0);
+    };
+    std::vector<std::size_t> order = hilbert_order(complex_.sites);
+    const auto boundary_begin = std::stable_partition(order.begin(), order.end(), is_interior);
+    const auto fixed_begin = boundary_moves ? std::stable_partition(boundary_begin, order.end(), slides)
+                                            : boundary_begin;
+    complex_.number_of_interior_vertices = static_cast<int>(boundary_begin - order.begin());
+    complex_.number_of_movable_vertices = static_cast<int>(fixed_begin - order.begin());
+    std::vector<int> place(order.size());
+    std::vector<Vertex_handle> vertices;
+    std::vector<Site> sites;
+    for(std::size_t n = 0; n < order.size(); ++n)
+    {
+      place[order[n]] = static_cast<int>(n);
+      vertices.push_back(complex_.vertices[order[n]]);
+      sites.push_back(complex_.sites[order[n]]);
+      site_[vertices.back()] = static_cast<int>(n);
     }
-    for(Cell_handle c : reached)
-      c->tds_data().clear();
-    hopeless_ = !consistent && offenders.empty();
-    return consistent;
+    complex_.vertices.swap(vertices);
+    complex_.sites.swap(sites);
+    return place;
   }
 
-  // A cell that may be near the surface has to have its dual point in the
-  // subdomain that it is labelled with. Cells of interior vertices only lie
-  // behind these.
-  void ask_domain(const Triangulation& tr, std::set<int>& offenders)
+  void read_surface_centers(const Walls& walls)
   {
-    const auto is_in_domain = domain_.is_in_domain_object();
+    for(const Wall_facet<Triangulation>& w : walls)
+    {
+      const Bare_point p = w.facet.first->get_facet_surface_center(w.facet.second);
+      complex_.facets.push_back(w.facet);
+      complex_.centers.push_back({ {{ CGAL::to_double(p.x()), CGAL::to_double(p.y()), CGAL::to_double(p.z()) }}, p,
+                                   w.facet.first->get_facet_surface_center_index(w.facet.second), true });
+    }
+    complex_.mend_surface_centers();
+  }
+
+  void read_labels()
+  {
+    complex_.subdomain.resize(complex_.vertices.size());
+    for(std::size_t v = 0; v < complex_.vertices.size(); ++v)
+      complex_.subdomain[v] = complex_.boundary.has_facets(static_cast<int>(v))
+                                ? int(Complex::no_subdomain)
+                                : complex_.labels.number(complex_.vertices[v]->cell()->subdomain_index());
+    const Triangulation& tr = *complex_.triangulation;
     for(auto c = tr.finite_cells_begin(); c != tr.finite_cells_end(); ++c)
     {
-      Quadruple q;
+      std::array<int, 4> q;
       for(int i = 0; i < 4; ++i)
-        q[i] = number(c->vertex(i));
-      std::sort(q.begin(), q.end());
-      if(q[3] < number_of_movable_vertices_
-         || (q[0] >= number_of_movable_vertices_ && fixed_cells_.count(q) > 0))
-        continue;
-      const auto subdomain = is_in_domain(tr.dual(c));
-      const Subdomain_index label = subdomain ? Subdomain_index(*subdomain) : Subdomain_index();
-      if(label == c->subdomain_index())
-        continue;
-      const std::size_t before = offenders.size();
-      for(int v : q)
-        blame(v, offenders);
-      if(offenders.size() > before || q[0] < number_of_movable_vertices_)
-        continue;
-      for(int i = 0; i < 4; ++i)
-        for(int j = 0; j < 4; ++j)
-          if(!tr.is_infinite(c->neighbor(i)))
-            blame(number(c->neighbor(i)->vertex(j)), offenders);
+        q[i] = site_[c->vertex(i)];
+      if(std::all_of(q.begin(), q.end(), [this](int v) { return complex_.subdomain[v] == Complex::no_subdomain; }))
+        complex_.add_boundary_cell(q, complex_.labels.number(c->subdomain_index()));
     }
   }
 
-  // Moves the offenders toward where they were; false if there are none left to
-  // move.
-  bool send_back(Triangulation& tr, const std::set<int>& offenders)
+  void finish(const Walls& walls, Moving_triangulation_3& mesh) const
   {
-    if(offenders.empty())
-      return false;
-    const bool rebuild = offenders.size() > handles_.size() / 20 || has_hidden_vertex()
-                         || tr.number_of_vertices() != handles_.size();
-    Cell_handle hint;
-    for(int v : offenders)
-    {
-      const double t = strikes_[v]++ < 2 ? 0.5 : 0;
-      const Site& home = original_[v];
-      Site& s = sites_[v];
-      s = t == 0 ? home
-                 : Site{ home.x + t * (s.x - home.x), home.y + t * (s.y - home.y),
-                         home.z + t * (s.z - home.z), home.weight };
-      if(rebuild)
-        continue;
-      tr.remove(handles_[v]);
-      hint = Cell_handle();
-      insert(tr, v, hint);
-    }
-    if(rebuild)
-    {
-      tr.clear();
-      build(tr);
-    }
-    return true;
+    mesh.sites = complex_.sites;
+    mesh.number_of_interior_vertices = complex_.number_of_interior_vertices;
+    mesh.number_of_movable_vertices = complex_.number_of_movable_vertices;
+    mesh.wall_heights.clear();
+    for(const Wall_facet<Triangulation>& w : walls)
+      mesh.wall_heights.push_back(complex_.height(w.vertices));
+    mesh.topology.compact();
   }
 
   // Completes the new complex from the labels on its cells and the old complex.
   void fill(C3t3& result) const
   {
     Triangulation& tr = result.triangulation();
-    std::vector<double> radius_sum(handles_.size(), 0), radius_count(handles_.size(), 0);
+    const std::vector<Vertex_handle>& vertices = complex_.vertices;
+    std::vector<double> radius_sum(vertices.size(), 0), radius_count(vertices.size(), 0);
     for(auto c = tr.finite_cells_begin(); c != tr.finite_cells_end(); ++c)
     {
       const Subdomain_index label = c->subdomain_index();
@@ -509,26 +236,26 @@ private:
       result.add_to_complex(c, label);
       add_circumradius(tr, c, radius_sum, radius_count);
     }
-    for(std::size_t w = 0; w < found_.size(); ++w)
+    for(std::size_t n = 0; n < complex_.facets.size(); ++n)
     {
-      const Facet& old = flat_.walls[w].facet;
-      const Facet f = found_[w];
+      const Facet f = complex_.facets[n];
       const Facet mirror = tr.mirror_facet(f);
       f.first->set_surface_patch_index(f.second, Surface_patch_index());
       mirror.first->set_surface_patch_index(mirror.second, Surface_patch_index());
-      if(!c3t3_.is_in_complex(old))
+      const int patch = complex_.boundary.facets()[n].patch;
+      if(patch == Boundary_facet::no_patch)
         continue;
-      result.add_to_complex(f, c3t3_.surface_patch_index(old));
+      result.add_to_complex(f, complex_.patches.value(patch));
       for(const Facet& g : { f, mirror })
       {
-        g.first->set_facet_surface_center(g.second, old.first->get_facet_surface_center(old.second));
-        g.first->set_facet_surface_center_index(g.second, old.first->get_facet_surface_center_index(old.second));
+        g.first->set_facet_surface_center(g.second, complex_.centers[n].stored);
+        g.first->set_facet_surface_center_index(g.second, complex_.centers[n].index);
       }
     }
     const bool has_far_points = c3t3_.number_of_far_points() > 0;
-    for(std::size_t v = 0; v < handles_.size(); ++v)
+    for(std::size_t v = 0; v < vertices.size(); ++v)
     {
-      const Vertex_handle from = flat_.vertices[v], to = handles_[v];
+      const Vertex_handle from = input_vertices_[v], to = vertices[v];
       to->set_dimension(from->in_dimension());
       to->set_index(from->index());
       to->set_special(from->is_special());
@@ -540,7 +267,7 @@ private:
     for(auto v = c3t3_.vertices_in_complex_begin(); v != c3t3_.vertices_in_complex_end(); ++v)
     {
       const Vertex_handle old = v;
-      const Vertex_handle to = handles_[flat_.site[old]];
+      const Vertex_handle to = vertices[site_[old]];
       const bool special = to->is_special();
       result.add_to_complex(to, c3t3_.corner_index(old));
       to->set_special(special);
@@ -548,17 +275,17 @@ private:
     if(c3t3_.number_of_edges_in_complex() == 0)
       return;
     std::vector<std::pair<Vertex_handle, typename C3t3::Curve_index> > neighbors;
-    for(std::size_t v = 0; v < handles_.size(); ++v)
+    for(std::size_t v = 0; v < vertices.size(); ++v)
     {
-      if(flat_.vertices[v]->in_dimension() >= 2)
+      if(input_vertices_[v]->in_dimension() >= 2)
         continue;
       neighbors.clear();
-      c3t3_.adjacent_vertices_in_complex(flat_.vertices[v], std::back_inserter(neighbors));
+      c3t3_.adjacent_vertices_in_complex(input_vertices_[v], std::back_inserter(neighbors));
       for(const auto& n : neighbors)
       {
-        const std::size_t w = flat_.site[n.first];
+        const std::size_t w = site_[n.first];
         if(v < w)
-          result.add_to_complex(handles_[v], handles_[w], n.second);
+          result.add_to_complex(vertices[v], vertices[w], n.second);
       }
     }
   }
@@ -571,28 +298,17 @@ private:
     const double x = CGAL::to_double(p.x()), y = CGAL::to_double(p.y()), z = CGAL::to_double(p.z());
     for(int i = 0; i < 4; ++i)
     {
-      const int v = number(c->vertex(i));
-      const Site& s = sites_[v];
+      const int v = Numbered_triangulation_3<Triangulation>::number(c->vertex(i));
+      const Site& s = complex_.sites[v];
       sum[v] += std::sqrt((x - s.x) * (x - s.x) + (y - s.y) * (y - s.y) + (z - s.z) * (z - s.z));
       ++count[v];
     }
   }
 
   C3t3& c3t3_;
-  const Mesh_domain& domain_;
-  Flattening<Triangulation> flat_;
-  std::vector<Site> original_;
-
-  std::vector<Site> sites_;
-  int number_of_movable_vertices_ = 0;
-  std::vector<Vertex_handle> handles_;
-  std::vector<int> strikes_;
-  std::unordered_map<Triple, int, Triple_hash> wall_of_;
-  std::unordered_set<Quadruple, Triple_hash> fixed_cells_;
-  std::vector<char> on_wall_;
-  std::vector<Facet> found_;
-  std::set<Facet> bare_walls_;
-  bool hopeless_ = false;
+  Complex complex_;
+  std::vector<Vertex_handle> input_vertices_;
+  Site_map site_;
 };
 
 } // namespace internal

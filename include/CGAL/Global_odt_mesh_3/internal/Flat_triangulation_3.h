@@ -24,14 +24,14 @@ namespace internal {
 //
 // Slot 4c+i stands for vertex i of cell c and for the facet opposite to it.
 // Across that facet lies slot 4d+j, so that one look-up gives the neighbor d and
-// the vertex j beyond the facet. A negative entry ~w is wall w: a facet that
-// must stay. Cells are positively oriented: det(v1-v0, v2-v0, v3-v0) > 0.
+// the vertex j beyond the facet. A negative entry stands for one side of a wall, a
+// facet that must stay. Cells are positively oriented: det(v1-v0, v2-v0, v3-v0) > 0.
 class Flat_triangulation_3
 {
 public:
   static constexpr int no_vertex = -1;
 
-  // The vertices of facet i, counterclockwise seen from vertex i, so that
+  // The vertices of facet i, clockwise seen from vertex i, so that
   // (v_i, v_o0, v_o1, v_o2) is oriented as the cell.
   static const std::array<int, 3>& facet_vertices(int i)
   {
@@ -40,8 +40,15 @@ public:
     return table[i];
   }
 
+  // A wall has two sides, 0 and 1, and may lack cells on one of them.
   static constexpr bool is_wall(int neighbor) { return neighbor < 0; }
-  static constexpr int wall(int neighbor) { return ~neighbor; }
+  static constexpr int wall(int neighbor) { return ~neighbor / 2; }
+  static constexpr int wall_side(int neighbor) { return ~neighbor % 2; }
+  static constexpr int wall_neighbor(int wall, int side) { return ~(2 * wall + side); }
+
+  int number_of_walls() const { return static_cast<int>(wall_slots_.size() / 2); }
+  // The facet of the cell on that side of the wall, or -1.
+  int wall_slot(int wall, int side) const { return wall_slots_[2 * wall + side]; }
 
   int number_of_slots() const { return static_cast<int>(cell_vertices_.size()); }
   int number_of_cell_slots() const { return number_of_slots() / 4; }
@@ -74,6 +81,12 @@ public:
     neighbors_[slot] = other;
     if(!is_wall(other))
       neighbors_[other] = slot;
+    else
+    {
+      if(static_cast<std::size_t>(~other) >= wall_slots_.size())
+        wall_slots_.resize((~other | 1) + 1, -1);
+      wall_slots_[~other] = slot;
+    }
   }
 
   // Replaces the two cells at facet `slot` by the three around the edge between
@@ -175,7 +188,7 @@ public:
     return -1;
   }
 
-  // The slots of `vertex` in all cells around it, as far as no wall is crossed.
+  // The slots of `vertex` in all cells around it, on both sides of walls.
   void star(int vertex, std::vector<int>& slots) const
   {
     slots.clear();
@@ -188,14 +201,30 @@ public:
       const int c = slots[n] / 4;
       for(int i = 0; i < 4; ++i)
       {
-        const int across = neighbors_[4 * c + i];
-        if(4 * c + i == slots[n] || is_wall(across))
+        if(4 * c + i == slots[n])
+          continue;
+        int across = neighbors_[4 * c + i];
+        if(is_wall(across))
+          across = wall_slots_[~across ^ 1];
+        if(across < 0)
           continue;
         const int s = 4 * (across / 4) + index_in_cell(across / 4, vertex);
         if(std::find(slots.begin(), slots.end(), s) == slots.end())
           slots.push_back(s);
       }
     }
+  }
+
+  // Gives vertex v the number place[v].
+  void renumber_vertices(const std::vector<int>& place)
+  {
+    for(int& v : cell_vertices_)
+      if(v != no_vertex)
+        v = place[v];
+    vertex_cell_.assign(place.size(), -1);
+    for(int s = 0; s < number_of_slots(); ++s)
+      if(is_alive(s / 4))
+        vertex_cell_[cell_vertices_[s]] = s / 4;
   }
 
   // Closes the gaps and lays the cells out in the order of their vertices, which
@@ -228,7 +257,11 @@ public:
     neighbors_.swap(neighbors);
     free_cells_.clear();
     for(int s = 0; s < number_of_slots(); ++s)
+    {
       vertex_cell_[cell_vertices_[s]] = s / 4;
+      if(is_wall(neighbors_[s]))
+        wall_slots_[~neighbors_[s]] = s;
+    }
   }
 
   // Whether the arrays describe a triangulation: mutual neighbors that share
@@ -237,8 +270,14 @@ public:
   {
     for(int s = 0; s < number_of_slots(); ++s)
     {
-      if(!is_alive(s / 4) || is_wall(neighbors_[s]))
+      if(!is_alive(s / 4))
         continue;
+      if(is_wall(neighbors_[s]))
+      {
+        if(wall_slots_[~neighbors_[s]] != s)
+          return false;
+        continue;
+      }
       const int other = neighbors_[s];
       if(other >= number_of_slots() || !is_alive(other / 4) || neighbors_[other] != s)
         return false;
@@ -294,6 +333,7 @@ private:
   std::vector<int> cell_vertices_;
   std::vector<int> neighbors_;
   std::vector<int> vertex_cell_;
+  std::vector<int> wall_slots_;     // of both sides of each wall
   std::vector<int> free_cells_;
 };
 

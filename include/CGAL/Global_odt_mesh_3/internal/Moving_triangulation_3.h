@@ -20,21 +20,6 @@ namespace CGAL {
 namespace Global_odt_mesh_3 {
 namespace internal {
 
-// The ball around the surface center of a wall through the wall's vertices. As
-// long as no other vertex enters it, the wall is a facet of the regular
-// triangulation and its dual edge crosses the surface where it did.
-struct Wall_ball
-{
-  double x, y, z;
-  double squared_radius;
-
-  double power(const Site& s) const
-  {
-    const double dx = s.x - x, dy = s.y - y, dz = s.z - z;
-    return dx * dx + dy * dy + dz * dz - s.weight - squared_radius;
-  }
-};
-
 // A constrained regular triangulation whose vertices move.
 //
 // evaluate() takes new positions, computes energy, gradient, orientation of the
@@ -42,15 +27,20 @@ struct Wall_ball
 // flips what the motion broke. Walls are never flipped. When a motion cannot be
 // mended, restore() brings back the state of the last keep().
 //
-// The vertices [0, number_of_movable_vertices) move; these have no wall in
-// their star.
+// The vertices [0, number_of_interior_vertices) move in space, and no wall touches
+// them; those up to number_of_movable_vertices move along with their walls.
+//
+// A wall is a facet of the restricted triangulation as long as the dual points of
+// its cells lie on either side of the surface. The surface is known by its height
+// over the wall where the dual line of the wall crosses both.
 class Moving_triangulation_3
 {
 public:
   Flat_triangulation_3 topology;
   std::vector<Site> sites;
   std::vector<double> density;          // one value a vertex, or empty: uniform
-  std::vector<Wall_ball> wall_balls;
+  std::vector<double> wall_heights;     // positive toward side 1
+  int number_of_interior_vertices = 0;
   int number_of_movable_vertices = 0;
 
   struct Statistics
@@ -96,12 +86,12 @@ public:
         return false;
     }
     make_regular();
-    retreat_from_wall_balls();
+    retreat_from_walls();
     return true;
   }
 
-  // Whether all cells are positive and, up to rounding, locally regular, and no
-  // vertex is inside a wall's ball; nothing is changed but energy and gradient.
+  // Whether all cells are positive and, up to rounding, locally regular, and their
+  // dual points on their side of walls; nothing is changed but energy and gradient.
   bool is_regular()
   {
     pass();
@@ -111,23 +101,35 @@ public:
   // The vertices that the last evaluation kept from going where they were sent.
   const std::vector<int>& retreated_vertices() const { return retreated_; }
 
+  // The mean length of the edges of each movable vertex; an edge counts once for
+  // each of its cells.
+  void mean_edge_lengths(std::vector<double>& length) const
+  {
+    length.assign(number_of_movable_vertices, 0);
+    std::vector<int> count(number_of_movable_vertices, 0);
+    for_each_edge([&](int u, int v, double squared_length)
+    {
+      for(int w : { u, v })
+        if(w < number_of_movable_vertices)
+        {
+          length[w] += std::sqrt(squared_length);
+          ++count[w];
+        }
+    });
+    for(int v = 0; v < number_of_movable_vertices; ++v)
+      length[v] /= (std::max)(1, count[v]);
+  }
+
   // The shortest edge of each movable vertex.
   void shortest_edges(std::vector<double>& length) const
   {
     length.assign(number_of_movable_vertices, (std::numeric_limits<double>::max)());
-    for(int c = 0; c < topology.number_of_cell_slots(); ++c)
+    for_each_edge([&](int u, int v, double squared_length)
     {
-      if(!topology.is_alive(c))
-        continue;
-      for(int i = 0; i < 3; ++i)
-        for(int j = i + 1; j < 4; ++j)
-        {
-          const int u = topology.vertex(4 * c + i), v = topology.vertex(4 * c + j);
-          const double l = squared_distance(sites[u], sites[v]);
-          if(u < number_of_movable_vertices && l < length[u]) length[u] = l;
-          if(v < number_of_movable_vertices && l < length[v]) length[v] = l;
-        }
-    }
+      for(int w : { u, v })
+        if(w < number_of_movable_vertices && squared_length < length[w])
+          length[w] = squared_length;
+    });
     for(double& l : length)
       l = std::sqrt(l);
   }
@@ -139,6 +141,19 @@ public:
   }
 
 private:
+  // Calls f(u, v, squared length) for the edges of all cells.
+  template <class F>
+  void for_each_edge(const F& f) const
+  {
+    for(int c = 0; c < topology.number_of_cell_slots(); ++c)
+      for(int i = 0; i < 3 && topology.is_alive(c); ++i)
+        for(int j = i + 1; j < 4; ++j)
+        {
+          const int u = topology.vertex(4 * c + i), v = topology.vertex(4 * c + j);
+          f(u, v, squared_distance(sites[u], sites[v]));
+        }
+  }
+
   Cell_products products(int cell) const
   {
     return products(topology.vertex(4 * cell), topology.vertex(4 * cell + 1),
@@ -216,17 +231,33 @@ private:
           if(power < 0 && is_irregular(power, squared_distance(origin, q)))
             irregular_.push_back(slot + i);
         }
-        else if(Flat_triangulation_3::is_wall(across) && is_intruder(v[i], across))
+        else if(Flat_triangulation_3::is_wall(across) && v[i] < number_of_interior_vertices
+                && is_beyond_wall(t, v, i, across))
           intruders_.push_back(v[i]);
       }
     }
     return energy;
   }
 
-  bool is_intruder(int v, int across) const
+  // Whether the dual point of a cell is beyond the surface at the wall opposite to
+  // its vertex i.
+  bool is_beyond_wall(const Cell_products& t, const int* v, int i, int across) const
   {
-    return v < number_of_movable_vertices
-           && wall_balls[Flat_triangulation_3::wall(across)].power(sites[v]) < 0;
+    const std::array<int, 3>& f = Flat_triangulation_3::facet_vertices(i);
+    const Site& origin = sites[v[0]];
+    const Site& p = sites[v[f[0]]];
+    const Site& q = sites[v[f[1]]];
+    const Site& r = sites[v[f[2]]];
+    const double ax = q.x - p.x, ay = q.y - p.y, az = q.z - p.z;
+    const double bx = r.x - p.x, by = r.y - p.y, bz = r.z - p.z;
+    // The normal points out of the cell.
+    const double mx = ay * bz - az * by, my = az * bx - ax * bz, mz = ax * by - ay * bx;
+    const double g = 2 * t.determinant;
+    const double above = mx * (t.nx - g * (p.x - origin.x)) + my * (t.ny - g * (p.y - origin.y))
+                         + mz * (t.nz - g * (p.z - origin.z));
+    const double height = wall_heights[Flat_triangulation_3::wall(across)]
+                          * (Flat_triangulation_3::wall_side(across) == 0 ? 1 : -1);
+    return above > height * g * std::sqrt(mx * mx + my * my + mz * mz);
   }
 
   // Adds (or, with sign -1, removes) what a cell contributes.
@@ -538,7 +569,7 @@ private:
     for(int i = 0; i < 4; ++i)
     {
       const int v = topology.vertex(4 * c + i);
-      if(v >= number_of_movable_vertices)
+      if(v >= number_of_interior_vertices)
         continue;
       topology.star(v, star_);
       Site centroid = { 0, 0, 0, sites[v].weight };
@@ -577,8 +608,9 @@ private:
     return positive;
   }
 
-  // A vertex inside a wall's ball goes back toward where it was.
-  void retreat_from_wall_balls()
+  // A vertex that has pushed the dual point of its cell beyond a wall goes back
+  // toward where it was.
+  void retreat_from_walls()
   {
     // Flips change which vertices face walls: look again around the flips only
     // at the next evaluation.
@@ -586,26 +618,29 @@ private:
     {
       const Site& from = kept_sites_[v];
       const Site to = sites[v];
+      topology.star(v, star_);
       for(double t : { 0.5, 0.25, 0. })
       {
         const Site s = { from.x + t * (to.x - from.x), from.y + t * (to.y - from.y),
                          from.z + t * (to.z - from.z), to.weight };
-        topology.star(v, star_);
-        const bool outside = std::all_of(star_.begin(), star_.end(), [&](int slot)
-        {
-          const int across = topology.neighbor(slot);
-          return !Flat_triangulation_3::is_wall(across)
-                 || wall_balls[Flat_triangulation_3::wall(across)].power(s) >= 0;
-        });
-        if(outside && relocate(v, s))
-        {
-          ++statistics_.retreats;
-          retreated_.push_back(v);
+        if(relocate(v, s) && !is_beyond_walls())
           break;
-        }
       }
+      ++statistics_.retreats;
+      retreated_.push_back(v);
     }
     make_regular();
+  }
+
+  // The same for all cells of star_.
+  bool is_beyond_walls() const
+  {
+    return std::any_of(star_.begin(), star_.end(), [this](int slot)
+    {
+      const int across = topology.neighbor(slot);
+      return Flat_triangulation_3::is_wall(across)
+             && is_beyond_wall(products(slot / 4), topology.cell_vertices() + slot - slot % 4, slot % 4, across);
+    });
   }
 
   static constexpr std::size_t most_cells_held_back = 16;

@@ -25,28 +25,32 @@ namespace CGAL {
 namespace internal_np {
 
 enum number_of_rounds_t { number_of_rounds };
+enum optimize_boundary_t { optimize_boundary };
 
 } // namespace internal_np
 
 namespace parameters {
 
-// `number_of_rounds = n` and `number_of_rounds(n)`, whatever the version of CGAL.
-struct Number_of_rounds_parameter
+// A named parameter of this package's own, spelled `name = value` or `name(value)`
+// whatever the version of CGAL.
+template <class Tag>
+struct Global_odt_parameter
 {
   template <class K>
-  Named_function_parameters<K, internal_np::number_of_rounds_t> operator()(const K& k) const
+  Named_function_parameters<K, Tag> operator()(const K& k) const
   {
-    return Named_function_parameters<K, internal_np::number_of_rounds_t>(k);
+    return Named_function_parameters<K, Tag>(k);
   }
 
   template <class K>
-  Named_function_parameters<K, internal_np::number_of_rounds_t> operator=(const K& k) const
+  Named_function_parameters<K, Tag> operator=(const K& k) const
   {
     return (*this)(k);
   }
 };
 
-inline constexpr Number_of_rounds_parameter number_of_rounds{};
+inline constexpr Global_odt_parameter<internal_np::number_of_rounds_t> number_of_rounds{};
+inline constexpr Global_odt_parameter<internal_np::optimize_boundary_t> optimize_boundary{};
 
 } // namespace parameters
 
@@ -79,6 +83,7 @@ void read_argument(const Argument& argument, Odt_parameters& p)
   if constexpr (Is_named_function_parameters<Argument>::value)
   {
     read_parameter(argument, internal_np::number_of_rounds, p.number_of_rounds);
+    read_parameter(argument, internal_np::optimize_boundary, p.optimize_boundary);
     read_parameter(argument, internal_np::random_seed, p.random_seed);
     read_parameter(argument, internal_np::callback, p.callback);
 #if CGAL_VERSION_NR >= 1050600000

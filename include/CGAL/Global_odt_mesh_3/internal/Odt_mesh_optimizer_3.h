@@ -9,6 +9,7 @@
 #include <CGAL/Global_odt_mesh_3/internal/C3t3_bridge_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/Input_density_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/Limited_memory_bfgs.h>
+#include <CGAL/Global_odt_mesh_3/internal/Momentum_annealing.h>
 #include <CGAL/Global_odt_mesh_3/internal/Odt_objective_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/Odt_parameters.h>
 
@@ -19,6 +20,7 @@
 #include <cmath>
 #include <cstddef>
 #include <functional>
+#include <limits>
 #include <numeric>
 #include <vector>
 
@@ -26,14 +28,20 @@ namespace CGAL {
 namespace Global_odt_mesh_3 {
 namespace internal {
 
-// Algorithm 1 of the paper on a c3t3: load, minimize, store.
+// Algorithm 1 of the paper on a c3t3, with vertices that also move on surfaces.
+//
+// While the boundary moves, the facets between subdomains are walls of the flat
+// triangulation. After some iterations, the exact triangulation and its restriction to the
+// domain are built anew, which brings other walls; that is a round. In the end
+// the boundary rests and the interior goes on to its minimum.
 template <class C3t3, class Mesh_domain, class Visitor>
 class Odt_mesh_optimizer_3
 {
 public:
   Odt_mesh_optimizer_3(C3t3& c3t3, const Mesh_domain& domain,
                        const Odt_parameters& parameters, Visitor& visitor)
-    : bridge_(c3t3, domain)
+    : c3t3_(c3t3)
+    , domain_(domain)
     , parameters_(parameters)
     , visitor_(visitor)
   {}
@@ -41,82 +49,212 @@ public:
   Mesh_optimization_return_code operator()()
   {
     timer_.start();
-    bridge_.load(mesh_);
-    if(mesh_.number_of_movable_vertices == 0)
-      return parameters_.do_freeze ? ALL_VERTICES_FROZEN : CONVERGENCE_REACHED;
+    if(parameters_.optimize_boundary)
+      for(Care care : { SWIFT, CAREFUL })
+        if(run(care))
+          return code_;
+    return run(BOUNDARY_FIXED) ? code_ : CANT_IMPROVE_ANYMORE;
+  }
 
-    Input_density_3 input_density(mesh_);
-    Odt_objective_3::Density density;
-    if(!input_density.is_uniform())
-    {
-      mesh_.density.resize(mesh_.sites.size());
-      for(std::size_t v = 0; v < mesh_.sites.size(); ++v)
-        mesh_.density[v] = input_density.density(input_density.sizes()[v]);
-      density = [&input_density](int v, const Site& s)
-                { return input_density.density(input_density.size(v, s)); };
-    }
-    Odt_objective_3 objective(mesh_, density);
-    if(!objective.is_feasible())
-      return CANT_IMPROVE_ANYMORE;
-
-    const Mesh_optimization_return_code code = minimize(objective, !input_density.is_uniform());
-    if(number_of_iterations_ > 0 && !bridge_.store(mesh_))
-      return CANT_IMPROVE_ANYMORE;
-    visitor_.after_rebuild_restricted_delaunay();
-    return code;
+  // Of the attempt that led to the result.
+  const Oracle_statistics& oracle_statistics() const { return oracle_statistics_; }
+  std::size_t number_of_surface_vertices() const
+  {
+    return mesh_.number_of_movable_vertices - mesh_.number_of_interior_vertices;
   }
 
 private:
+  typedef C3t3_bridge_3<C3t3, Mesh_domain> Bridge;
+  typedef typename Bridge::Complex::Update Update;
+
   // As CGAL's optimizers, which bound the number of iterations even if the user
   // does not.
   static constexpr std::size_t most_iterations = 1000;
   static constexpr std::size_t iterations_between_compactions = 50;
   static constexpr int iterations_to_freeze = 6;
 
-  Mesh_optimization_return_code minimize(Odt_objective_3& objective, bool is_graded)
+  static constexpr int iterations_in_round = 20;
+  static constexpr int most_local_rounds = 8;
+  static constexpr double least_gain_of_round = 5e-4;     // of the energy, relatively
+  static constexpr int rounds_between_projections = 4;
+  static constexpr double longest_way_in_round = 0.3;     // of a surface vertex, over its shortest edge on the surface
+  static constexpr double share_of_rounds = 0.6;          // of the progress that is reported
+
+  // In swift rounds, surface vertices follow tangential planes and are only now
+  // and then projected to the surface, and cells are rarely looked up in the domain. Should
+  // no valid complex come out of it, every round is made with care.
+  enum Care { SWIFT, CAREFUL, BOUNDARY_FIXED };
+
+  // False if no valid complex could be made; the c3t3 is untouched then.
+  bool run(Care care)
+  {
+    Bridge bridge(c3t3_, domain_);
+    bridge.load(mesh_, care != BOUNDARY_FIXED);
+    number_of_iterations_ = 0;
+    still_.clear();
+    code_ = parameters_.do_freeze ? ALL_VERTICES_FROZEN : CONVERGENCE_REACHED;
+    if(mesh_.number_of_movable_vertices == 0)
+      return true;
+
+    Input_density_3 input_density(mesh_);
+    is_graded_ = !input_density.is_uniform();
+    density_ = nullptr;
+    if(is_graded_)
+    {
+      mesh_.density.resize(mesh_.sites.size());
+      for(std::size_t v = 0; v < mesh_.sites.size(); ++v)
+        mesh_.density[v] = input_density.density(input_density.sizes()[v]);
+      density_ = [&input_density](int v, const Site& s)
+                 { return input_density.density(input_density.size(v, s)); };
+    }
+    if(!make_rounds(bridge, care))
+      return false;
+    if(goes_on_)
+    {
+      const std::size_t before = number_of_iterations_;
+      if(!minimize_interior())
+        return false;
+      if(number_of_iterations_ > before && !bridge.store(mesh_, Update{ false, false, true }))
+        return false;
+    }
+    bridge.commit();
+    oracle_statistics_ = bridge.complex().oracle_statistics();
+    visitor_.after_rebuild_restricted_delaunay();
+    return true;
+  }
+
+  // Rounds of global search, and then of minimization as long as they pay. False if
+  // they lead to no valid complex. Whether the time and the iterations permit to go
+  // on is in goes_on_.
+  bool make_rounds(Bridge& bridge, Care care)
+  {
+    const bool boundary_moves = number_of_surface_vertices() > 0;
+    const int search_rounds = static_cast<int>(parameters_.number_of_rounds);
+    const int rounds = search_rounds + (boundary_moves ? most_local_rounds : 0);
+    Momentum_annealing annealing(parameters_.random_seed);
+    double energy = (std::numeric_limits<double>::max)();
+    bool is_last = false;
+    goes_on_ = true;
+    for(int round = 0; round < rounds && !is_last; ++round)
+    {
+      const bool searches = round < search_rounds;
+      Odt_objective_3 objective(mesh_, density_, tangential_motions(bridge.complex()));
+      if(!objective.is_feasible())
+        return false;
+      Limited_memory_bfgs minimizer(minimizer_parameters());
+      annealing.start(objective);
+      for(int n = 0; n < iterations_in_round; ++n)
+      {
+        const double in_round = n / double(iterations_in_round);
+        goes_on_ = begin_iteration(share_of_rounds * (round + in_round) / rounds);
+        if(!goes_on_)
+          break;
+        if(searches)
+          annealing.iterate(objective, (round + in_round) / search_rounds);
+        else if(minimizer.iterate(objective) == Limited_memory_bfgs::NO_STEP_FOUND)
+          break;
+        end_iteration();
+      }
+      const bool pays = searches || objective.value() < (1 - least_gain_of_round) * energy;
+      is_last = !goes_on_ || !pays || round + 1 == rounds;
+      energy = searches ? energy : objective.value();
+      if(!boundary_moves && goes_on_)
+        continue;
+      const bool projects = is_last || care == CAREFUL || round % rounds_between_projections == rounds_between_projections - 1;
+      const bool is_stored = bridge.store(mesh_, Update{ boundary_moves, boundary_moves && projects,
+                                                         is_last || care == CAREFUL });
+      if(!is_stored && care == SWIFT)
+        return false;
+      bridge.reload(mesh_);
+      is_last = is_last || !is_stored;
+    }
+    return true;
+  }
+
+  std::vector<Tangential_motion> tangential_motions(const typename Bridge::Complex& complex) const
+  {
+    std::vector<Tangential_motion> motions;
+    for(int v = mesh_.number_of_interior_vertices; v < mesh_.number_of_movable_vertices; ++v)
+    {
+      const Boundary_fan& fan = complex.boundary.fan(v, 0);
+      motions.push_back({ fan.normal, fan.is_smooth ? longest_way_in_round * fan.shortest_edge : 0., mesh_.sites[v] });
+    }
+    return motions;
+  }
+
+  Limited_memory_bfgs_parameters minimizer_parameters() const
   {
     Limited_memory_bfgs_parameters p;
-    if(is_graded)
+    if(is_graded_)
     {
       // (4.6) is not the derivative of the interpolated energy (4.1), so that
       // (4.1) cannot be asked to fall.
       p.memory = 15;
       p.energy_tolerance = 1e-3;
     }
-    Limited_memory_bfgs minimizer(p);
-    const std::size_t limit = parameters_.max_iteration_number == 0 ? most_iterations
-                                                                    : parameters_.max_iteration_number;
-    for(;;)
-    {
-      if(is_time_limit_reached())
-        return TIME_LIMIT_REACHED;
-      const double displacement = compute_displacements(objective);
-      if(parameters_.do_freeze && objective.number_of_frozen_vertices() == mesh_.number_of_movable_vertices)
-        return ALL_VERTICES_FROZEN;
-      if(displacement < parameters_.convergence)
-        return CONVERGENCE_REACHED;
-      if(number_of_iterations_ == limit)
-        return MAX_ITERATION_NUMBER_REACHED;
-      if(!report_progress(displacement, limit))
-        return TIME_LIMIT_REACHED;
-      visitor_.after_compute_moves();
-
-      if(minimizer.iterate(objective) == Limited_memory_bfgs::NO_STEP_FOUND)
-        return CANT_IMPROVE_ANYMORE;
-      visitor_.after_move_points();
-      visitor_.end_of_iteration(static_cast<int>(number_of_iterations_));
-      ++number_of_iterations_;
-      if(number_of_iterations_ % iterations_between_compactions == 0)
-      {
-        mesh_.topology.compact();
-        mesh_.keep();
-      }
-    }
+    return p;
   }
 
-  bool is_time_limit_reached() const
+  // Takes the interior to its minimum, or to where the parameters say; false if
+  // the flat triangulation is beyond repair.
+  bool minimize_interior()
   {
-    return parameters_.time_limit > 0 && timer_.time() > parameters_.time_limit;
+    Odt_objective_3 objective(mesh_, density_);
+    if(!objective.is_feasible())
+      return false;
+    Limited_memory_bfgs minimizer(minimizer_parameters());
+    const double reported = fraction_;
+    for(;;)
+    {
+      const double displacement = compute_displacements(objective);
+      if(parameters_.do_freeze && objective.number_of_frozen_vertices() == mesh_.number_of_movable_vertices)
+        code_ = ALL_VERTICES_FROZEN;
+      else if(displacement < parameters_.convergence)
+        code_ = CONVERGENCE_REACHED;
+      else if(!begin_iteration(reported + (1 - reported) * progress_of(displacement)))
+        break;
+      else if(minimizer.iterate(objective) == Limited_memory_bfgs::NO_STEP_FOUND)
+        code_ = CANT_IMPROVE_ANYMORE;
+      else
+      {
+        end_iteration();
+        continue;
+      }
+      break;
+    }
+    return true;
+  }
+
+  // False, with the reason in code_, if there is to be no further iteration.
+  bool begin_iteration(double progress)
+  {
+    const std::size_t limit = parameters_.max_iteration_number == 0 ? most_iterations
+                                                                    : parameters_.max_iteration_number;
+    if(number_of_iterations_ >= limit)
+    {
+      code_ = MAX_ITERATION_NUMBER_REACHED;
+      return false;
+    }
+    if((parameters_.time_limit > 0 && timer_.time() > parameters_.time_limit)
+       || !report_progress(progress, double(number_of_iterations_) / double(limit)))
+    {
+      code_ = TIME_LIMIT_REACHED;
+      return false;
+    }
+    visitor_.after_compute_moves();
+    return true;
+  }
+
+  void end_iteration()
+  {
+    visitor_.after_move_points();
+    visitor_.end_of_iteration(static_cast<int>(number_of_iterations_));
+    ++number_of_iterations_;
+    if(number_of_iterations_ % iterations_between_compactions == 0)
+    {
+      mesh_.topology.compact();
+      mesh_.keep();
+    }
   }
 
   // The displacement of a vertex is the length of the AVV move (2.3), |g|/D,
@@ -124,7 +262,9 @@ private:
   // some iterations and returns the mean of the largest displacements, one in five hundred.
   double compute_displacements(Odt_objective_3& objective)
   {
-    const int n = mesh_.number_of_movable_vertices;
+    const int n = mesh_.number_of_interior_vertices;
+    if(n == 0)
+      return 0;
     mesh_.shortest_edges(shortest_edge_);
     displacement_.resize(n);
     still_.resize(n, 0);
@@ -144,32 +284,41 @@ private:
     return std::accumulate(displacement_.begin(), displacement_.begin() + count, 0.) / double(count);
   }
 
-  // The fraction done is the largest of those of time, iterations, and orders of
-  // magnitude of displacement.
-  bool report_progress(double displacement, std::size_t limit)
+  // In orders of magnitude.
+  double progress_of(double displacement)
+  {
+    first_displacement_ = (std::max)(first_displacement_, displacement);
+    if(!(parameters_.convergence > 0 && first_displacement_ > parameters_.convergence && displacement > 0))
+      return 0;
+    return std::log(first_displacement_ / displacement) / std::log(first_displacement_ / parameters_.convergence);
+  }
+
+  // The fraction done is the largest of those of the work, the iterations and the time.
+  bool report_progress(double work, double iterations)
   {
     if(!parameters_.callback)
       return true;
-    if(number_of_iterations_ == 0)
-      first_displacement_ = displacement;
-    double fraction = double(number_of_iterations_) / double(limit);
+    double fraction = (std::max)(work, iterations);
     if(parameters_.time_limit > 0)
       fraction = (std::max)(fraction, timer_.time() / parameters_.time_limit);
-    if(parameters_.convergence > 0 && first_displacement_ > parameters_.convergence && displacement > 0)
-      fraction = (std::max)(fraction, std::log(first_displacement_ / displacement)
-                                      / std::log(first_displacement_ / parameters_.convergence));
     fraction_ = (std::max)(fraction_, (std::min)(1., fraction));
     return parameters_.callback(fraction_);
   }
 
-  C3t3_bridge_3<C3t3, Mesh_domain> bridge_;
+  C3t3& c3t3_;
+  const Mesh_domain& domain_;
   const Odt_parameters& parameters_;
   Visitor& visitor_;
   Real_timer timer_;
   Moving_triangulation_3 mesh_;
+  Odt_objective_3::Density density_;
+  bool is_graded_ = false;
+  Mesh_optimization_return_code code_ = CANT_IMPROVE_ANYMORE;
+  Oracle_statistics oracle_statistics_;
   std::vector<double> displacement_, shortest_edge_;
   std::vector<int> still_;
   std::size_t number_of_iterations_ = 0;
+  bool goes_on_ = true;
   double first_displacement_ = 0;
   double fraction_ = 0;
 };

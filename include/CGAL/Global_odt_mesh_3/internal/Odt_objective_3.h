@@ -10,6 +10,9 @@
 
 #include <Eigen/Core>
 
+#include <array>
+#include <cmath>
+#include <cstddef>
 #include <functional>
 #include <utility>
 #include <vector>
@@ -18,24 +21,40 @@ namespace CGAL {
 namespace Global_odt_mesh_3 {
 namespace internal {
 
+// How a vertex moves on a surface: in the tangential plane through where it is
+// when the motion begins, within a disk.
+struct Tangential_motion
+{
+  std::array<double, 3> normal;
+  double radius;
+  Site center;
+};
+
 // The energy of a moving triangulation as a function of the coordinates of its
 // movable vertices, in the form that the minimizer wants. Frozen vertices are
-// held by a zero gradient.
+// held by a zero gradient, those on surfaces by its tangential part.
 class Odt_objective_3
 {
 public:
   // The density at a vertex, given its number and position.
   typedef std::function<double(int, const Site&)> Density;
 
-  explicit Odt_objective_3(Moving_triangulation_3& mesh, Density density = Density())
+  // `motions` are those of the vertices beyond the interior ones. Vertices whose
+  // motion has no radius stay.
+  explicit Odt_objective_3(Moving_triangulation_3& mesh, Density density = Density(),
+                           std::vector<Tangential_motion> motions = std::vector<Tangential_motion>())
     : mesh_(mesh)
     , density_(std::move(density))
+    , motions_(std::move(motions))
     , frozen_(mesh.number_of_movable_vertices, false)
     , retreats_(mesh.number_of_movable_vertices, 0)
     , point_(3 * mesh.number_of_movable_vertices)
     , gradient_(point_.size())
     , diagonal_(point_.size())
   {
+    for(int v = mesh.number_of_interior_vertices; v < mesh.number_of_movable_vertices; ++v)
+      if(motion(v) == nullptr || !(motion(v)->radius > 0))
+        freeze(v);
     start();
   }
 
@@ -67,6 +86,8 @@ public:
       s.x = x[3 * v];
       s.y = x[3 * v + 1];
       s.z = x[3 * v + 2];
+      if(v >= mesh_.number_of_interior_vertices)
+        hold_in_disk(*motion(v), s);
     }
     update_density();
     if(!mesh_.evaluate())
@@ -83,7 +104,18 @@ public:
         freeze(v);
     mesh_.keep();
   }
+  // The last point becomes the current one, without that.
+  void keep() { mesh_.keep(); }
   void reject() { mesh_.restore(); }
+
+  int number_of_vertices() const { return mesh_.number_of_movable_vertices; }
+  void mean_edge_lengths(std::vector<double>& length) const { mesh_.mean_edge_lengths(length); }
+
+  // The normal of the plane in which the vertex moves, or null if it moves in space.
+  const std::array<double, 3>* normal(int v) const
+  {
+    return v < mesh_.number_of_interior_vertices || motion(v) == nullptr ? nullptr : &motion(v)->normal;
+  }
 
   int number_of_frozen_vertices() const { return number_of_frozen_vertices_; }
   bool is_frozen(int v) const { return frozen_[v]; }
@@ -97,6 +129,22 @@ public:
 
 private:
   static constexpr int most_retreats = 3;
+
+  const Tangential_motion* motion(int v) const
+  {
+    const std::size_t n = v - mesh_.number_of_interior_vertices;
+    return n < motions_.size() ? &motions_[n] : nullptr;
+  }
+
+  static void hold_in_disk(const Tangential_motion& m, Site& s)
+  {
+    const double x = s.x - m.center.x, y = s.y - m.center.y, z = s.z - m.center.z;
+    const double d = std::sqrt(x * x + y * y + z * z);
+    if(d <= m.radius)
+      return;
+    const double f = m.radius / d;
+    s = { m.center.x + f * x, m.center.y + f * y, m.center.z + f * z, s.weight };
+  }
 
   void update_density()
   {
@@ -116,12 +164,20 @@ private:
       if(frozen_[v])
         gradient_.segment<3>(3 * v).setZero();
       else
+      {
         gradient_.segment<3>(3 * v) << g[v].x, g[v].y, g[v].z;
+        if(v >= mesh_.number_of_interior_vertices)
+        {
+          const Eigen::Map<const Eigen::Vector3d> normal(motion(v)->normal.data());
+          gradient_.segment<3>(3 * v) -= normal.dot(gradient_.segment<3>(3 * v)) * normal;
+        }
+      }
     }
   }
 
   Moving_triangulation_3& mesh_;
   Density density_;
+  std::vector<Tangential_motion> motions_;
   std::vector<char> frozen_;
   std::vector<int> retreats_;
   int number_of_frozen_vertices_ = 0;

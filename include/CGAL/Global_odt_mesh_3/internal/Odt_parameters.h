@@ -26,6 +26,7 @@ struct Odt_parameters
   double convergence = parameters::default_values_for_mesh_3::odt_convergence_ratio;
   double freeze_bound = parameters::default_values_for_mesh_3::odt_freeze_ratio;
   bool do_freeze = true;
+  bool optimize_boundary = true;
   std::size_t number_of_rounds = 0;
   double sliver_bound = 0;
   unsigned int random_seed = 0;
