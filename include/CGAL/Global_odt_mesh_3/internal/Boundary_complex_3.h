@@ -182,24 +182,48 @@ public:
     for(int v = 0; v + 1 < static_cast<int>(first_fan_.size()); ++v)
       if(number_of_fans(v) != other.number_of_fans(v))
         result.insert(v);
-    if(result.empty() && counts_ != other.counts_)
-      result = vertices_of_other_facets(other);
+    if(!result.empty() || counts_ == other.counts_)
+      return result;
+    result = vertices_of_long_edges(other);
+    if(result.empty())
+      for(const Triple& t : other_facets(other))
+        result.insert(t.begin(), t.end());
     return result;
   }
 
-  // The vertices of the facets that one complex has and the other does not.
-  std::set<int> vertices_of_other_facets(const Boundary_complex_3& other) const
+  // The facets that one complex has and the other does not, as sorted vertices.
+  std::vector<Triple> other_facets(const Boundary_complex_3& other) const
   {
     const std::vector<Triple> a = triples(), b = other.triples();
     std::vector<Triple> only;
     std::set_symmetric_difference(a.begin(), a.end(), b.begin(), b.end(), std::back_inserter(only));
-    std::set<int> result;
-    for(const Triple& t : only)
-      result.insert(t.begin(), t.end());
-    return result;
+    return only;
   }
 
 private:
+  // The ends of edges of `other` whose ends are here neither neighbors nor have a
+  // common one, as they do where an edge is flipped: such edges cross to another
+  // sheet of the surface.
+  std::set<int> vertices_of_long_edges(const Boundary_complex_3& other) const
+  {
+    std::vector<std::set<int> > neighbors(first_fan_.size());
+    for(const Facet& f : facets_)
+      for(int k = 0; k < 3; ++k)
+        neighbors[f.vertices[k]].insert({ f.vertices[(k + 1) % 3], f.vertices[(k + 2) % 3] });
+    std::set<int> result;
+    for(const Facet& f : other.facets_)
+      for(int k = 0; k < 3; ++k)
+      {
+        const int u = f.vertices[k], v = f.vertices[(k + 1) % 3];
+        const bool is_near = neighbors[u].count(v) > 0
+                             || std::any_of(neighbors[u].begin(), neighbors[u].end(),
+                                            [&](int w) { return neighbors[v].count(w) > 0; });
+        if(!is_near)
+          result.insert({ u, v });
+      }
+    return result;
+  }
+
   struct Edge_of_facet
   {
     Edge edge;

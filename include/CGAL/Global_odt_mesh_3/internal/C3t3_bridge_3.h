@@ -93,6 +93,8 @@ public:
     finish(walls, mesh);
   }
 
+  bool is_rough() { return complex_.is_rough(); }
+
   // Takes the complex to the positions of the movable vertices; false if no valid
   // complex can be made of them, and the complex is as it was.
   bool store(const Moving_triangulation_3& mesh, const typename Complex::Update& mode)

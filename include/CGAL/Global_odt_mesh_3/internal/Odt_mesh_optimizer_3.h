@@ -75,14 +75,16 @@ private:
 
   static constexpr int iterations_in_round = 20;
   static constexpr int most_local_rounds = 8;
+  static constexpr int least_careful_rounds = 6;
   static constexpr double least_gain_of_round = 5e-4;     // of the energy, relatively
   static constexpr int rounds_between_projections = 4;
   static constexpr double longest_way_in_round = 0.3;     // of a surface vertex, over its shortest edge on the surface
   static constexpr double share_of_rounds = 0.6;          // of the progress that is reported
 
   // In swift rounds, surface vertices follow tangential planes and are only now
-  // and then projected to the surface, and cells are rarely looked up in the domain. Should
-  // no valid complex come out of it, every round is made with care.
+  // and then projected to the surface, and cells are rarely looked up in the domain. That is
+  // nothing for rough surfaces, or if no valid complex comes out of it in the end; then every
+  // round is made with care.
   enum Care { SWIFT, CAREFUL, BOUNDARY_FIXED };
 
   // False if no valid complex could be made; the c3t3 is untouched then.
@@ -95,6 +97,8 @@ private:
     code_ = parameters_.do_freeze ? ALL_VERTICES_FROZEN : CONVERGENCE_REACHED;
     if(mesh_.number_of_movable_vertices == 0)
       return true;
+    if(care == SWIFT && bridge.is_rough())
+      return false;
 
     Input_density_3 input_density(mesh_);
     is_graded_ = !input_density.is_uniform();
@@ -114,7 +118,7 @@ private:
       const std::size_t before = number_of_iterations_;
       if(!minimize_interior())
         return false;
-      if(number_of_iterations_ > before && !bridge.store(mesh_, Update{ false, false, true }))
+      if(number_of_iterations_ > before && !bridge.store(mesh_, Update{ false, false, true, true }))
         return false;
     }
     bridge.commit();
@@ -155,14 +159,16 @@ private:
           break;
         end_iteration();
       }
-      const bool pays = searches || objective.value() < (1 - least_gain_of_round) * energy;
+      // Steps on a rough surface hide what is gained.
+      const bool pays = searches || (care == CAREFUL && round < search_rounds + least_careful_rounds)
+                        || objective.value() < (1 - least_gain_of_round) * energy;
       is_last = !goes_on_ || !pays || round + 1 == rounds;
       energy = searches ? energy : objective.value();
       if(!boundary_moves && goes_on_)
         continue;
       const bool projects = is_last || care == CAREFUL || round % rounds_between_projections == rounds_between_projections - 1;
       const bool is_stored = bridge.store(mesh_, Update{ boundary_moves, boundary_moves && projects,
-                                                         is_last || care == CAREFUL });
+                                                         is_last || care == CAREFUL, is_last });
       if(!is_stored && care == SWIFT)
         return false;
       bridge.reload(mesh_);

@@ -75,6 +75,7 @@ public:
     bool boundary_moves;            // or else all boundary facets stay
     bool projects;                  // moved surface vertices to the surface
     bool is_thorough;               // or else cells are believed to be where they should on less evidence
+    bool finds_centers;             // of boundary facets; or else these are estimated
   };
 
   struct Statistics
@@ -110,6 +111,32 @@ public:
   const Statistics& statistics() const { return statistics_; }
   int outside() const { return outside_; }
 
+  // Whether the surface is rough compared with the mesh, as that of an image is: at many
+  // of some vertices, going a bit along the tangential plane leads off the surface.
+  bool is_rough()
+  {
+    const int n = number_of_movable_vertices - number_of_interior_vertices;
+    const int stride = 1 + n / 200;
+    int probed = 0, off = 0;
+    for(int v = number_of_interior_vertices; v < number_of_movable_vertices; v += stride, ++probed)
+    {
+      const Boundary_fan& fan = boundary.fan(v, 0);
+      const double step = 0.2 * fan.shortest_edge, tolerance = 0.05 * fan.shortest_edge;
+      const double along = fan.toward[0] * fan.normal[0] + fan.toward[1] * fan.normal[1] + fan.toward[2] * fan.normal[2];
+      Vector t;
+      for(int i = 0; i < 3; ++i)
+        t[i] = fan.toward[i] - along * fan.normal[i];
+      const double length = std::sqrt(t[0] * t[0] + t[1] * t[1] + t[2] * t[2]);
+      const double f = length > 0 ? step / length : 0;
+      const Vector from = {{ sites[v].x + f * t[0], sites[v].y + f * t[1], sites[v].z + f * t[2] }};
+      Vector p = from;
+      const bool found = oracle_.project(p, fan.normal, 4 * tolerance, patches.value(fan.patch));
+      const double dx = p[0] - from[0], dy = p[1] - from[1], dz = p[2] - from[2];
+      off += !found || dx * dx + dy * dy + dz * dz > tolerance * tolerance;
+    }
+    return off > 0.1 * probed;
+  }
+
   // Goes to new positions of the movable vertices, as far as possible. False if
   // nothing could be done; the state is as before then, and if anything throws.
   bool update(const std::vector<Site>& target, const Update& mode)
@@ -117,21 +144,23 @@ public:
     ++statistics_.updates;
     mode_ = mode;
     next_sites_ = target;
-    on_surface_.resize(number_of_movable_vertices, true);
+    if(on_surface_.empty())
+    {
+      on_surface_.resize(number_of_movable_vertices, true);
+      last_on_surface_.assign(sites.begin(), sites.begin() + number_of_movable_vertices);
+    }
     next_on_surface_ = on_surface_;
     for(int v = number_of_interior_vertices; v < number_of_movable_vertices; ++v)
       next_on_surface_[v] = on_surface_[v] && is_home(v);
     strikes_.assign(number_of_movable_vertices, 0);
+    number_of_pushes_.clear();
     answers_.clear();
     found_centers_.clear();
     measured_ = boundary;
     if(mode.boundary_moves)
       measured_.measure_fans(next_sites_);
-    if(mode.projects && !project_all())
-    {
-      ++statistics_.refused_updates;
-      return false;
-    }
+    if(mode.projects)
+      project_all();
     build();
     for(int attempt = 0; attempt < most_attempts; ++attempt)
     {
@@ -196,8 +225,9 @@ private:
   static constexpr double step_from_boundary = 0.05;          // over an edge on the boundary
   static constexpr double thorough_margin = 0.3, quick_margin = 0.05;
   static constexpr double sliver_angle = 20, flat_angle = 35;
+  static constexpr int most_pushes = 3;
   static constexpr int most_attempts = 40;
-  static constexpr int patient_attempts = 8;
+  static constexpr int patient_attempts = 6;
 
   // ---- positions
 
@@ -239,7 +269,7 @@ private:
 
   // Projects the surface vertices that are not on the surface. One for which that
   // fails stays, which may not do if it is not on the surface where it is.
-  bool project_all()
+  void project_all()
   {
     for(int v = number_of_interior_vertices; v < number_of_movable_vertices; ++v)
     {
@@ -249,15 +279,13 @@ private:
       next_on_surface_[v] = project(v, next_sites_[v]);
       if(!next_on_surface_[v])
       {
-        next_sites_[v] = sites[v];
-        next_on_surface_[v] = on_surface_[v];
-        if(mode_.is_thorough && !on_surface_[v])
-          return false;
+        // Where it was last on the surface is better than off it.
+        next_sites_[v] = on_surface_[v] || !mode_.is_thorough ? sites[v] : last_on_surface_[v];
+        next_on_surface_[v] = on_surface_[v] || mode_.is_thorough;
       }
-      else if(stays)
+      if(stays && next_on_surface_[v] && mode_.is_thorough)
         settle_home(v);
     }
-    return true;
   }
 
   // What was a tangential plane away from the surface is home on it from now on.
@@ -293,8 +321,7 @@ private:
       return;
     find_boundary();
     if(mode_.boundary_moves)
-      for(int v : changes())
-        blame({ v });
+      blame_changes(changes());
     else
       check_facets_stay();
     if(!is_fine())
@@ -314,6 +341,24 @@ private:
       if(f.patch == unknown_patch)
         result.insert(f.vertices.begin(), f.vertices.end());
     return result;
+  }
+
+  // Where the topology has changed, the vertices of the facets that have come or gone
+  // are to blame.
+  void blame_changes(const std::set<int>& changed)
+  {
+    if(changed.empty())
+      return;
+    std::map<int, std::vector<int> > around;
+    for(const Triple& t : boundary.other_facets(next_boundary_))
+      for(int v : t)
+        if(changed.count(v) > 0)
+          around[v].insert(around[v].end(), t.begin(), t.end());
+    for(int v : changed)
+    {
+      around[v].push_back(v);
+      blame(around[v]);
+    }
   }
 
   // Boundary facets that are missing have a vertex in their surface Delaunay ball.
@@ -409,7 +454,11 @@ private:
   {
     const auto has_moved = [this](int v) { return v < number_of_movable_vertices && !is_home(v) && strikes_[v] < 2; };
     const auto v = std::find_if(q.begin(), q.end(), [this](int w) { return w < number_of_interior_vertices; });
-    if(v == q.end() || std::any_of(q.begin(), q.end(), has_moved))
+    const bool may_go_back = std::any_of(q.begin(), q.end(), has_moved);
+    // What does not help here and now is left for the time when it matters.
+    if(!may_go_back && !mode_.is_thorough)
+      return;
+    if(may_go_back || v == q.end() || ++number_of_pushes_[*v] > most_pushes)
     {
       blame(q);
       return;
@@ -632,7 +681,7 @@ private:
       ++statistics_.pushed;
     }
     if(attempt >= patient_attempts)
-      for(int ring = patient_attempts; ring <= attempt; ring += 4)
+      for(int ring = patient_attempts; ring <= attempt; ring += 3)
         next_.grow(offenders_);
     const bool rebuild = offenders_.size() > sites.size() / 20 || !next_.is_complete();
     for(int v : offenders_)
@@ -749,8 +798,7 @@ private:
 
   // ---- surface centers
 
-  // Finds the points of the surface on the dual lines of the boundary facets; unless
-  // thorough, estimates them.
+  // Finds or estimates the points of the surface on the dual lines of the boundary facets.
   void find_surface_centers()
   {
     next_boundary_.measure_fans(next_sites_);
@@ -767,9 +815,9 @@ private:
         const Vector p = estimated_center(t, next_boundary_, next_sites_);
         center = { p, Bare_point(p[0], p[1], p[2]), old >= 0 ? centers[old].index : Index(), false };
       }
-      if(mode_.is_thorough && !center.is_exact)
+      if(mode_.finds_centers && !center.is_exact)
         put_on_surface(t, center);
-      if(mode_.is_thorough && center.is_exact)
+      if(mode_.finds_centers && center.is_exact)
         check_duals(n);
     }
   }
@@ -837,6 +885,9 @@ private:
       vertices[v] = current_.vertex(static_cast<int>(v));
     sites.swap(next_sites_);
     on_surface_.swap(next_on_surface_);
+    for(int v = number_of_interior_vertices; v < number_of_movable_vertices; ++v)
+      if(on_surface_[v])
+        last_on_surface_[v] = sites[v];
     std::swap(boundary, next_boundary_);
     facets.swap(next_facets_);
     centers.swap(next_centers_);
@@ -926,12 +977,14 @@ private:
   std::vector<int> old_of_next_;
   std::vector<int> strikes_;
   std::vector<char> on_surface_, next_on_surface_;            // of the movable vertices
+  std::vector<Site> last_on_surface_;
   std::unordered_map<Quadruple, int, Hash> answers_;
   std::unordered_map<Triple, Surface_center, Hash> found_centers_;
   std::vector<Surface_center> next_centers_;
   bool believes_normals_ = true;
   std::set<int> offenders_;
   std::map<int, Vector> pushes_;
+  std::map<int, int> number_of_pushes_;
   std::set<Quadruple> excused_;
   bool is_hopeless_ = false;
   Update mode_;
