@@ -37,6 +37,8 @@ class Mesh_contract
   typedef std::array<Point, 3> Triangle;
   typedef std::pair<Point, Point> Segment;
 
+  struct State;
+
 public:
   // Remembers the mesh before the call.
   Mesh_contract(const C3t3& c3t3, const Domain& domain, std::string name)
@@ -47,52 +49,49 @@ public:
 
   std::size_t number_of_interior_vertices() const { return before_.interior; }
 
-  // Checks a mesh made from the one before.
+  // Checks a mesh made from the one before with the boundary fixed.
   void check(const C3t3& c3t3) const
   {
-    const std::string n = name_ + ": ";
-    check::that(c3t3.triangulation().is_valid(), n, "not a valid regular triangulation");
     const State after(c3t3, domain_);
-    check::that(after.vertices == before_.vertices, n, "vertices ", before_.vertices, " -> ", after.vertices);
-    check::that(after.interior == before_.interior, n, "vertices of dimension 3: ", before_.interior,
-                " -> ", after.interior);
-    check::that(after.hidden == 0, n, after.hidden, " hidden vertices");
-    check::that(after.fixed == before_.fixed, n, "vertices on the boundary or their dimension or index changed");
+    check_common(c3t3, after);
+    const std::string n = name_ + ": ";
+    check::that(after.fixed == before_.fixed && after.sliding == before_.sliding, n,
+                "vertices on the boundary or their dimension or index changed");
     check::that(after.facets == before_.facets, n, "facets of the complex, their patches or surface centers changed, ",
                 before_.facets.size(), " -> ", after.facets.size());
-    check::that(after.stale_duals == 0, n, after.stale_duals, " cells remember the dual point of other vertices");
-    check::that(after.one_sided_facets == 0, n, after.one_sided_facets,
-                " facets differ in patch or surface center on their two sides");
-    check::that(after.centers_off == before_.centers_off, n, after.centers_off,
-                " surface centers are not equidistant from their facets, before ", before_.centers_off);
-    check::that(after.misplaced_facets <= before_.misplaced_facets, n, after.misplaced_facets,
-                " facets are not where subdomains differ, before ", before_.misplaced_facets);
-    check::that(after.misplaced_cells <= before_.misplaced_cells, n, after.misplaced_cells,
-                " cells have their dual point in another subdomain, before ", before_.misplaced_cells);
-    check::that(after.corners == before_.corners, n, "corners changed");
-    check::that(after.edges == before_.edges, n, "feature edges changed");
-    check::that(after.counters_right, n, "the complex miscounts its cells or facets");
-    check::that(after.bad_indices <= before_.bad_indices, n, after.bad_indices,
-                " interior vertices have an index other than their subdomain, before ", before_.bad_indices);
-    check::that(after.volume.size() == before_.volume.size(), n, "subdomains appeared or vanished");
-    for(const auto& v : before_.volume)
-    {
-      const auto it = after.volume.find(v.first);
-      check::that(it != after.volume.end() && std::abs(it->second - v.second) <= 1e-11 * before_.box_volume,
-                  n, "volume of a subdomain changed by ",
-                  it == after.volume.end() ? -v.second : it->second - v.second, " of ", v.second);
-    }
-    check::that(after.euler == before_.euler, n, "Euler characteristic ", before_.euler, " -> ", after.euler);
-    check::that(after.far_points == before_.far_points, n, "far points changed");
-    check_rescan(c3t3, after);
+    check::that(after.misplaced_cells + after.misplaced_boundary_cells
+                  <= before_.misplaced_cells + before_.misplaced_boundary_cells, n,
+                "more cells with all vertices on the boundary have their dual point in another subdomain");
+    check_volume(after, 1e-11, 1e-11);
   }
 
-  // Whether `c3t3` is the very mesh before, coordinates of all vertices included.
-  void check_untouched(const C3t3& c3t3) const
+  // Checks a mesh made from the one before with vertices moving on the surfaces. Volumes
+  // of subdomains and their sum may change by these ratios. Vertices and surface centers
+  // are within `tolerance`, relative to the size of the mesh, of the surface.
+  void check_moved(const C3t3& c3t3, double volume_of_subdomain, double volume_of_all, double tolerance) const
   {
     const State after(c3t3, domain_);
-    check::that(after.all_points == before_.all_points && after.facets == before_.facets
-                && after.cells == before_.cells, name_, ": the mesh was touched");
+    check_common(c3t3, after);
+    const std::string n = name_ + ": ";
+    check::that(after.fixed == before_.fixed, n, "vertices on features or outside moved, or their dimension or index changed");
+    check::that(count_indices(after.sliding) == count_indices(before_.sliding), n,
+                "vertices of dimension 2 or their indices changed");
+    check::that(after.patches == before_.patches, n, "number of facets, Euler characteristic or components of patches changed");
+    check::that(after.junctions == before_.junctions, n, "edges where patches meet changed, ", before_.junctions.size(),
+                " -> ", after.junctions.size());
+    check::that(after.interior_on_boundary <= before_.interior_on_boundary, n, after.interior_on_boundary,
+                " vertices of dimension 3 on facets of the complex, before ", before_.interior_on_boundary);
+    check::that(after.surface_off_boundary <= before_.surface_off_boundary, n, after.surface_off_boundary,
+                " vertices of dimension 2 off the facets of the complex, before ", before_.surface_off_boundary);
+    const double reach = tolerance * std::cbrt(before_.box_volume);
+    const std::size_t off = vertices_off_surface(after, reach), off_before = vertices_off_surface(before_, reach);
+    check::that(off <= off_before, n, off, " vertices are off the surface, before ", off_before);
+    const std::size_t centers_off = centers_off_surface(after, reach), centers_off_before = centers_off_surface(before_, reach);
+    check::that(centers_off <= centers_off_before, n, centers_off, " surface centers are off the surface, before ",
+                centers_off_before);
+    check::that(after.farthest_centroid <= 1.01 * before_.farthest_centroid + 1e-12, n, "a facet's centroid is ",
+                after.farthest_centroid, " from the surface, before ", before_.farthest_centroid);
+    check_volume(after, volume_of_subdomain, volume_of_all);
   }
 
   static std::multiset<std::array<double, 4> > points(const C3t3& c3t3)
@@ -104,7 +103,94 @@ public:
     return result;
   }
 
+  // Whether `c3t3` is the very mesh before, coordinates of all vertices included.
+  void check_untouched(const C3t3& c3t3) const
+  {
+    const State after(c3t3, domain_);
+    check::that(after.all_points == before_.all_points && after.facets == before_.facets
+                && after.cells == before_.cells, name_, ": the mesh was touched");
+  }
+
 private:
+  void check_common(const C3t3& c3t3, const State& after) const
+  {
+    const std::string n = name_ + ": ";
+    check::that(c3t3.triangulation().is_valid(), n, "not a valid regular triangulation");
+    check::that(after.vertices == before_.vertices, n, "vertices ", before_.vertices, " -> ", after.vertices);
+    check::that(after.interior == before_.interior, n, "vertices of dimension 3: ", before_.interior,
+                " -> ", after.interior);
+    check::that(after.hidden == 0, n, after.hidden, " hidden vertices");
+    check::that(after.stale_duals == 0, n, after.stale_duals, " cells remember the dual point of other vertices");
+    check::that(after.one_sided_facets == 0, n, after.one_sided_facets,
+                " facets differ in patch or surface center on their two sides");
+    check::that(after.centers_off == before_.centers_off, n, after.centers_off,
+                " surface centers are not equidistant from their facets, before ", before_.centers_off);
+    check::that(after.misplaced_facets <= before_.misplaced_facets, n, after.misplaced_facets,
+                " facets are not where subdomains differ, before ", before_.misplaced_facets);
+    check::that(after.misplaced_cells <= before_.misplaced_cells, n, after.misplaced_cells,
+                " cells with a vertex of the interior have their dual point in another subdomain, before ", before_.misplaced_cells);
+    check::that(after.corners == before_.corners, n, "corners changed");
+    check::that(after.edges == before_.edges, n, "feature edges changed");
+    check::that(after.counters_right, n, "the complex miscounts its cells or facets");
+    check::that(after.bad_indices <= before_.bad_indices, n, after.bad_indices,
+                " interior vertices have an index other than their subdomain, before ", before_.bad_indices);
+    check::that(after.euler == before_.euler, n, "Euler characteristic ", before_.euler, " -> ", after.euler);
+    check::that(after.far_points == before_.far_points, n, "far points changed");
+    check_rescan(c3t3, after);
+  }
+
+  void check_volume(const State& after, double of_subdomain, double of_all) const
+  {
+    const std::string n = name_ + ": ";
+    check::that(after.volume.size() == before_.volume.size(), n, "subdomains appeared or vanished");
+    double sum = 0, sum_before = 0;
+    for(const auto& v : before_.volume)
+    {
+      const auto it = after.volume.find(v.first);
+      const double volume = it == after.volume.end() ? 0 : it->second;
+      sum += volume;
+      sum_before += v.second;
+      check::that(std::abs(volume - v.second) <= of_subdomain * v.second + 1e-11 * before_.box_volume,
+                  n, "volume of a subdomain changed by ", volume - v.second, " of ", v.second);
+    }
+    check::that(std::abs(sum - sum_before) <= of_all * sum_before + 1e-11 * before_.box_volume, n, "volume changed from ",
+                sum_before, " to ", sum);
+  }
+
+  std::size_t vertices_off_surface(const State& s, double reach) const
+  {
+    std::size_t off = 0;
+    for(const auto& v : s.sliding)
+      off += !is_on_surface(v.first, reach);
+    return off;
+  }
+
+  std::size_t centers_off_surface(const State& s, double reach) const
+  {
+    std::size_t off = 0;
+    for(const auto& f : s.facets)
+    {
+      const std::array<double, 3>& c = f.second.second;
+      off += !is_on_surface({{ c[0], c[1], c[2], 0 }}, reach);
+    }
+    return off;
+  }
+
+  // Whether the surface crosses one of three short segments around the point.
+  bool is_on_surface(const Point& p, double reach) const
+  {
+    typedef typename Domain::Point_3 Point_3;
+    for(int k = 0; k < 3; ++k)
+    {
+      Point a = p, b = p;
+      a[k] -= reach;
+      b[k] += reach;
+      if(domain_.do_intersect_surface_object()(typename Domain::Segment_3(Point_3(a[0], a[1], a[2]), Point_3(b[0], b[1], b[2]))))
+        return true;
+    }
+    return false;
+  }
+
   static Point point(const Triangulation& tr, Vertex_handle v)
   {
     const auto& p = tr.point(v);
@@ -127,14 +213,27 @@ private:
   template <class T>
   static std::string patch_to_string(const T& t) { return to_string(t); }
 
+  // How many vertices have each index.
+  static std::map<Index, std::size_t> count_indices(const std::map<Point, std::tuple<int, bool, Index> >& vertices)
+  {
+    std::map<Index, std::size_t> count;
+    for(const auto& v : vertices)
+      ++count[std::get<2>(v.second)];
+    return count;
+  }
+
   struct State
   {
     std::size_t vertices = 0, interior = 0, hidden = 0, one_sided_facets = 0, centers_off = 0,
-                misplaced_facets = 0, misplaced_cells = 0, stale_duals = 0, bad_indices = 0, far_points = 0, cells = 0;
+                misplaced_facets = 0, misplaced_cells = 0, misplaced_boundary_cells = 0,
+                interior_on_boundary = 0, surface_off_boundary = 0, stale_duals = 0, bad_indices = 0, far_points = 0, cells = 0;
     bool counters_right = false;
     long euler = 0;
     double box_volume = 0;
-    std::map<Point, std::tuple<int, bool, Index> > fixed;
+    double farthest_centroid = 0;                 // of a facet from the surface, of polyhedral domains
+    std::map<Point, std::tuple<int, bool, Index> > fixed, sliding;    // of dimensions -1, 0, 1, and 2
+    std::map<std::string, std::array<long, 3> > patches;              // facets, Euler characteristic, components
+    std::set<Segment> junctions;                  // edges without just two facets of one patch
     std::map<Triangle, std::pair<std::string, std::array<double, 3> > > facets;   // patch and surface center
     std::multiset<std::pair<Point, std::string> > corners;
     std::multiset<std::pair<Segment, std::string> > edges;
@@ -155,6 +254,7 @@ private:
       {
         read_cells(c3t3, domain, tr);
         read_facets(c3t3, tr);
+        read_surfaces(c3t3, domain, tr);
       }
       for(auto v = c3t3.vertices_in_complex_begin(); v != c3t3.vertices_in_complex_end(); ++v)
         corners.insert({ point(tr, v), to_string(c3t3.corner_index(v)) });
@@ -195,7 +295,7 @@ private:
             ++bad_indices;
         }
         else
-          fixed.emplace(p, std::make_tuple(v->in_dimension(), v->is_special(), v->index()));
+          (v->in_dimension() == 2 ? sliding : fixed).emplace(p, std::make_tuple(v->in_dimension(), v->is_special(), v->index()));
       }
       if(vertices > 0)
         box_volume = (hi[0] - lo[0]) * (hi[1] - lo[1]) * (hi[2] - lo[2]);
@@ -209,8 +309,11 @@ private:
       {
         const Subdomain_index label = c3t3.subdomain_index(c);
         const auto wanted = is_in_domain(tr.dual(c));
+        bool has_interior_vertex = false;
+        for(int i = 0; i < 4; ++i)
+          has_interior_vertex = has_interior_vertex || c->vertex(i)->in_dimension() == 3;
         if(label != (wanted ? Subdomain_index(*wanted) : Subdomain_index()))
-          ++misplaced_cells;
+          ++(has_interior_vertex ? misplaced_cells : misplaced_boundary_cells);
         // Cells cache their dual points.
         if(!(tr.dual(c) == weighted_circumcenter(tr.point(c, 0), tr.point(c, 1), tr.point(c, 2), tr.point(c, 3))))
           ++stale_duals;
@@ -231,6 +334,98 @@ private:
                           + a[2] * (b[0] * d[1] - b[1] * d[0])) / 6;
       }
     }
+
+    // The patches as triangulated surfaces.
+    void read_surfaces(const C3t3& c3t3, const Domain& domain, const Triangulation& tr)
+    {
+      struct Patch
+      {
+        std::set<Point> vertices;
+        std::set<Segment> edges;
+        std::vector<std::array<Segment, 3> > facets;
+      };
+      std::map<std::string, Patch> surfaces;
+      std::map<Segment, std::vector<std::string> > around;
+      std::set<Vertex_handle> on_boundary;
+      for(auto f = c3t3.facets_in_complex_begin(); f != c3t3.facets_in_complex_end(); ++f)
+      {
+        const std::string name = patch_to_string(c3t3.surface_patch_index(*f));
+        Patch& patch = surfaces[name];
+        std::array<Point, 3> t;
+        for(int k = 0; k < 3; ++k)
+        {
+          const Vertex_handle v = f->first->vertex((f->second + 1 + k) % 4);
+          t[k] = point(tr, v);
+          on_boundary.insert(v);
+          patch.vertices.insert(t[k]);
+        }
+        std::array<Segment, 3> edges;
+        for(int k = 0; k < 3; ++k)
+        {
+          edges[k] = std::minmax(t[k], t[(k + 1) % 3]);
+          patch.edges.insert(edges[k]);
+          around[edges[k]].push_back(name);
+        }
+        patch.facets.push_back(edges);
+        farthest_centroid = (std::max)(farthest_centroid, distance(domain, t));
+      }
+      for(const auto& e : around)
+        if(e.second.size() != 2 || e.second[0] != e.second[1])
+          junctions.insert(e.first);
+      for(const auto& s : surfaces)
+        patches[s.first] = {{ static_cast<long>(s.second.facets.size()),
+                              static_cast<long>(s.second.vertices.size()) - static_cast<long>(s.second.edges.size())
+                                + static_cast<long>(s.second.facets.size()),
+                              components(s.second.facets) }};
+      for(auto v = tr.finite_vertices_begin(); v != tr.finite_vertices_end(); ++v)
+      {
+        interior_on_boundary += v->in_dimension() == 3 && on_boundary.count(v) > 0;
+        surface_off_boundary += v->in_dimension() == 2 && on_boundary.count(v) == 0;
+      }
+    }
+
+    // Facets that share an edge are in one component.
+    static long components(const std::vector<std::array<Segment, 3> >& facets)
+    {
+      std::map<Segment, std::vector<std::size_t> > at;
+      for(std::size_t n = 0; n < facets.size(); ++n)
+        for(const Segment& e : facets[n])
+          at[e].push_back(n);
+      std::vector<char> seen(facets.size(), false);
+      std::vector<std::size_t> stack;
+      long count = 0;
+      for(std::size_t n = 0; n < facets.size(); ++n)
+      {
+        if(seen[n])
+          continue;
+        ++count;
+        seen[n] = true;
+        stack.assign(1, n);
+        while(!stack.empty())
+        {
+          const std::size_t m = stack.back();
+          stack.pop_back();
+          for(const Segment& e : facets[m])
+            for(std::size_t k : at[e])
+              if(!seen[k])
+              {
+                seen[k] = true;
+                stack.push_back(k);
+              }
+        }
+      }
+      return count;
+    }
+
+    template <class D>
+    static auto distance(const D& domain, const std::array<Point, 3>& t) -> decltype(domain.aabb_tree(), double())
+    {
+      const typename D::Point_3 c((t[0][0] + t[1][0] + t[2][0]) / 3, (t[0][1] + t[1][1] + t[2][1]) / 3,
+                                  (t[0][2] + t[1][2] + t[2][2]) / 3);
+      return std::sqrt(CGAL::to_double(domain.aabb_tree().squared_distance(c)));
+    }
+    template <class... Ds>
+    static double distance(const Ds&...) { return 0; }
 
     void read_facets(const C3t3& c3t3, const Triangulation& tr)
     {

@@ -44,6 +44,7 @@ struct Boundary_fan
   int patch;
   bool is_smooth;                   // closed, oriented, of one patch, not bent too much
   double shortest_edge;             // from the vertex
+  double bend;                      // the largest sine between facets and normal
 };
 
 // The surfaces of a complex as triangles on numbered vertices: the junctions
@@ -100,6 +101,7 @@ public:
     for(Fan& f : fans_)
     {
       f.normal = f.toward = {{ 0, 0, 0 }};
+      f.bend = 0;
       f.shortest_edge = (std::numeric_limits<double>::max)();
     }
     std::vector<std::array<double, 3> > area(facets_.size());
@@ -135,8 +137,10 @@ public:
       {
         Fan& f = fans_[fan_of_corner_[3 * n + k]];
         const double sign = facets_[n].labels[0] == f.labels[0] ? 1 : -1;
-        if(!(sign * dot(area[n], f.normal) >= smallest_cosine))
+        const double cosine = sign * dot(area[n], f.normal);
+        if(!(cosine >= smallest_cosine))
           f.is_smooth = false;
+        f.bend = (std::max)(f.bend, std::sqrt((std::max)(0., 1 - cosine * cosine)));
       }
     }
     creases_.assign(first_fan_.size(), UNCLEAR);
@@ -359,7 +363,7 @@ private:
         std::array<int, 2> labels = f.labels;
         if(fan > first_fan_[v] && labels[1] == fans_[first_fan_[v]].labels[0])
           std::swap(labels[0], labels[1]);
-        fans_.push_back({ {{ 0, 0, 0 }}, {{ 0, 0, 0 }}, labels, f.patch, false, 0 });
+        fans_.push_back({ {{ 0, 0, 0 }}, {{ 0, 0, 0 }}, labels, f.patch, false, 0, 0 });
         bool closed = f.patch != Facet::no_patch && f.labels[0] != f.labels[1];
         fan_of_corner_[corners[n]] = fan;
         stack.assign(1, corners[n]);

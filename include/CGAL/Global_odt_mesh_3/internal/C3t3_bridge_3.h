@@ -82,15 +82,18 @@ public:
     complex_.boundary.measure_fans(complex_.sites);
     read_surface_centers(walls);
     read_labels();
+    if(boundary_moves)
+      complex_.measure_fidelity();
     finish(walls, mesh);
   }
 
   // Loads the state that store() has led to.
-  void reload(Moving_triangulation_3& mesh)
+  void reload(Moving_triangulation_3& mesh) const
   {
-    const Walls walls = flatten([](Vertex_handle v) { return Numbered_triangulation_3<Triangulation>::number(v); },
-                                mesh.topology);
-    finish(walls, mesh);
+    const bool is_input = !complex_.has_changed();
+    finish(flatten([&](Vertex_handle v) { return is_input ? site_[v] : Numbered_triangulation_3<Triangulation>::number(v); },
+                   mesh.topology),
+           mesh);
   }
 
   bool is_rough() { return complex_.is_rough(); }

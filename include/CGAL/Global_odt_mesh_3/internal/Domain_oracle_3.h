@@ -106,6 +106,18 @@ public:
     }
   }
 
+  // How far `p` is from the surface, if that is easily found out, or else 0.
+  double distance_to_surface(const Vector& p)
+  {
+    if constexpr (Has_aabb_tree<Mesh_domain>::value)
+    {
+      ++statistics_.projections;
+      return distance(p, coordinates(domain_.aabb_tree().closest_point(Point_3(p[0], p[1], p[2]))));
+    }
+    else
+      return 0;
+  }
+
   // Moves `p` to where the segment of that half length and direction around it
   // meets the surface.
   bool intersect(Vector& p, const Vector& direction, double half_length, Index& index)

@@ -77,7 +77,6 @@ private:
   static constexpr int most_local_rounds = 8;
   static constexpr int least_careful_rounds = 6;
   static constexpr double least_gain_of_round = 5e-4;     // of the energy, relatively
-  static constexpr int rounds_between_projections = 4;
   static constexpr double longest_way_in_round = 0.3;     // of a surface vertex, over its shortest edge on the surface
   static constexpr double share_of_rounds = 0.6;          // of the progress that is reported
 
@@ -166,13 +165,14 @@ private:
       energy = searches ? energy : objective.value();
       if(!boundary_moves && goes_on_)
         continue;
-      const bool projects = is_last || care == CAREFUL || round % rounds_between_projections == rounds_between_projections - 1;
+      // The closest point of a polyhedral surface is cheap.
+      const bool projects = is_last || care == CAREFUL || Has_aabb_tree<Mesh_domain>::value;
       const bool is_stored = bridge.store(mesh_, Update{ boundary_moves, boundary_moves && projects,
                                                          is_last || care == CAREFUL, is_last });
-      if(!is_stored && care == SWIFT)
+      if(!is_stored && is_last && care == SWIFT)
         return false;
+      // A round that leads nowhere is lost.
       bridge.reload(mesh_);
-      is_last = is_last || !is_stored;
     }
     return true;
   }

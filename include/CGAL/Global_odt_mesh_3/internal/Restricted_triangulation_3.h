@@ -93,6 +93,7 @@ public:
   std::vector<Surface_center> centers;
   Index_table<Subdomain_index> labels;
   Index_table<Surface_patch_index> patches;
+  double farthest_centroid = 0;             // of a facet from the surface, in the input
   int number_of_interior_vertices = 0;      // these come first, followed by
   int number_of_movable_vertices = 0;       // those that move on the surface
 
@@ -150,16 +151,20 @@ public:
       last_on_surface_.assign(sites.begin(), sites.begin() + number_of_movable_vertices);
     }
     next_on_surface_ = on_surface_;
+    drift_.resize(number_of_movable_vertices, 0);
+    next_drift_ = drift_;
+    is_settled_.assign(number_of_movable_vertices, false);
     for(int v = number_of_interior_vertices; v < number_of_movable_vertices; ++v)
       next_on_surface_[v] = on_surface_[v] && is_home(v);
     strikes_.assign(number_of_movable_vertices, 0);
     number_of_pushes_.clear();
     answers_.clear();
     found_centers_.clear();
+    found_distances_.clear();
     measured_ = boundary;
     if(mode.boundary_moves)
       measured_.measure_fans(next_sites_);
-    if(mode.projects)
+    if(mode.boundary_moves)
       project_all();
     build();
     for(int attempt = 0; attempt < most_attempts; ++attempt)
@@ -189,6 +194,22 @@ public:
     const Facet_dual dual = facet_dual(facet, sites);
     const Vector& c = centers[facet_number_.at(Boundary_complex_3::sorted(facet))].point;
     return dual.normal[0] * (c[0] - s.x) + dual.normal[1] * (c[1] - s.y) + dual.normal[2] * (c[2] - s.z);
+  }
+
+  // The largest distance of a facet's centroid from the surface, among those over which
+  // it rises most.
+  void measure_fidelity()
+  {
+    if(!Has_aabb_tree<Mesh_domain>::value)
+      return;
+    std::vector<double> rises;
+    for(const Boundary_facet& f : boundary.facets())
+      rises.push_back(rise(f.vertices, boundary, sites));
+    const double highest = rises.empty() ? 0 : *std::max_element(rises.begin(), rises.end());
+    for(std::size_t n = 0; n < rises.size(); ++n)
+      if(rises[n] > highest / 3)
+        farthest_centroid = (std::max)(farthest_centroid,
+                                       oracle_.distance_to_surface(centroid(boundary.facets()[n].vertices, sites)));
   }
 
   void add_boundary_cell(const std::array<int, 4>& cell, int label) { boundary_cells_.emplace(sorted(cell), label); }
@@ -222,12 +243,13 @@ private:
 
   static constexpr int unknown_patch = -2;
   static constexpr double farthest_projection = 1;            // over the shortest edge
+  static constexpr double farthest_drift = 0.02;           // over an edge
   static constexpr double step_from_boundary = 0.05;          // over an edge on the boundary
   static constexpr double thorough_margin = 0.3, quick_margin = 0.05;
   static constexpr double sliver_angle = 20, flat_angle = 35;
   static constexpr int most_pushes = 3;
   static constexpr int most_attempts = 40;
-  static constexpr int patient_attempts = 6;
+  static constexpr int patient_attempts = 10;
 
   // ---- positions
 
@@ -267,8 +289,8 @@ private:
     return true;
   }
 
-  // Projects the surface vertices that are not on the surface. One for which that
-  // fails stays, which may not do if it is not on the surface where it is.
+  // Projects the surface vertices that are not on the surface, or those only that may have
+  // got too far from it. One for which that fails stays, or goes back to where it was last on it.
   void project_all()
   {
     for(int v = number_of_interior_vertices; v < number_of_movable_vertices; ++v)
@@ -276,6 +298,10 @@ private:
       const bool stays = is_home(v);
       if(stays && on_surface_[v])
         continue;
+      next_drift_[v] = drift_[v] + drift(v);
+      if(!mode_.projects && next_drift_[v] < farthest_drift)
+        continue;
+      next_drift_[v] = 0;
       next_on_surface_[v] = project(v, next_sites_[v]);
       if(!next_on_surface_[v])
       {
@@ -288,11 +314,28 @@ private:
     }
   }
 
+  // How far a way along the tangential plane leads off the surface, over the shortest edge,
+  // for the curvature that the facets around show.
+  double drift(int v) const
+  {
+    const Boundary_fan& fan = boundary.fan(v, 0);
+    const double way = squared_distance(next_sites_[v], {{ sites[v].x, sites[v].y, sites[v].z }});
+    return fan.bend * way / (fan.shortest_edge * fan.shortest_edge);
+  }
+
   // What was a tangential plane away from the surface is home on it from now on.
   void settle_home(int v)
   {
     sites[v] = next_sites_[v];
     on_surface_[v] = true;
+    is_settled_[v] = true;
+  }
+
+  // Whether a boundary facet is where it was.
+  bool is_unchanged(const std::array<int, 3>& t) const
+  {
+    return std::all_of(t.begin(), t.end(), [this](int v)
+    { return is_home(v) && (v >= number_of_movable_vertices || !is_settled_[v]); });
   }
 
   // ---- what is wrong with the next state
@@ -329,6 +372,8 @@ private:
     if(mode_.boundary_moves)
       peel();
     find_surface_centers();
+    if(mode_.boundary_moves && is_fine())
+      check_fidelity();
   }
 
   bool is_fine() const { return offenders_.empty() && pushes_.empty() && !is_hopeless_; }
@@ -655,7 +700,11 @@ private:
       return true;
     }
     if(halfway && !mode_.projects)
+    {
+      next_on_surface_[v] = false;
+      next_drift_[v] = drift_[v] + drift(v);
       return true;
+    }
     next_sites_[v] = sites[v];
     if(mode_.projects && mode_.is_thorough && !on_surface_[v])
     {
@@ -706,6 +755,7 @@ private:
         next_.move(p.first, point(p.first));
     forget_moved(answers_);
     forget_moved(found_centers_);
+    forget_moved(found_distances_);
     if(mode_.boundary_moves)
       measured_.measure_fans(next_sites_);
     return true;
@@ -808,7 +858,7 @@ private:
       const Triple& t = next_boundary_.facets()[n].vertices;
       const int old = old_of_next_[n];
       Surface_center& center = next_centers_[n];
-      if(old >= 0 && is_home(t[0]) && is_home(t[1]) && is_home(t[2]))
+      if(old >= 0 && is_unchanged(t))
         center = centers[old];
       else
       {
@@ -867,6 +917,48 @@ private:
     }
   }
 
+  // No centroid of a facet may be farther from the surface than the worst of the input,
+  // where the domain tells distances.
+  void check_fidelity()
+  {
+    if(!Has_aabb_tree<Mesh_domain>::value)
+      return;
+    for(std::size_t n = 0; n < next_facets_.size(); ++n)
+    {
+      const Triple& t = next_boundary_.facets()[n].vertices;
+      if((old_of_next_[n] >= 0 && is_unchanged(t)) || rise(t, next_boundary_, next_sites_) <= farthest_centroid)
+        continue;
+      const auto known = found_distances_.find(t);
+      const double distance = known != found_distances_.end() ? known->second
+                              : oracle_.distance_to_surface(centroid(t, next_sites_));
+      found_distances_.emplace(t, distance);
+      if(distance > 1.01 * farthest_centroid)
+        blame(t);
+    }
+  }
+
+  static Vector centroid(const Triple& t, const std::vector<Site>& s)
+  {
+    return {{ (s[t[0]].x + s[t[1]].x + s[t[2]].x) / 3, (s[t[0]].y + s[t[1]].y + s[t[2]].y) / 3,
+              (s[t[0]].z + s[t[1]].z + s[t[2]].z) / 3 }};
+  }
+
+  // How far the tangential planes at the vertices of a facet are from its centroid: more than
+  // the surface itself, as a rule, so that most facets need no question.
+  static double rise(const Triple& t, const Boundary_complex_3& boundary, const std::vector<Site>& sites)
+  {
+    const Vector c = centroid(t, sites);
+    double highest = 0;
+    for(int v : t)
+      if(boundary.number_of_fans(v) == 1)
+      {
+        const Vector& n = boundary.fan(v, 0).normal;
+        const Site& s = sites[v];
+        highest = (std::max)(highest, std::abs(n[0] * (c[0] - s.x) + n[1] * (c[1] - s.y) + n[2] * (c[2] - s.z)));
+      }
+    return highest;
+  }
+
   // ---- the next state becomes the state
 
   void accept()
@@ -885,6 +977,7 @@ private:
       vertices[v] = current_.vertex(static_cast<int>(v));
     sites.swap(next_sites_);
     on_surface_.swap(next_on_surface_);
+    drift_.swap(next_drift_);
     for(int v = number_of_interior_vertices; v < number_of_movable_vertices; ++v)
       if(on_surface_[v])
         last_on_surface_[v] = sites[v];
@@ -976,10 +1069,12 @@ private:
   std::vector<Facet> next_facets_;
   std::vector<int> old_of_next_;
   std::vector<int> strikes_;
-  std::vector<char> on_surface_, next_on_surface_;            // of the movable vertices
+  std::vector<char> on_surface_, next_on_surface_, is_settled_;       // of the movable vertices
   std::vector<Site> last_on_surface_;
+  std::vector<double> drift_, next_drift_;            // over an edge, since a vertex was on the surface
   std::unordered_map<Quadruple, int, Hash> answers_;
   std::unordered_map<Triple, Surface_center, Hash> found_centers_;
+  std::unordered_map<Triple, double, Hash> found_distances_;
   std::vector<Surface_center> next_centers_;
   bool believes_normals_ = true;
   std::set<int> offenders_;
