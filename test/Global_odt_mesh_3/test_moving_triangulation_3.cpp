@@ -8,7 +8,7 @@
 
 #include "check.h"
 
-#include <CGAL/Global_odt_mesh_3/internal/Flatten_triangulation_3.h>
+#include <CGAL/Global_odt_mesh_3/internal/Load_triangulation_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/Limited_memory_bfgs.h>
 #include <CGAL/Global_odt_mesh_3/internal/Odt_objective_3.h>
 
@@ -49,12 +49,7 @@ static Moving_triangulation_3 random_cube(int grid, int interior, double shift, 
     add(u(random), u(random), u(random), w);
   }
   Regular tr(points.begin(), points.end());
-  Moving_triangulation_3 mesh;
-  flatten_triangulation_3(
-    tr, [](Regular::Cell_handle) { return true; }, [](const Regular::Facet&) { return false; },
-    [](Regular::Vertex_handle) { return true; },
-    [](const Regular::Facet&) { return Wall_ball{ 0, 0, 0, -1e300 }; }, mesh);
-  return mesh;
+  return load_triangulation_3(tr);
 }
 
 // The number of cells by which the flat and CGAL's exact triangulation of the

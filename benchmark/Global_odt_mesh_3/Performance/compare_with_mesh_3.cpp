@@ -89,8 +89,9 @@ void compare(const char* name, const C3t3& input, const Domain& domain)
     {
       odt::Moving_triangulation_3 mesh;
       odt::C3t3_bridge_3<C3t3, Domain> b(copy, domain);
-      b.load(mesh);
-      b.store(mesh);
+      b.load(mesh, false);
+      b.store(mesh, { false, false, true, true });
+      b.commit();
     }));
   }
   std::printf("  exact rebuild %.1f ms; import and export %.1f ms, %.2f rebuilds\n",

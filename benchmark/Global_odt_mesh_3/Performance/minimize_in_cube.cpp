@@ -11,7 +11,7 @@
 // The cube has 18,083 vertices, of which 3,752 are a grid on its surface that
 // stays.
 
-#include <CGAL/Global_odt_mesh_3/internal/Flatten_triangulation_3.h>
+#include <CGAL/Global_odt_mesh_3/internal/Load_triangulation_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/Limited_memory_bfgs.h>
 #include <CGAL/Global_odt_mesh_3/internal/Odt_objective_3.h>
 
@@ -46,12 +46,7 @@ static Moving_triangulation_3 random_cube(unsigned int seed)
     points.emplace_back(Kernel::Point_3(x, y, z), 0);
   }
   const Regular tr(points.begin(), points.end());
-  Moving_triangulation_3 mesh;
-  flatten_triangulation_3(
-    tr, [](Regular::Cell_handle) { return true; }, [](const Regular::Facet&) { return false; },
-    [](Regular::Vertex_handle) { return true; },
-    [](const Regular::Facet&) { return Wall_ball{ 0, 0, 0, -1e300 }; }, mesh);
-  return mesh;
+  return load_triangulation_3(tr);
 }
 
 static void compact_now_and_then(Moving_triangulation_3& mesh, int iteration)

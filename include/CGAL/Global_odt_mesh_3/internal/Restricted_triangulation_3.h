@@ -196,20 +196,13 @@ public:
     return dual.normal[0] * (c[0] - s.x) + dual.normal[1] * (c[1] - s.y) + dual.normal[2] * (c[2] - s.z);
   }
 
-  // The largest distance of a facet's centroid from the surface, among those over which
-  // it rises most.
+  // The largest distance of a facet's centroid from the surface.
   void measure_fidelity()
   {
     if(!Has_aabb_tree<Mesh_domain>::value)
       return;
-    std::vector<double> rises;
     for(const Boundary_facet& f : boundary.facets())
-      rises.push_back(rise(f.vertices, boundary, sites));
-    const double highest = rises.empty() ? 0 : *std::max_element(rises.begin(), rises.end());
-    for(std::size_t n = 0; n < rises.size(); ++n)
-      if(rises[n] > highest / 3)
-        farthest_centroid = (std::max)(farthest_centroid,
-                                       oracle_.distance_to_surface(centroid(boundary.facets()[n].vertices, sites)));
+      farthest_centroid = (std::max)(farthest_centroid, oracle_.distance_to_surface(centroid(f.vertices, sites)));
   }
 
   void add_boundary_cell(const std::array<int, 4>& cell, int label) { boundary_cells_.emplace(sorted(cell), label); }
@@ -500,9 +493,6 @@ private:
     const auto has_moved = [this](int v) { return v < number_of_movable_vertices && !is_home(v) && strikes_[v] < 2; };
     const auto v = std::find_if(q.begin(), q.end(), [this](int w) { return w < number_of_interior_vertices; });
     const bool may_go_back = std::any_of(q.begin(), q.end(), has_moved);
-    // What does not help here and now is left for the time when it matters.
-    if(!may_go_back && !mode_.is_thorough)
-      return;
     if(may_go_back || v == q.end() || ++number_of_pushes_[*v] > most_pushes)
     {
       blame(q);
@@ -544,7 +534,8 @@ private:
       if(it != boundary_cells_.end())
         return it->second;
     }
-    return dual_label(c, q);
+    return mode_.boundary_moves ? dual_label(c, q)
+                                : labels.number(oracle_.subdomain(next_.triangulation().dual(c)));
   }
 
   // The subdomain in which the dual point of the cell lies: as the normals at its
@@ -866,14 +857,15 @@ private:
         center = { p, Bare_point(p[0], p[1], p[2]), old >= 0 ? centers[old].index : Index(), false };
       }
       if(mode_.finds_centers && !center.is_exact)
-        put_on_surface(t, center);
+        put_on_surface(n, center);
       if(mode_.finds_centers && center.is_exact)
         check_duals(n);
     }
   }
 
-  void put_on_surface(const Triple& t, Surface_center& center)
+  void put_on_surface(std::size_t n, Surface_center& center)
   {
+    const Triple& t = next_boundary_.facets()[n].vertices;
     const auto known = found_centers_.find(t);
     if(known != found_centers_.end())
     {
@@ -890,7 +882,31 @@ private:
       center = { p, Bare_point(p[0], p[1], p[2]), index, true };
       break;
     }
+    if(!center.is_exact)
+      put_on_dual_segment(n, dual, center);
     found_centers_.emplace(t, center);
+  }
+
+  // Where the surface is far from the facet, it is crossed between the dual points of its cells.
+  void put_on_dual_segment(std::size_t n, const Facet_dual& dual, Surface_center& center)
+  {
+    const Triangulation& tr = next_.triangulation();
+    const Cell_handle c = next_facets_[n].first, d = c->neighbor(next_facets_[n].second);
+    if(tr.is_infinite(c) || tr.is_infinite(d))
+      return;
+    const Bare_point p = tr.dual(c), q = tr.dual(d);
+    const Vector a = {{ CGAL::to_double(p.x()), CGAL::to_double(p.y()), CGAL::to_double(p.z()) }};
+    const Vector b = {{ CGAL::to_double(q.x()), CGAL::to_double(q.y()), CGAL::to_double(q.z()) }};
+    Vector middle;
+    double length = 0;
+    for(int i = 0; i < 3; ++i)
+    {
+      middle[i] = (a[i] + b[i]) / 2;
+      length += (b[i] - a[i]) * dual.normal[i] / 2;
+    }
+    Index index;
+    if(oracle_.intersect(middle, dual.normal, std::abs(length), index))
+      center = { middle, Bare_point(middle[0], middle[1], middle[2]), index, true };
   }
 
   // The dual points of the cells at a facet lie on the two sides of its center.
@@ -926,7 +942,9 @@ private:
     for(std::size_t n = 0; n < next_facets_.size(); ++n)
     {
       const Triple& t = next_boundary_.facets()[n].vertices;
-      if((old_of_next_[n] >= 0 && is_unchanged(t)) || rise(t, next_boundary_, next_sites_) <= farthest_centroid)
+      const int old = old_of_next_[n];
+      const bool is_known = old >= 0 && is_unchanged(t) && centers[old].is_exact;
+      if(is_known || (!mode_.finds_centers && rise(t, next_boundary_, next_sites_) <= farthest_centroid / 2))
         continue;
       const auto known = found_distances_.find(t);
       const double distance = known != found_distances_.end() ? known->second
@@ -944,7 +962,7 @@ private:
   }
 
   // How far the tangential planes at the vertices of a facet are from its centroid: more than
-  // the surface itself, as a rule, so that most facets need no question.
+  // the surface itself, as a rule, so that most facets need no question before the last.
   static double rise(const Triple& t, const Boundary_complex_3& boundary, const std::vector<Site>& sites)
   {
     const Vector c = centroid(t, sites);
