@@ -65,7 +65,8 @@ public:
 
 private:
   typedef C3t3_bridge_3<C3t3, Mesh_domain> Bridge;
-  typedef typename Bridge::Complex::Update Update;
+  typedef typename Bridge::Complex Complex;
+  typedef typename Complex::Update Update;
 
   // As CGAL's optimizers, which bound the number of iterations even if the user
   // does not.
@@ -117,7 +118,7 @@ private:
       const std::size_t before = number_of_iterations_;
       if(!minimize_interior())
         return false;
-      if(number_of_iterations_ > before && !bridge.store(mesh_, Update{ false, false, true, true }))
+      if(number_of_iterations_ > before && !bridge.store(mesh_, Update{ false, false, care == CAREFUL ? Complex::ORACLE : Complex::GOOD_EVIDENCE, true }))
         return false;
     }
     bridge.commit();
@@ -167,8 +168,9 @@ private:
         continue;
       // The closest point of a polyhedral surface is cheap.
       const bool projects = is_last || care == CAREFUL || Has_aabb_tree<Mesh_domain>::value;
-      const bool is_stored = bridge.store(mesh_, Update{ boundary_moves, boundary_moves && projects,
-                                                         is_last || care == CAREFUL, is_last });
+      const typename Complex::Evidence evidence
+        = care == CAREFUL ? Complex::ORACLE : is_last ? Complex::GOOD_EVIDENCE : Complex::SOME_EVIDENCE;
+      const bool is_stored = bridge.store(mesh_, Update{ boundary_moves, boundary_moves && projects, evidence, is_last });
       if(!is_stored && is_last && care == SWIFT)
         return false;
       // A round that leads nowhere is lost.
@@ -177,7 +179,7 @@ private:
     return true;
   }
 
-  std::vector<Tangential_motion> tangential_motions(const typename Bridge::Complex& complex) const
+  std::vector<Tangential_motion> tangential_motions(const Complex& complex) const
   {
     std::vector<Tangential_motion> motions;
     for(int v = mesh_.number_of_interior_vertices; v < mesh_.number_of_movable_vertices; ++v)

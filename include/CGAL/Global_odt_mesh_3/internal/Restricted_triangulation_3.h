@@ -9,6 +9,7 @@
 #include <CGAL/Global_odt_mesh_3/internal/Boundary_complex_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/Cell_shape_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/Domain_oracle_3.h>
+#include <CGAL/Global_odt_mesh_3/internal/Facet_dual_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/Flat_triangulation_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/Index_table.h>
 #include <CGAL/Global_odt_mesh_3/internal/Numbered_triangulation_3.h>
@@ -69,12 +70,17 @@ public:
     bool is_exact;                  // on the surface; or else estimated from the normals
   };
 
+  // On what evidence the dual point of a cell is believed to be on one side of the boundary:
+  // as the normals tell unless it is close to tangential, unless it is not far from tangential
+  // or they were wrong nearby, or never without asking the domain.
+  enum Evidence { SOME_EVIDENCE, GOOD_EVIDENCE, ORACLE };
+
   // How update() is done.
   struct Update
   {
     bool boundary_moves;            // or else all boundary facets stay
     bool projects;                  // moved surface vertices to the surface
-    bool is_thorough;               // or else cells are believed to be where they should on less evidence
+    Evidence evidence;
     bool finds_centers;             // of boundary facets; or else these are estimated
   };
 
@@ -157,6 +163,7 @@ public:
     for(int v = number_of_interior_vertices; v < number_of_movable_vertices; ++v)
       next_on_surface_[v] = on_surface_[v] && is_home(v);
     strikes_.assign(number_of_movable_vertices, 0);
+    doubted_.assign(sites.size(), false);
     number_of_pushes_.clear();
     answers_.clear();
     found_centers_.clear();
@@ -190,10 +197,7 @@ public:
   // dual line crosses both, positive toward side 1.
   double height(const std::array<int, 3>& facet) const
   {
-    const Site& s = sites[facet[0]];
-    const Facet_dual dual = facet_dual(facet, sites);
-    const Vector& c = centers[facet_number_.at(Boundary_complex_3::sorted(facet))].point;
-    return dual.normal[0] * (c[0] - s.x) + dual.normal[1] * (c[1] - s.y) + dual.normal[2] * (c[2] - s.z);
+    return Facet_dual_3(facet, sites).height(centers[facet_number_.at(Boundary_complex_3::sorted(facet))].point);
   }
 
   // The largest distance of a facet's centroid from the surface.
@@ -220,7 +224,7 @@ public:
         power[k] = squared_distance(sites[t[k]], centers[n].point) - sites[t[k]].weight;
       const double spread = *std::max_element(power.begin(), power.end()) - *std::min_element(power.begin(), power.end());
       if(!(spread <= 1e-4 * std::abs(power[0])))
-        centers[n].point = estimated_center(t, boundary, sites);
+        centers[n].point = estimated_surface_center(t, boundary, sites);
     }
   }
 
@@ -238,7 +242,7 @@ private:
   static constexpr double farthest_projection = 1;            // over the shortest edge
   static constexpr double farthest_drift = 0.02;           // over an edge
   static constexpr double step_from_boundary = 0.05;          // over an edge on the boundary
-  static constexpr double thorough_margin = 0.3, quick_margin = 0.05;
+  static constexpr double good_margin = 0.3, some_margin = 0.05;
   static constexpr double sliver_angle = 20, flat_angle = 35;
   static constexpr int most_pushes = 3;
   static constexpr int most_attempts = 40;
@@ -299,10 +303,10 @@ private:
       if(!next_on_surface_[v])
       {
         // Where it was last on the surface is better than off it.
-        next_sites_[v] = on_surface_[v] || !mode_.is_thorough ? sites[v] : last_on_surface_[v];
-        next_on_surface_[v] = on_surface_[v] || mode_.is_thorough;
+        next_sites_[v] = on_surface_[v] || !(mode_.evidence != SOME_EVIDENCE) ? sites[v] : last_on_surface_[v];
+        next_on_surface_[v] = on_surface_[v] || (mode_.evidence != SOME_EVIDENCE);
       }
-      if(stays && next_on_surface_[v] && mode_.is_thorough)
+      if(stays && next_on_surface_[v] && (mode_.evidence != SOME_EVIDENCE))
         settle_home(v);
     }
   }
@@ -344,15 +348,15 @@ private:
         is_hopeless_ = true;
       return;
     }
-    const bool believed = believes_normals_;
-    label_cells();
-    if(believed && !believes_normals_)
+    do
     {
       offenders_.clear();
       pushes_.clear();
       is_hopeless_ = false;
+      has_new_doubts_ = false;
       label_cells();
     }
+    while(has_new_doubts_);
     if(!is_fine())
       return;
     find_boundary();
@@ -425,11 +429,6 @@ private:
         intruders.assign(t.begin(), t.end());
       blame(intruders);
     }
-  }
-
-  static double squared_distance(const Site& s, const Vector& p)
-  {
-    return (s.x - p[0]) * (s.x - p[0]) + (s.y - p[1]) * (s.y - p[1]) + (s.z - p[2]) * (s.z - p[2]);
   }
 
   void label_cells()
@@ -520,6 +519,11 @@ private:
     pushes_.emplace(*v, inward);
   }
 
+  static Vector coordinates(const Bare_point& p)
+  {
+    return {{ CGAL::to_double(p.x()), CGAL::to_double(p.y()), CGAL::to_double(p.z()) }};
+  }
+
   static Quadruple sorted(Quadruple q)
   {
     std::sort(q.begin(), q.end());
@@ -543,8 +547,10 @@ private:
   // clear; where it contradicts them nevertheless, they are not believed any more.
   int dual_label(Cell_handle c, const Quadruple& q)
   {
-    const double margin = mode_.is_thorough ? thorough_margin : quick_margin;
-    const int seen = believes_normals_ ? label_seen_from_boundary(q, margin) : int(no_subdomain);
+    const double margin = mode_.evidence == SOME_EVIDENCE ? some_margin : good_margin;
+    const bool is_doubtful = mode_.evidence == ORACLE
+      || std::any_of(q.begin(), q.end(), [this](int v) { return is_on_boundary(v) && doubted_[v]; });
+    const int seen = is_doubtful ? int(no_subdomain) : label_seen_from_boundary(q, margin);
     if(seen != no_subdomain)
       return seen;
     const Quadruple key = sorted(q);
@@ -553,12 +559,20 @@ private:
       return it->second;
     const int label = labels.number(oracle_.subdomain(next_.triangulation().dual(c)));
     answers_.emplace(key, label);
-    if(mode_.is_thorough && believes_normals_)
+    if(mode_.evidence == GOOD_EVIDENCE)
     {
       const int expected = label_seen_from_boundary(q, margin / 2);
-      believes_normals_ = expected == no_subdomain || expected == label;
+      if(expected != no_subdomain && expected != label)
+        doubt(q);
     }
     return label;
+  }
+
+  void doubt(const Quadruple& q)
+  {
+    for(int v : q)
+      if(is_on_boundary(v) && !doubted_[v])
+        doubted_[v] = has_new_doubts_ = true;
   }
 
   // The label of the dual point if all vertices on the boundary agree about it.
@@ -635,7 +649,7 @@ private:
     }
     if(common.size() <= 1)
       return common.empty() ? int(unknown_patch) : *common.begin();
-    const Facet_dual dual = facet_dual(f.vertices, next_sites_);
+    const Facet_dual_3 dual(f.vertices, next_sites_);
     Vector p = dual.center;
     Index index;
     if(!oracle_.intersect(p, dual.normal, dual.radius, index))
@@ -697,7 +711,7 @@ private:
       return true;
     }
     next_sites_[v] = sites[v];
-    if(mode_.projects && mode_.is_thorough && !on_surface_[v])
+    if(mode_.projects && (mode_.evidence != SOME_EVIDENCE) && !on_surface_[v])
     {
       if(!project(v, next_sites_[v]))
         return false;
@@ -853,7 +867,7 @@ private:
         center = centers[old];
       else
       {
-        const Vector p = estimated_center(t, next_boundary_, next_sites_);
+        const Vector p = estimated_surface_center(t, next_boundary_, next_sites_);
         center = { p, Bare_point(p[0], p[1], p[2]), old >= 0 ? centers[old].index : Index(), false };
       }
       if(mode_.finds_centers && !center.is_exact)
@@ -872,7 +886,7 @@ private:
       center = known->second;
       return;
     }
-    const Facet_dual dual = facet_dual(t, next_sites_);
+    const Facet_dual_3 dual(t, next_sites_);
     for(double h : { 0.3 * dual.radius, dual.radius, 3 * dual.radius })
     {
       Vector p = center.point;
@@ -888,32 +902,24 @@ private:
   }
 
   // Where the surface is far from the facet, it is crossed between the dual points of its cells.
-  void put_on_dual_segment(std::size_t n, const Facet_dual& dual, Surface_center& center)
+  void put_on_dual_segment(std::size_t n, const Facet_dual_3& dual, Surface_center& center)
   {
     const Triangulation& tr = next_.triangulation();
     const Cell_handle c = next_facets_[n].first, d = c->neighbor(next_facets_[n].second);
     if(tr.is_infinite(c) || tr.is_infinite(d))
       return;
-    const Bare_point p = tr.dual(c), q = tr.dual(d);
-    const Vector a = {{ CGAL::to_double(p.x()), CGAL::to_double(p.y()), CGAL::to_double(p.z()) }};
-    const Vector b = {{ CGAL::to_double(q.x()), CGAL::to_double(q.y()), CGAL::to_double(q.z()) }};
-    Vector middle;
-    double length = 0;
-    for(int i = 0; i < 3; ++i)
-    {
-      middle[i] = (a[i] + b[i]) / 2;
-      length += (b[i] - a[i]) * dual.normal[i] / 2;
-    }
+    const double from = dual.height(coordinates(tr.dual(c))), to = dual.height(coordinates(tr.dual(d)));
+    Vector p = dual.point_at((from + to) / 2);
     Index index;
-    if(oracle_.intersect(middle, dual.normal, std::abs(length), index))
-      center = { middle, Bare_point(middle[0], middle[1], middle[2]), index, true };
+    if(oracle_.intersect(p, dual.normal, std::abs(to - from) / 2, index))
+      center = { p, Bare_point(p[0], p[1], p[2]), index, true };
   }
 
   // The dual points of the cells at a facet lie on the two sides of its center.
   void check_duals(std::size_t n)
   {
     const Triple& t = next_boundary_.facets()[n].vertices;
-    const Facet_dual dual = facet_dual(t, next_sites_);
+    const Facet_dual_3 dual(t, next_sites_);
     const Vector& p = next_centers_[n].point;
     const Facet f = next_facets_[n];
     for(int side = 0; side < 2; ++side)
@@ -925,8 +931,7 @@ private:
       if(std::all_of(q.begin(), q.end(), [this](int v) { return is_on_boundary(v); }))
         continue;
       const Bare_point d = next_.triangulation().dual(c);
-      const double beyond = (dual.normal[0] * (CGAL::to_double(d.x()) - p[0]) + dual.normal[1] * (CGAL::to_double(d.y()) - p[1])
-                             + dual.normal[2] * (CGAL::to_double(d.z()) - p[2])) * (side == 0 ? 1 : -1);
+      const double beyond = (dual.height(coordinates(d)) - dual.height(p)) * (side == 0 ? 1 : -1);
       const int label = next_boundary_.facets()[n].labels[side];
       if(beyond > 0 && labels.number(oracle_.subdomain(d)) != label && !is_excused(q))
         mend_cell(q, label);
@@ -944,7 +949,7 @@ private:
       const Triple& t = next_boundary_.facets()[n].vertices;
       const int old = old_of_next_[n];
       const bool is_known = old >= 0 && is_unchanged(t) && centers[old].is_exact;
-      if(is_known || (!mode_.finds_centers && rise(t, next_boundary_, next_sites_) <= farthest_centroid / 2))
+      if(is_known || (!mode_.finds_centers && depth_under_tangential_planes(t, next_boundary_, next_sites_) <= farthest_centroid / 2))
         continue;
       const auto known = found_distances_.find(t);
       const double distance = known != found_distances_.end() ? known->second
@@ -953,28 +958,6 @@ private:
       if(distance > 1.01 * farthest_centroid)
         blame(t);
     }
-  }
-
-  static Vector centroid(const Triple& t, const std::vector<Site>& s)
-  {
-    return {{ (s[t[0]].x + s[t[1]].x + s[t[2]].x) / 3, (s[t[0]].y + s[t[1]].y + s[t[2]].y) / 3,
-              (s[t[0]].z + s[t[1]].z + s[t[2]].z) / 3 }};
-  }
-
-  // How far the tangential planes at the vertices of a facet are from its centroid: more than
-  // the surface itself, as a rule, so that most facets need no question before the last.
-  static double rise(const Triple& t, const Boundary_complex_3& boundary, const std::vector<Site>& sites)
-  {
-    const Vector c = centroid(t, sites);
-    double highest = 0;
-    for(int v : t)
-      if(boundary.number_of_fans(v) == 1)
-      {
-        const Vector& n = boundary.fan(v, 0).normal;
-        const Site& s = sites[v];
-        highest = (std::max)(highest, std::abs(n[0] * (c[0] - s.x) + n[1] * (c[1] - s.y) + n[2] * (c[2] - s.z)));
-      }
-    return highest;
   }
 
   // ---- the next state becomes the state
@@ -1016,64 +999,6 @@ private:
       facet_number_.emplace(Boundary_complex_3::sorted(boundary.facets()[n].vertices), static_cast<int>(n));
   }
 
-  // ---- geometry of facets
-
-  // The dual line of a facet: through the weighted circumcenter, along the normal,
-  // which points to side 1.
-  struct Facet_dual
-  {
-    Vector center, normal;
-    double radius;
-  };
-
-  static Facet_dual facet_dual(const Triple& t, const std::vector<Site>& sites)
-  {
-    // With the edges a, b from s0, their lifted heights h_a, h_b and n = a x b, the
-    // center is s0 + (h_a (b x n) + h_b (n x a)) / (2 |n|^2).
-    const Site& s0 = sites[t[0]];
-    const Site& s1 = sites[t[1]];
-    const Site& s2 = sites[t[2]];
-    const double ax = s1.x - s0.x, ay = s1.y - s0.y, az = s1.z - s0.z;
-    const double bx = s2.x - s0.x, by = s2.y - s0.y, bz = s2.z - s0.z;
-    const double nx = ay * bz - az * by, ny = az * bx - ax * bz, nz = ax * by - ay * bx;
-    const double ha = ax * ax + ay * ay + az * az - s1.weight + s0.weight;
-    const double hb = bx * bx + by * by + bz * bz - s2.weight + s0.weight;
-    const double nn = nx * nx + ny * ny + nz * nz, length = std::sqrt(nn);
-    const Vector d = {{ (ha * (by * nz - bz * ny) + hb * (ny * az - nz * ay)) / (2 * nn),
-                        (ha * (bz * nx - bx * nz) + hb * (nz * ax - nx * az)) / (2 * nn),
-                        (ha * (bx * ny - by * nx) + hb * (nx * ay - ny * ax)) / (2 * nn) }};
-    return { {{ s0.x + d[0], s0.y + d[1], s0.z + d[2] }}, {{ nx / length, ny / length, nz / length }},
-             std::sqrt(d[0] * d[0] + d[1] * d[1] + d[2] * d[2]) };
-  }
-
-  // Where the dual line meets the surface of which the normals at the vertices are
-  // known: on a sphere, and so in second order, half as high over the facet as the
-  // tangent planes at the vertices.
-  static Vector estimated_center(const Triple& t, const Boundary_complex_3& boundary, const std::vector<Site>& sites)
-  {
-    const Facet_dual dual = facet_dual(t, sites);
-    double height = 0;
-    int count = 0;
-    for(int v : t)
-    {
-      if(boundary.number_of_fans(v) != 1)
-        continue;
-      const Vector& n = boundary.fan(v, 0).normal;
-      const double cosine = n[0] * dual.normal[0] + n[1] * dual.normal[1] + n[2] * dual.normal[2];
-      if(std::abs(cosine) < Boundary_complex_3::smallest_cosine)
-        continue;
-      const Site& s = sites[v];
-      height += (n[0] * (s.x - dual.center[0]) + n[1] * (s.y - dual.center[1]) + n[2] * (s.z - dual.center[2]))
-                / (2 * cosine);
-      ++count;
-    }
-    if(count > 0)
-      height /= count;
-    height = (std::max)(-dual.radius, (std::min)(dual.radius, height));
-    return {{ dual.center[0] + height * dual.normal[0], dual.center[1] + height * dual.normal[1],
-              dual.center[2] + height * dual.normal[2] }};
-  }
-
   Domain_oracle_3<Mesh_domain> oracle_;
   int outside_;
   std::unordered_map<Triple, int, Hash> facet_number_;
@@ -1094,7 +1019,8 @@ private:
   std::unordered_map<Triple, Surface_center, Hash> found_centers_;
   std::unordered_map<Triple, double, Hash> found_distances_;
   std::vector<Surface_center> next_centers_;
-  bool believes_normals_ = true;
+  std::vector<char> doubted_;               // vertices whose normals do not tell sides
+  bool has_new_doubts_ = false;
   std::set<int> offenders_;
   std::map<int, Vector> pushes_;
   std::map<int, int> number_of_pushes_;
