@@ -164,8 +164,8 @@ public:
       next_on_surface_[v] = on_surface_[v] && is_home(v);
     strikes_.assign(number_of_movable_vertices, 0);
     doubted_.assign(sites.size(), false);
+    has_doubts_ = false;
     number_of_pushes_.clear();
-    answers_.clear();
     found_centers_.clear();
     found_distances_.clear();
     measured_ = boundary;
@@ -359,6 +359,7 @@ private:
     while(has_new_doubts_);
     if(!is_fine())
       return;
+    find_candidates();
     find_boundary();
     if(mode_.boundary_moves)
       blame_changes(changes());
@@ -431,44 +432,77 @@ private:
     }
   }
 
+  // What is known of a cell as long as its vertices stay, in the bits that CGAL's optimizers
+  // use for facets: the cells that a vertex leaves behind are gone when it moves.
+  enum Knowledge { IS_SETTLED, IS_FROM_ORACLE, IS_BOUNDARY_CELL };
+
+  static bool knows(Cell_handle c, Knowledge k) { return c->is_facet_visited(k); }
+  static void note(Cell_handle c, Knowledge k) { c->set_facet_visited(k); }
+
+  static void forget(Cell_handle c)
+  {
+    for(int k = IS_SETTLED; k <= IS_BOUNDARY_CELL; ++k)
+      c->reset_visited(k);
+  }
+
   void label_cells()
   {
     Triangulation& tr = next_.triangulation();
     next_boundary_cells_.clear();
     for(auto c = tr.all_cells_begin(); c != tr.all_cells_end(); ++c)
     {
-      Quadruple q;
-      int label = no_subdomain;
-      bool pierced = false;
-      for(int i = 0; i < 4; ++i)
+      if(!is_settled(c))
       {
-        q[i] = tr.is_infinite(c->vertex(i)) ? -1 : next_.number(c->vertex(i));
-        const int l = q[i] < 0 ? outside_ : subdomain[q[i]];
-        if(l == no_subdomain || l == label)
-          continue;
-        pierced = pierced || label != no_subdomain;
-        label = l;
+        forget(c);
+        label_cell(c);
       }
-      if(pierced)
+      if(knows(c, IS_BOUNDARY_CELL))
+        next_boundary_cells_.emplace_back(c, labels.number(c->subdomain_index()));
+    }
+  }
+
+  bool is_settled(Cell_handle c) const
+  {
+    if(!knows(c, IS_SETTLED) || !has_doubts_ || knows(c, IS_FROM_ORACLE) || next_.triangulation().is_infinite(c))
+      return knows(c, IS_SETTLED);
+    const Quadruple q = numbers(c);
+    return std::none_of(q.begin(), q.end(), [this](int v) { return doubted_[v]; });
+  }
+
+  void label_cell(Cell_handle c)
+  {
+    const Triangulation& tr = next_.triangulation();
+    Quadruple q;
+    int label = no_subdomain;
+    for(int i = 0; i < 4; ++i)
+    {
+      q[i] = tr.is_infinite(c->vertex(i)) ? -1 : next_.number(c->vertex(i));
+      const int l = q[i] < 0 ? outside_ : subdomain[q[i]];
+      if(l == no_subdomain || l == label)
+        continue;
+      if(label != no_subdomain)
       {
         blame(q);
-        continue;
+        return;
       }
-      if(tr.is_infinite(c))
-      {
-        c->set_subdomain_index(Subdomain_index());
-        continue;
-      }
-      if(label == no_subdomain)
-      {
-        label = label_of_boundary_cell(c, q);
-        next_boundary_cells_.emplace_back(c, label);
-      }
-      else if(std::any_of(q.begin(), q.end(), [this](int v) { return is_on_boundary(v); })
-              && dual_label(c, q) != label && !is_excused(q))
-        mend_cell(q, label);
-      c->set_subdomain_index(labels.value(label));
+      label = l;
     }
+    if(tr.is_infinite(c))
+      label = outside_;
+    else if(label == no_subdomain)
+    {
+      label = label_of_boundary_cell(c, q);
+      note(c, IS_BOUNDARY_CELL);
+    }
+    else if(std::any_of(q.begin(), q.end(), [this](int v) { return is_on_boundary(v); })
+            && dual_label(c, q) != label && !is_excused(q))
+    {
+      mend_cell(q, label);
+      c->set_subdomain_index(labels.value(label));
+      return;
+    }
+    c->set_subdomain_index(labels.value(label));
+    note(c, IS_SETTLED);
   }
 
   // Whether the cell is one of the input, which may be as it likes.
@@ -553,12 +587,8 @@ private:
     const int seen = is_doubtful ? int(no_subdomain) : label_seen_from_boundary(q, margin);
     if(seen != no_subdomain)
       return seen;
-    const Quadruple key = sorted(q);
-    const auto it = answers_.find(key);
-    if(it != answers_.end())
-      return it->second;
     const int label = labels.number(oracle_.subdomain(next_.triangulation().dual(c)));
-    answers_.emplace(key, label);
+    note(c, IS_FROM_ORACLE);
     if(mode_.evidence == GOOD_EVIDENCE)
     {
       const int expected = label_seen_from_boundary(q, margin / 2);
@@ -572,7 +602,7 @@ private:
   {
     for(int v : q)
       if(is_on_boundary(v) && !doubted_[v])
-        doubted_[v] = has_new_doubts_ = true;
+        doubted_[v] = has_doubts_ = has_new_doubts_ = true;
   }
 
   // The label of the dual point if all vertices on the boundary agree about it.
@@ -597,23 +627,34 @@ private:
     return label;
   }
 
+  // Collects the facets that separate subdomains, or may do so once cells with all vertices
+  // on the boundary are labelled otherwise, and those that were in the complex without separating any.
+  void find_candidates()
+  {
+    const Triangulation& tr = next_.triangulation();
+    candidates_.clear();
+    for(auto f = tr.all_facets_begin(); f != tr.all_facets_end(); ++f)
+    {
+      const Cell_handle c = f->first, d = c->neighbor(f->second);
+      if((has_unseparating_facets_ || c->subdomain_index() != d->subdomain_index()
+          || knows(c, IS_BOUNDARY_CELL) || knows(d, IS_BOUNDARY_CELL)) && !tr.is_infinite(*f))
+        candidates_.push_back(*f);
+    }
+  }
+
   // Collects the boundary facets of the labelled triangulation, and their patches.
   void find_boundary()
   {
-    const Triangulation& tr = next_.triangulation();
-    const bool has_unseparating_facets
-      = std::any_of(boundary.facets().begin(), boundary.facets().end(),
-                    [](const Boundary_facet& f) { return f.labels[0] == f.labels[1]; });
     std::vector<Boundary_facet> found;
     next_facets_.clear();
     old_of_next_.clear();
-    for(auto f = tr.finite_facets_begin(); f != tr.finite_facets_end(); ++f)
+    for(const Facet& f : candidates_)
     {
-      const Cell_handle c = f->first, d = c->neighbor(f->second);
+      const Cell_handle c = f.first, d = c->neighbor(f.second);
       const bool separates = c->subdomain_index() != d->subdomain_index();
-      if(!separates && !has_unseparating_facets)
+      if(!separates && !has_unseparating_facets_)
         continue;
-      const std::array<int, 3>& k = Flat_triangulation_3::facet_vertices(f->second);
+      const std::array<int, 3>& k = Flat_triangulation_3::facet_vertices(f.second);
       Boundary_facet b;
       for(int i = 0; i < 3; ++i)
         b.vertices[i] = next_.number(c->vertex(k[i]));
@@ -624,7 +665,7 @@ private:
       b.labels = {{ labels.number(c->subdomain_index()), labels.number(d->subdomain_index()) }};
       b.patch = old >= 0 ? boundary.facets()[old].patch : patch_of_new_facet(b);
       found.push_back(b);
-      next_facets_.push_back(*f);
+      next_facets_.push_back(f);
       old_of_next_.push_back(old);
     }
     next_boundary_ = Boundary_complex_3(std::move(found), sites.size());
@@ -758,7 +799,6 @@ private:
     else
       for(const auto& p : pushes_)
         next_.move(p.first, point(p.first));
-    forget_moved(answers_);
     forget_moved(found_centers_);
     forget_moved(found_distances_);
     if(mode_.boundary_moves)
@@ -792,7 +832,10 @@ private:
       if(peeled.empty())
         return;
       for(const auto& p : peeled)
+      {
         p.first->set_subdomain_index(labels.value(p.second.second));
+        p.first->reset_visited(IS_SETTLED);
+      }
       find_boundary();
       for(std::set<int> changed; !(changed = changes()).empty(); find_boundary())
       {
@@ -927,9 +970,9 @@ private:
       const Cell_handle c = side == 0 ? f.first : f.first->neighbor(f.second);
       if(next_.triangulation().is_infinite(c))
         continue;
-      const Quadruple q = numbers(c);
-      if(std::all_of(q.begin(), q.end(), [this](int v) { return is_on_boundary(v); }))
+      if(knows(c, IS_BOUNDARY_CELL) || knows(c, IS_FROM_ORACLE))
         continue;
+      const Quadruple q = numbers(c);
       const Bare_point d = next_.triangulation().dual(c);
       const double beyond = (dual.height(coordinates(d)) - dual.height(p)) * (side == 0 ? 1 : -1);
       const int label = next_boundary_.facets()[n].labels[side];
@@ -973,6 +1016,8 @@ private:
       boundary_cells_.emplace(sorted(q), c.second);
     }
     current_.swap(next_);
+    for(auto c = current_.triangulation().all_cells_begin(); c != current_.triangulation().all_cells_end(); ++c)
+      forget(c);
     triangulation = &current_.triangulation();
     for(std::size_t v = 0; v < vertices.size(); ++v)
       vertices[v] = current_.vertex(static_cast<int>(v));
@@ -995,13 +1040,19 @@ private:
   void number_facets()
   {
     facet_number_.clear();
+    has_unseparating_facets_ = false;
     for(std::size_t n = 0; n < boundary.facets().size(); ++n)
-      facet_number_.emplace(Boundary_complex_3::sorted(boundary.facets()[n].vertices), static_cast<int>(n));
+    {
+      const Boundary_facet& f = boundary.facets()[n];
+      facet_number_.emplace(Boundary_complex_3::sorted(f.vertices), static_cast<int>(n));
+      has_unseparating_facets_ = has_unseparating_facets_ || f.labels[0] == f.labels[1];
+    }
   }
 
   Domain_oracle_3<Mesh_domain> oracle_;
   int outside_;
   std::unordered_map<Triple, int, Hash> facet_number_;
+  bool has_unseparating_facets_ = false;
   std::unordered_map<Quadruple, int, Hash> boundary_cells_;   // labels of cells with all vertices on the boundary
 
   Numbered_triangulation_3<Triangulation> current_, next_;
@@ -1009,18 +1060,17 @@ private:
   std::vector<std::pair<Cell_handle, int> > next_boundary_cells_;
   Boundary_complex_3 next_boundary_;
   Boundary_complex_3 measured_;             // the boundary at the new positions
-  std::vector<Facet> next_facets_;
+  std::vector<Facet> candidates_, next_facets_;
   std::vector<int> old_of_next_;
   std::vector<int> strikes_;
   std::vector<char> on_surface_, next_on_surface_, is_settled_;       // of the movable vertices
   std::vector<Site> last_on_surface_;
   std::vector<double> drift_, next_drift_;            // over an edge, since a vertex was on the surface
-  std::unordered_map<Quadruple, int, Hash> answers_;
   std::unordered_map<Triple, Surface_center, Hash> found_centers_;
   std::unordered_map<Triple, double, Hash> found_distances_;
   std::vector<Surface_center> next_centers_;
   std::vector<char> doubted_;               // vertices whose normals do not tell sides
-  bool has_new_doubts_ = false;
+  bool has_doubts_ = false, has_new_doubts_ = false;
   std::set<int> offenders_;
   std::map<int, Vector> pushes_;
   std::map<int, int> number_of_pushes_;
