@@ -161,7 +161,7 @@ private:
   {
     std::size_t off = 0;
     for(const auto& v : s.sliding)
-      off += !is_on_surface(v.first, reach);
+      off += !is_on_surface(domain_, v.first, reach);
     return off;
   }
 
@@ -171,21 +171,22 @@ private:
     for(const auto& f : s.facets)
     {
       const std::array<double, 3>& c = f.second.second;
-      off += !is_on_surface({{ c[0], c[1], c[2], 0 }}, reach);
+      off += !is_on_surface(domain_, {{ c[0], c[1], c[2], 0 }}, reach);
     }
     return off;
   }
 
-  // Whether the surface crosses one of three short segments around the point.
-  bool is_on_surface(const Point& p, double reach) const
+  // Whether the surface crosses one of some short segments around the point: along the
+  // axes and, for points just off a sharp edge, along the diagonals between them.
+  static bool is_on_surface(const Domain& domain, const Point& p, double reach)
   {
     typedef typename Domain::Point_3 Point_3;
-    for(int k = 0; k < 3; ++k)
+    for(const std::array<int, 3>& d : { std::array<int, 3>{{ 1, 0, 0 }}, {{ 0, 1, 0 }}, {{ 0, 0, 1 }},
+                                        {{ 1, 1, 1 }}, {{ 1, 1, -1 }}, {{ 1, -1, 1 }}, {{ -1, 1, 1 }} })
     {
-      Point a = p, b = p;
-      a[k] -= reach;
-      b[k] += reach;
-      if(domain_.do_intersect_surface_object()(typename Domain::Segment_3(Point_3(a[0], a[1], a[2]), Point_3(b[0], b[1], b[2]))))
+      const Point_3 a(p[0] - reach * d[0], p[1] - reach * d[1], p[2] - reach * d[2]),
+                    b(p[0] + reach * d[0], p[1] + reach * d[1], p[2] + reach * d[2]);
+      if(domain.do_intersect_surface_object()(typename Domain::Segment_3(a, b)))
         return true;
     }
     return false;
@@ -312,7 +313,14 @@ private:
         bool has_interior_vertex = false;
         for(int i = 0; i < 4; ++i)
           has_interior_vertex = has_interior_vertex || c->vertex(i)->in_dimension() == 3;
-        if(label != (wanted ? Subdomain_index(*wanted) : Subdomain_index()))
+        // Where the dual point is just on the surface, the domain may say this or that.
+        const auto is_ambiguous = [&]
+        {
+          const auto q = tr.dual(c);
+          return is_on_surface(domain, {{ CGAL::to_double(q.x()), CGAL::to_double(q.y()), CGAL::to_double(q.z()), 0 }},
+                               1e-9 * std::cbrt(box_volume));
+        };
+        if(label != (wanted ? Subdomain_index(*wanted) : Subdomain_index()) && !is_ambiguous())
           ++(has_interior_vertex ? misplaced_cells : misplaced_boundary_cells);
         // Cells cache their dual points.
         if(!(tr.dual(c) == weighted_circumcenter(tr.point(c, 0), tr.point(c, 1), tr.point(c, 2), tr.point(c, 3))))

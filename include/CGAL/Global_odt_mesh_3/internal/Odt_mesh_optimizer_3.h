@@ -75,9 +75,9 @@ private:
   static constexpr int iterations_to_freeze = 6;
 
   static constexpr int iterations_in_round = 20;
-  static constexpr int most_local_rounds = 8;
+  static constexpr int most_local_rounds = 12;
   static constexpr int least_careful_rounds = 6;
-  static constexpr double least_gain_of_round = 5e-4;     // of the energy, relatively
+  static constexpr double least_gain_of_round = 2e-4;     // of the energy, relatively
   static constexpr double longest_way_in_round = 0.3;     // of a surface vertex, over its shortest edge on the surface
   static constexpr double share_of_rounds = 0.6;          // of the progress that is reported
 

@@ -992,13 +992,13 @@ private:
       const Triple& t = next_boundary_.facets()[n].vertices;
       const int old = old_of_next_[n];
       const bool is_known = old >= 0 && is_unchanged(t) && centers[old].is_exact;
-      if(is_known || (!mode_.finds_centers && depth_under_tangential_planes(t, next_boundary_, next_sites_) <= farthest_centroid / 2))
+      if(is_known || (mode_.evidence == SOME_EVIDENCE && depth_under_tangential_planes(t, next_boundary_, next_sites_) <= farthest_centroid / 2))
         continue;
       const auto known = found_distances_.find(t);
       const double distance = known != found_distances_.end() ? known->second
                               : oracle_.distance_to_surface(centroid(t, next_sites_));
       found_distances_.emplace(t, distance);
-      if(distance > 1.01 * farthest_centroid)
+      if(distance > farthest_centroid)
         blame(t);
     }
   }

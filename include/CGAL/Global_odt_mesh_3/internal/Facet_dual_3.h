@@ -1,0 +1,123 @@
+// Copyright (c) 2026 The Global_odt_mesh_3 authors.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_GLOBAL_ODT_MESH_3_INTERNAL_FACET_DUAL_3_H
+#define CGAL_GLOBAL_ODT_MESH_3_INTERNAL_FACET_DUAL_3_H
+
+#include <CGAL/Global_odt_mesh_3/internal/Boundary_complex_3.h>
+#include <CGAL/Global_odt_mesh_3/internal/Odt_energy_3.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <vector>
+
+namespace CGAL {
+namespace Global_odt_mesh_3 {
+namespace internal {
+
+// The dual line of a facet: through the weighted circumcenter, along the normal,
+// which points to side 1.
+struct Facet_dual_3
+{
+  typedef std::array<double, 3> Vector;
+  typedef std::array<int, 3> Triple;
+
+  Vector center, normal;
+  double radius;
+
+  // With the edges a, b from s0, their lifted heights h_a, h_b and n = a x b, the
+  // center is s0 + (h_a (b x n) + h_b (n x a)) / (2 |n|^2).
+  Facet_dual_3(const Triple& t, const std::vector<Site>& sites)
+  {
+    const Site& s0 = sites[t[0]];
+    const Site& s1 = sites[t[1]];
+    const Site& s2 = sites[t[2]];
+    const double ax = s1.x - s0.x, ay = s1.y - s0.y, az = s1.z - s0.z;
+    const double bx = s2.x - s0.x, by = s2.y - s0.y, bz = s2.z - s0.z;
+    const double nx = ay * bz - az * by, ny = az * bx - ax * bz, nz = ax * by - ay * bx;
+    const double ha = ax * ax + ay * ay + az * az - s1.weight + s0.weight;
+    const double hb = bx * bx + by * by + bz * bz - s2.weight + s0.weight;
+    const double nn = nx * nx + ny * ny + nz * nz, length = std::sqrt(nn);
+    const Vector d = {{ (ha * (by * nz - bz * ny) + hb * (ny * az - nz * ay)) / (2 * nn),
+                        (ha * (bz * nx - bx * nz) + hb * (nz * ax - nx * az)) / (2 * nn),
+                        (ha * (bx * ny - by * nx) + hb * (nx * ay - ny * ax)) / (2 * nn) }};
+    center = {{ s0.x + d[0], s0.y + d[1], s0.z + d[2] }};
+    normal = {{ nx / length, ny / length, nz / length }};
+    radius = std::sqrt(d[0] * d[0] + d[1] * d[1] + d[2] * d[2]);
+  }
+
+  // The signed height of a point over the plane of the facet, positive on side 1.
+  double height(const Vector& p) const
+  {
+    return normal[0] * (p[0] - center[0]) + normal[1] * (p[1] - center[1]) + normal[2] * (p[2] - center[2]);
+  }
+
+  Vector point_at(double height) const
+  {
+    return {{ center[0] + height * normal[0], center[1] + height * normal[1], center[2] + height * normal[2] }};
+  }
+};
+
+// Where the dual line meets the surface of which the normals at the vertices are
+// known: on a sphere, and so in second order, half as high over the facet as the
+// tangential planes at the vertices.
+inline std::array<double, 3> estimated_surface_center(const std::array<int, 3>& t, const Boundary_complex_3& boundary,
+                                                      const std::vector<Site>& sites)
+{
+  const Facet_dual_3 dual(t, sites);
+  double height = 0;
+  int count = 0;
+  for(int v : t)
+  {
+    if(boundary.number_of_fans(v) != 1)
+      continue;
+    const std::array<double, 3>& n = boundary.fan(v, 0).normal;
+    const double cosine = n[0] * dual.normal[0] + n[1] * dual.normal[1] + n[2] * dual.normal[2];
+    if(std::abs(cosine) < Boundary_complex_3::smallest_cosine)
+      continue;
+    const Site& s = sites[v];
+    height += (n[0] * (s.x - dual.center[0]) + n[1] * (s.y - dual.center[1]) + n[2] * (s.z - dual.center[2]))
+              / (2 * cosine);
+    ++count;
+  }
+  if(count > 0)
+    height /= count;
+  return dual.point_at((std::max)(-dual.radius, (std::min)(dual.radius, height)));
+}
+
+inline std::array<double, 3> centroid(const std::array<int, 3>& t, const std::vector<Site>& s)
+{
+  return {{ (s[t[0]].x + s[t[1]].x + s[t[2]].x) / 3, (s[t[0]].y + s[t[1]].y + s[t[2]].y) / 3,
+            (s[t[0]].z + s[t[1]].z + s[t[2]].z) / 3 }};
+}
+
+// How far the centroid of a facet is from the tangential planes at its vertices: farther than
+// from the surface, as a rule.
+inline double depth_under_tangential_planes(const std::array<int, 3>& t, const Boundary_complex_3& boundary,
+                                            const std::vector<Site>& sites)
+{
+  const std::array<double, 3> c = centroid(t, sites);
+  double deepest = 0;
+  for(int v : t)
+    if(boundary.number_of_fans(v) == 1)
+    {
+      const std::array<double, 3>& n = boundary.fan(v, 0).normal;
+      const Site& s = sites[v];
+      deepest = (std::max)(deepest, std::abs(n[0] * (c[0] - s.x) + n[1] * (c[1] - s.y) + n[2] * (c[2] - s.z)));
+    }
+  return deepest;
+}
+
+inline double squared_distance(const Site& s, const std::array<double, 3>& p)
+{
+  return (s.x - p[0]) * (s.x - p[0]) + (s.y - p[1]) * (s.y - p[1]) + (s.z - p[2]) * (s.z - p[2]);
+}
+
+} // namespace internal
+} // namespace Global_odt_mesh_3
+} // namespace CGAL
+
+#endif // CGAL_GLOBAL_ODT_MESH_3_INTERNAL_FACET_DUAL_3_H
