@@ -18,27 +18,34 @@
 #include <sstream>
 #include <string>
 
-// Damages a copy of the mesh; the check has to fail for it.
+// Damages a copy of the mesh; the checks have to fail for it: the one for a fixed boundary and,
+// unless the harm is only that the boundary moved, that for a moving one.
 template <class C3t3, class Domain>
 static void damage(const std::string& what, const C3t3& input, const Domain& domain,
-                   const std::function<void(C3t3&)>& harm)
+                   const std::function<void(C3t3&)>& harm, bool boundary_may_move = false)
 {
   const Mesh_contract<C3t3, Domain> contract(input, domain, what);
-  C3t3 c3t3(input);
-  const int before = check::failures();
-  contract.check(c3t3);
-  check::that(check::failures() == before, what, ": a copy is not accepted");
+  const std::function<void(const C3t3&)> checks[] = {
+    [&](const C3t3& c) { contract.check(c); },
+    [&](const C3t3& c) { contract.check_moved(c, 0.01, 0.01, 1e-3); } };
+  for(int moved = 0; moved < (boundary_may_move ? 1 : 2); ++moved)
+  {
+    C3t3 c3t3(input);
+    const int before = check::failures();
+    checks[moved](c3t3);
+    check::that(check::failures() == before, what, ": a copy is not accepted");
 
-  harm(c3t3);
-  const int so_far = check::failures();
-  std::ostringstream expected;
-  std::streambuf* const errors = std::cerr.rdbuf(expected.rdbuf());
-  contract.check(c3t3);
-  std::cerr.rdbuf(errors);
-  const int seen = check::failures() - so_far;
-  check::failures() = so_far;
-  check::that(seen > 0, what, ": not seen");
-  std::cout << what << ": " << seen << " complaints" << std::endl;
+    harm(c3t3);
+    const int so_far = check::failures();
+    std::ostringstream expected;
+    std::streambuf* const errors = std::cerr.rdbuf(expected.rdbuf());
+    checks[moved](c3t3);
+    std::cerr.rdbuf(errors);
+    const int seen = check::failures() - so_far;
+    check::failures() = so_far;
+    check::that(seen > 0, what, moved ? ", boundary moving" : ", boundary fixed", ": not seen");
+    std::cout << what << ": " << seen << " complaints" << std::endl;
+  }
 }
 
 template <class C3t3>
@@ -125,13 +132,13 @@ static void test(const C3t3& input, const Domain& domain)
     const auto p = c.triangulation().point(v).point();
     v->set_point(typename C3t3::Triangulation::Weighted_point(domains::Point_3(p.x() + 1e-6, p.y(), p.z())));
   });
-  harm("CGAL's optimizer", [&domain](C3t3& c)
+  damage<C3t3>("CGAL's optimizer", input, domain, [&domain](C3t3& c)
   {
     typedef CGAL::Mesh_3::Mesh_sizing_field<typename C3t3::Triangulation> Sizing;
     CGAL::Mesh_3::Mesh_global_optimizer<C3t3, Domain, CGAL::Mesh_3::Odt_move<C3t3, Sizing> >
       optimizer(c, domain, 0.01, true, 0.02);
     optimizer(10);
-  });
+  }, true);
 }
 
 int main()
@@ -145,6 +152,12 @@ int main()
     const auto v = some_vertex(c, 2);
     const auto p = c.triangulation().point(v).point();
     v->set_point(Labeled_c3t3::Triangulation::Weighted_point(Point_3(p.x() + 1e-13, p.y(), p.z())));
+  }, true);
+  damage<Labeled_c3t3>("surface vertex off the surface", input, ball, [](Labeled_c3t3& c)
+  {
+    const auto v = some_vertex(c, 2);
+    const auto p = c.triangulation().point(v).point();
+    v->set_point(Labeled_c3t3::Triangulation::Weighted_point(CGAL::ORIGIN + 1.003 * (p - CGAL::ORIGIN)));
   });
 
   Polyhedral_domain box(notched_box());
