@@ -81,6 +81,8 @@ public:
 
   const std::vector<Facet>& facets() const { return facets_; }
   const std::vector<Edge>& junctions() const { return junctions_; }
+  // The facet beyond the edge opposite to vertex k of facet n, for corner 3 n + k, or -1 for a junction.
+  int facet_beyond(int corner) const { return beyond_[corner]; }
   bool has_facets(int v) const { return first_facet_[v] != first_facet_[v + 1]; }
   int number_of_fans(int v) const { return first_fan_[v + 1] - first_fan_[v]; }
   const Fan& fan(int v, int n) const { return fans_[first_fan_[v] + n]; }

@@ -31,6 +31,8 @@ public:
   // log wanted size is 1.00, as against 1.04 in the input; 0.98, 0.95 and 0.90
   // with one, two and four sweeps of smoothing.
   static constexpr double exponent = 5;
+  // Of surfaces, in two dimensions, rho = 1/size^4.
+  static constexpr double surface_exponent = 4;
 
   // Sizes that differ less than this (largest over smallest, the outer 5 %
   // of either side left out) are taken for one size.
@@ -65,6 +67,7 @@ public:
 
   // The density is one where the size is the median.
   double density(double size) const { return std::pow(median_size_ / size, exponent); }
+  double surface_density(double size) const { return std::pow(median_size_ / size, surface_exponent); }
 
 private:
   void compute_sizes(const Moving_triangulation_3& mesh)

@@ -12,6 +12,8 @@
 #include <CGAL/Global_odt_mesh_3/internal/Momentum_annealing.h>
 #include <CGAL/Global_odt_mesh_3/internal/Odt_objective_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/Odt_parameters.h>
+#include <CGAL/Global_odt_mesh_3/internal/Surface_cvt_objective_3.h>
+#include <CGAL/Global_odt_mesh_3/internal/Tangential_motion.h>
 
 #include <CGAL/Mesh_optimization_return_code.h>
 #include <CGAL/Real_timer.h>
@@ -94,7 +96,7 @@ private:
     bridge.load(mesh_, care != BOUNDARY_FIXED);
     number_of_iterations_ = 0;
     still_.clear();
-    code_ = parameters_.do_freeze ? ALL_VERTICES_FROZEN : CONVERGENCE_REACHED;
+    code_ = parameters_.do_freeze && !parameters_.remesh_boundary ? ALL_VERTICES_FROZEN : CONVERGENCE_REACHED;
     if(mesh_.number_of_movable_vertices == 0)
       return true;
     if(care == SWIFT && bridge.is_rough())
@@ -102,7 +104,7 @@ private:
 
     Input_density_3 input_density(mesh_);
     is_graded_ = !input_density.is_uniform();
-    density_ = nullptr;
+    density_ = surface_density_ = nullptr;
     if(is_graded_)
     {
       mesh_.density.resize(mesh_.sites.size());
@@ -110,10 +112,14 @@ private:
         mesh_.density[v] = input_density.density(input_density.sizes()[v]);
       density_ = [&input_density](int v, const Site& s)
                  { return input_density.density(input_density.size(v, s)); };
+      surface_density_ = [&input_density, this](int v, const Site& s)
+                         { return input_density.surface_density(v < mesh_.number_of_movable_vertices
+                                                                  ? input_density.size(v, s)
+                                                                  : input_density.sizes()[v]); };
     }
     if(!make_rounds(bridge, care))
       return false;
-    if(goes_on_)
+    if(goes_on_ && !parameters_.remesh_boundary)
     {
       const std::size_t before = number_of_iterations_;
       if(!minimize_interior())
@@ -142,7 +148,7 @@ private:
     for(int round = 0; round < rounds && !is_last; ++round)
     {
       const bool searches = round < search_rounds;
-      Odt_objective_3 objective(mesh_, density_, tangential_motions(bridge.complex()));
+      Odt_objective_3 objective(mesh_, density_, tangential_motions(bridge.complex(), !parameters_.remesh_boundary));
       if(!objective.is_feasible())
         return false;
       Limited_memory_bfgs minimizer(minimizer_parameters());
@@ -159,11 +165,12 @@ private:
           break;
         end_iteration();
       }
+      const double reached = parameters_.remesh_boundary ? remesh_surfaces(bridge.complex()) : objective.value();
       // Steps on a rough surface hide what is gained.
       const bool pays = searches || (care == CAREFUL && round < search_rounds + least_careful_rounds)
-                        || objective.value() < (1 - least_gain_of_round) * energy;
+                        || reached < (1 - least_gain_of_round) * energy;
       is_last = !goes_on_ || !pays || round + 1 == rounds;
-      energy = searches ? energy : objective.value();
+      energy = searches ? energy : reached;
       if(!boundary_moves && goes_on_)
         continue;
       // The closest point of a polyhedral surface is cheap.
@@ -179,13 +186,31 @@ private:
     return true;
   }
 
-  std::vector<Tangential_motion> tangential_motions(const Complex& complex) const
+  // A round of the restricted CVT of the surfaces (section 5.1 of the paper); the interior follows
+  // in the next. Gives the energy that is reached.
+  double remesh_surfaces(const Complex& complex)
+  {
+    Surface_cvt_objective_3 objective(complex.boundary, mesh_.sites, mesh_.number_of_interior_vertices,
+                                      tangential_motions(complex, true), surface_density_);
+    Limited_memory_bfgs minimizer(minimizer_parameters());
+    for(int n = 0; goes_on_ && n < iterations_in_round; ++n)
+    {
+      goes_on_ = begin_iteration(fraction_);
+      if(!goes_on_ || minimizer.iterate(objective) == Limited_memory_bfgs::NO_STEP_FOUND)
+        break;
+      end_iteration();
+    }
+    return objective.value();
+  }
+
+  std::vector<Tangential_motion> tangential_motions(const Complex& complex, bool moves) const
   {
     std::vector<Tangential_motion> motions;
     for(int v = mesh_.number_of_interior_vertices; v < mesh_.number_of_movable_vertices; ++v)
     {
       const Boundary_fan& fan = complex.boundary.fan(v, 0);
-      motions.push_back({ fan.normal, fan.is_smooth ? longest_way_in_round * fan.shortest_edge : 0., mesh_.sites[v] });
+      motions.push_back({ fan.normal, moves && fan.is_smooth ? longest_way_in_round * fan.shortest_edge : 0.,
+                          mesh_.sites[v] });
     }
     return motions;
   }
@@ -320,6 +345,7 @@ private:
   Real_timer timer_;
   Moving_triangulation_3 mesh_;
   Odt_objective_3::Density density_;
+  Surface_cvt_objective_3::Density surface_density_;
   bool is_graded_ = false;
   Mesh_optimization_return_code code_ = CANT_IMPROVE_ANYMORE;
   Oracle_statistics oracle_statistics_;

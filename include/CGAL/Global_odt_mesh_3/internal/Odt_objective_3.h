@@ -7,11 +7,11 @@
 #define CGAL_GLOBAL_ODT_MESH_3_INTERNAL_ODT_OBJECTIVE_3_H
 
 #include <CGAL/Global_odt_mesh_3/internal/Moving_triangulation_3.h>
+#include <CGAL/Global_odt_mesh_3/internal/Tangential_motion.h>
 
 #include <Eigen/Core>
 
 #include <array>
-#include <cmath>
 #include <cstddef>
 #include <functional>
 #include <utility>
@@ -20,15 +20,6 @@
 namespace CGAL {
 namespace Global_odt_mesh_3 {
 namespace internal {
-
-// How a vertex moves on a surface: in the tangential plane through where it is
-// when the motion begins, within a disk.
-struct Tangential_motion
-{
-  std::array<double, 3> normal;
-  double radius;
-  Site center;
-};
 
 // The energy of a moving triangulation as a function of the coordinates of its
 // movable vertices, in the form that the minimizer wants. Frozen vertices are
@@ -53,7 +44,7 @@ public:
     , diagonal_(point_.size())
   {
     for(int v = mesh.number_of_interior_vertices; v < mesh.number_of_movable_vertices; ++v)
-      if(motion(v) == nullptr || !(motion(v)->radius > 0))
+      if(motion(v) == nullptr || motion(v)->is_at_rest())
         freeze(v);
     start();
   }
@@ -87,7 +78,7 @@ public:
       s.y = x[3 * v + 1];
       s.z = x[3 * v + 2];
       if(v >= mesh_.number_of_interior_vertices)
-        hold_in_disk(*motion(v), s);
+        motion(v)->hold_in_disk(s);
     }
     update_density();
     if(!mesh_.evaluate())
@@ -136,16 +127,6 @@ private:
     return n < motions_.size() ? &motions_[n] : nullptr;
   }
 
-  static void hold_in_disk(const Tangential_motion& m, Site& s)
-  {
-    const double x = s.x - m.center.x, y = s.y - m.center.y, z = s.z - m.center.z;
-    const double d = std::sqrt(x * x + y * y + z * z);
-    if(d <= m.radius)
-      return;
-    const double f = m.radius / d;
-    s = { m.center.x + f * x, m.center.y + f * y, m.center.z + f * z, s.weight };
-  }
-
   void update_density()
   {
     if(density_)
@@ -167,10 +148,7 @@ private:
       {
         gradient_.segment<3>(3 * v) << g[v].x, g[v].y, g[v].z;
         if(v >= mesh_.number_of_interior_vertices)
-        {
-          const Eigen::Map<const Eigen::Vector3d> normal(motion(v)->normal.data());
-          gradient_.segment<3>(3 * v) -= normal.dot(gradient_.segment<3>(3 * v)) * normal;
-        }
+          gradient_.segment<3>(3 * v) = motion(v)->tangential_part(gradient_.segment<3>(3 * v));
       }
     }
   }

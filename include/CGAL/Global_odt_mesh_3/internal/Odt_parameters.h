@@ -27,6 +27,7 @@ struct Odt_parameters
   double freeze_bound = parameters::default_values_for_mesh_3::odt_freeze_ratio;
   bool do_freeze = true;
   bool optimize_boundary = true;
+  bool remesh_boundary = false;         // by the restricted CVT, instead of with the interior
   std::size_t number_of_rounds = 0;
   double sliver_bound = 0;
   unsigned int random_seed = 0;
