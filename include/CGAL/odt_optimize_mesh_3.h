@@ -65,7 +65,7 @@ optimize(C3T3& c3t3, const MeshDomain& domain, const Odt_parameters& p, Visitor&
 /*!
 \ingroup PkgGlobalOdtMesh3Functions
 
-improves the cells of a tetrahedral mesh by moving its interior vertices to a
+improves the cells of a tetrahedral mesh by moving its vertices to a
 local minimum of the optimal Delaunay triangulation energy
 \f$ E^\rho_{ODT} = \sum_\tau \int_\tau \rho\,(f_I - \mathbf{x}^2) \f$,
 the \f$ L^1 \f$ error of interpolating \f$ \mathbf{x}^2 \f$ linearly in each cell,
@@ -76,12 +76,19 @@ The function takes the place of the one of the same name of the package Mesh_3.
 The density \f$ \rho \f$ comes from the sizes of the input's cells, so that a graded mesh
 stays graded.
 
-Vertices in dimension 0, 1 and 2, that is, corners and vertices on features and on
-surfaces, stay where they are, and so do interior vertices that are incident to a facet
-of the complex. The facets of the complex, with patch indices and surface centers, the
-features and the volume of each subdomain are those of the input. The result is an exact
-regular triangulation of as many vertices, in which a cell near the surface is in the
-subdomain where its dual point lies.
+Vertices in dimension 2 move on the surface, first toward a centroidal Voronoi tessellation of it
+(see `remesh_boundary_mesh_3()`) and then, together with the interior, to the minimum. They end on the surface:
+of polyhedral domains exactly, else within the error bound of the domain. Vertices in
+dimension 0 and 1, that is, corners and vertices on features, stay where they are, and so do vertices
+where surfaces meet or bend sharply. The result has as many vertices of each dimension and index, and
+as many facets of each patch, the Euler characteristic, the components and the junctions of patches and
+subdomains are those of the input, and the centroids of facets are as close to a polyhedral surface
+as in the input at the worst. Where that cannot be had, vertices move less, or not at all.
+It is an exact regular triangulation in which a cell with a vertex of the interior is in the
+subdomain where its dual point lies; a flat cell with all vertices on the surface may be labelled otherwise.
+
+With `optimize_boundary` set to `false`, vertices on surfaces stay, too, and with them all facets of the
+complex, their patch indices and surface centers, and the volume of each subdomain.
 
 If the domain or the callback throws, `c3t3` is as it was before the call. For the same input
 the result is the same, bit for bit, unless `time_limit` cuts it short. Handles to vertices and
@@ -133,8 +140,14 @@ version of %CGAL in use knows: `parameters::time_limit = 10, parameters::do_free
     \cgalParamType{`bool`}
     \cgalParamDefault{`true`}
   \cgalParamNEnd
+  \cgalParamNBegin{optimize_boundary}
+    \cgalParamDescription{whether vertices in dimension 2 move on the surface.}
+    \cgalParamType{`bool`}
+    \cgalParamDefault{`true`}
+  \cgalParamNEnd
   \cgalParamNBegin{number_of_rounds}
-    \cgalParamDescription{the number of rounds of global search. The local minimizer is the only stage: every value acts as 0.}
+    \cgalParamDescription{the number of rounds of global search before the minimization, of 20 iterations each: moves to the
+                          volume-weighted mean of circumcenters with momentum and a noise that fades away.}
     \cgalParamType{`std::size_t`}
     \cgalParamDefault{0}
   \cgalParamNEnd
@@ -146,7 +159,7 @@ version of %CGAL in use knows: `parameters::time_limit = 10, parameters::do_free
     \cgalParamDefault{0}
   \cgalParamNEnd
   \cgalParamNBegin{random_seed}
-    \cgalParamDescription{the seed of whatever is random. The local minimizer is not.}
+    \cgalParamDescription{the seed of the noise of the global search.}
     \cgalParamType{`unsigned int`}
     \cgalParamDefault{0}
   \cgalParamNEnd

@@ -34,8 +34,10 @@ namespace internal {
 //
 // While the boundary moves, the facets between subdomains are walls of the flat
 // triangulation. After some iterations, the exact triangulation and its restriction to the
-// domain are built anew, which brings other walls; that is a round. In the end
-// the boundary rests and the interior goes on to its minimum.
+// domain are built anew, which brings other walls; that is a round. In the first rounds, the
+// surfaces go toward a centroidal Voronoi tessellation (section 5.1), which leads to a lower
+// minimum in the next, where all vertices move together. In the end the boundary rests and
+// the interior goes on to its minimum.
 template <class C3t3, class Mesh_domain, class Visitor>
 class Odt_mesh_optimizer_3
 {
@@ -55,7 +57,7 @@ public:
       for(Care care : { SWIFT, CAREFUL })
         if(run(care))
           return code_;
-    return run(BOUNDARY_FIXED) ? code_ : CANT_IMPROVE_ANYMORE;
+    return !parameters_.remesh_boundary && run(BOUNDARY_FIXED) ? code_ : CANT_IMPROVE_ANYMORE;
   }
 
   // Of the attempt that led to the result.
@@ -77,7 +79,9 @@ private:
   static constexpr int iterations_to_freeze = 6;
 
   static constexpr int iterations_in_round = 20;
-  static constexpr int most_local_rounds = 12;
+  static constexpr int rounds_of_remeshing = 4;
+  static constexpr int iterations_inside_while_remeshing = 10;
+  static constexpr int most_rounds_of_minimizer = 12;
   static constexpr int least_careful_rounds = 6;
   static constexpr double least_gain_of_round = 2e-4;     // of the energy, relatively
   static constexpr double longest_way_in_round = 0.3;     // of a surface vertex, over its shortest edge on the surface
@@ -133,44 +137,61 @@ private:
     return true;
   }
 
-  // Rounds of global search, and then of minimization as long as they pay. False if
-  // they lead to no valid complex. Whether the time and the iterations permit to go
-  // on is in goes_on_.
+  // What the vertices do in a round: those of surfaces go toward a restricted CVT while the interior
+  // goes to its minimum; all of them search globally; or all of them go to the minimum.
+  enum Stage { REMESH, SEARCH, MINIMIZE };
+
+  // Rounds of these stages, the last as long as they pay. False if they lead to no valid complex.
+  // Whether the time and the iterations permit to go on is in goes_on_.
   bool make_rounds(Bridge& bridge, Care care)
   {
     const bool boundary_moves = number_of_surface_vertices() > 0;
-    const int search_rounds = static_cast<int>(parameters_.number_of_rounds);
-    const int rounds = search_rounds + (boundary_moves ? most_local_rounds : 0);
+    const bool only_remeshes = parameters_.remesh_boundary;
+    const int remesh_rounds = !boundary_moves ? 0 : only_remeshes ? most_rounds_of_minimizer : rounds_of_remeshing;
+    const int search_rounds = only_remeshes ? 0 : static_cast<int>(parameters_.number_of_rounds);
+    const int rounds = remesh_rounds + search_rounds
+                       + (boundary_moves && !only_remeshes ? most_rounds_of_minimizer : 0);
     Momentum_annealing annealing(parameters_.random_seed);
     double energy = (std::numeric_limits<double>::max)();
+    Stage previous = REMESH;
     bool is_last = false;
     goes_on_ = true;
-    for(int round = 0; round < rounds && !is_last; ++round)
+    for(int round = 0, round_of_stage = 0; round < rounds && !is_last; ++round, ++round_of_stage)
     {
-      const bool searches = round < search_rounds;
-      Odt_objective_3 objective(mesh_, density_, tangential_motions(bridge.complex(), !parameters_.remesh_boundary));
+      const Stage stage = round < remesh_rounds ? REMESH : round < remesh_rounds + search_rounds ? SEARCH : MINIMIZE;
+      if(stage != previous)
+      {
+        energy = (std::numeric_limits<double>::max)();
+        round_of_stage = 0;
+        previous = stage;
+      }
+      Odt_objective_3 objective(mesh_, density_, tangential_motions(bridge.complex(), stage != REMESH));
       if(!objective.is_feasible())
         return false;
       Limited_memory_bfgs minimizer(minimizer_parameters());
       annealing.start(objective);
-      for(int n = 0; n < iterations_in_round; ++n)
+      const int iterations = stage == REMESH ? iterations_inside_while_remeshing : iterations_in_round;
+      for(int n = 0; n < iterations; ++n)
       {
-        const double in_round = n / double(iterations_in_round);
+        const double in_round = n / double(iterations);
         goes_on_ = begin_iteration(share_of_rounds * (round + in_round) / rounds);
         if(!goes_on_)
           break;
-        if(searches)
-          annealing.iterate(objective, (round + in_round) / search_rounds);
+        if(stage == SEARCH)
+          annealing.iterate(objective, (round_of_stage + in_round) / search_rounds);
         else if(minimizer.iterate(objective) == Limited_memory_bfgs::NO_STEP_FOUND)
           break;
         end_iteration();
       }
-      const double reached = parameters_.remesh_boundary ? remesh_surfaces(bridge.complex()) : objective.value();
+      const double reached = stage == REMESH ? remesh_surfaces(bridge.complex()) : objective.value();
       // Steps on a rough surface hide what is gained.
-      const bool pays = searches || (care == CAREFUL && round < search_rounds + least_careful_rounds)
+      const bool pays = stage == SEARCH || (stage == REMESH && !only_remeshes)
+                        || (care == CAREFUL && round_of_stage < least_careful_rounds)
                         || reached < (1 - least_gain_of_round) * energy;
       is_last = !goes_on_ || !pays || round + 1 == rounds;
-      energy = searches ? energy : reached;
+      if(only_remeshes && goes_on_ && pays && is_last)
+        code_ = MAX_ITERATION_NUMBER_REACHED;
+      energy = reached;
       if(!boundary_moves && goes_on_)
         continue;
       // The closest point of a polyhedral surface is cheap.
@@ -195,7 +216,7 @@ private:
     Limited_memory_bfgs minimizer(minimizer_parameters());
     for(int n = 0; goes_on_ && n < iterations_in_round; ++n)
     {
-      goes_on_ = begin_iteration(fraction_);
+      goes_on_ = begin_iteration(0);
       if(!goes_on_ || minimizer.iterate(objective) == Limited_memory_bfgs::NO_STEP_FOUND)
         break;
       end_iteration();

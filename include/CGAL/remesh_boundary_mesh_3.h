@@ -1,0 +1,96 @@
+// Copyright (c) 2026 The Global_odt_mesh_3 authors.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_REMESH_BOUNDARY_MESH_3_H
+#define CGAL_REMESH_BOUNDARY_MESH_3_H
+
+#include <CGAL/license/Mesh_3.h>
+
+#include <CGAL/disable_warnings.h>
+
+#include <CGAL/odt_optimize_mesh_3.h>
+#include <CGAL/tags.h>
+
+#include <type_traits>
+
+namespace CGAL {
+
+/*!
+\ingroup PkgGlobalOdtMesh3Functions
+
+spaces the vertices of a tetrahedral mesh evenly on its surfaces, in place: those in
+dimension 2 go toward a centroidal Voronoi tessellation restricted to the surface (Chen, Wang, L&eacute;vy, Liu
+and Sun, *Revisiting Optimal Delaunay Triangulation for 3D Graded Mesh Generation*, section 5.1), that is, to a minimum of
+\f$ \sum_i \int_{V_i} \rho\,(\|\mathbf{x} - \mathbf{x}_i\|^2 - w_i) \f$, by L-BFGS in the tangential planes.
+The Voronoi cells \f$ V_i \f$ are taken on the surfaces of the complex, which are made anew from
+the domain after each round of iterations. The density is \f$ \rho = 1/\mu^4 \f$, \f$ \mu \f$ being the
+size of the cells of the input, so that a graded mesh stays graded.
+Vertices of the interior follow by some iterations of `odt_optimize_mesh_3()` in each round.
+
+That function, with `optimize_boundary` set to `false`, completes the way that the paper goes. By default it
+begins with some rounds of the same kind, so that there is no need to call this one before.
+
+What is kept is what `odt_optimize_mesh_3()` keeps, also if the domain or the callback throws.
+
+\tparam C3T3 a model of the concept `MeshComplex_3InTriangulation_3`, not periodic
+\tparam MeshDomain a model of the concept `MeshDomain_3`
+\tparam NamedParameters a sequence of named parameters, in the styles that `odt_optimize_mesh_3()` knows
+
+\param c3t3 the mesh, which is modified
+\param domain the domain from which `c3t3` was made
+\param np an optional sequence of named parameters among the ones listed below
+
+\cgalNamedParamsBegin
+  \cgalParamNBegin{time_limit}
+    \cgalParamDescription{the wall time, in seconds, after which no further iteration is begun; 0 means no limit}
+    \cgalParamType{`double`}
+    \cgalParamPrecondition{`time_limit >= 0`}
+    \cgalParamDefault{0}
+  \cgalParamNEnd
+  \cgalParamNBegin{max_iteration_number}
+    \cgalParamDescription{the number of iterations, on surfaces and inside, at the most; 0 means 1000}
+    \cgalParamType{`std::size_t`}
+    \cgalParamDefault{0}
+  \cgalParamNEnd
+  \cgalParamNBegin{callback}
+    \cgalParamDescription{a functor called before every iteration with the fraction done; when it returns `false`
+                          the process stops with the mesh found so far}
+    \cgalParamType{a model of `bool(double)`}
+    \cgalParamDefault{none}
+  \cgalParamNEnd
+  \cgalParamNBegin{visitor}
+    \cgalParamDescription{as for `odt_optimize_mesh_3()`}
+    \cgalParamType{a class like `CGAL::Mesh_3::Null_global_optimizer_visitor`}
+    \cgalParamDefault{a visitor that does nothing}
+  \cgalParamNEnd
+\cgalNamedParamsEnd
+
+\return a value of type `CGAL::Mesh_optimization_return_code`, which is
+- `CGAL::TIME_LIMIT_REACHED` when `time_limit` has passed, or `callback` returned `false`;
+- `CGAL::MAX_ITERATION_NUMBER_REACHED` when `max_iteration_number` iterations or all rounds have been made;
+- `CGAL::CONVERGENCE_REACHED` when a round lowers the energy by less than 0.02 %, also when no vertex may move;
+- `CGAL::CANT_IMPROVE_ANYMORE` when no valid mesh can be made, in which case `c3t3` is as before.
+
+\pre No vertex but those on features carries a weight, that is, `exude_mesh_3()` has not been called before.
+*/
+template <class C3T3, class MeshDomain, class... NamedParameters>
+Mesh_optimization_return_code
+remesh_boundary_mesh_3(C3T3& c3t3, const MeshDomain& domain, const NamedParameters&... np)
+{
+  static_assert(!std::is_same<typename C3T3::Triangulation::Periodic_tag, Tag_true>::value,
+                "remesh_boundary_mesh_3() does not know periodic triangulations");
+  namespace odt = Global_odt_mesh_3::internal;
+  odt::Odt_parameters parameters;
+  odt::read_arguments(parameters, 0, np...);
+  parameters.optimize_boundary = parameters.remesh_boundary = true;
+  auto visitor = odt::find_visitor(Mesh_3::Null_global_optimizer_visitor<C3T3>(), np...);
+  return odt::optimize(c3t3, domain, parameters, odt::unwrap(visitor));
+}
+
+} // namespace CGAL
+
+#include <CGAL/enable_warnings.h>
+
+#endif // CGAL_REMESH_BOUNDARY_MESH_3_H

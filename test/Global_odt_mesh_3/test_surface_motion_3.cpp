@@ -1,0 +1,371 @@
+// Copyright (c) 2026 The Global_odt_mesh_3 authors.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+// The mathematics of vertices that move on surfaces: tangential gradients of both energies
+// against finite differences, the CVT energy against closed forms and sampling, flips
+// of surface edges, and the guard of the topology of boundaries.
+
+#include "check.h"
+
+#include <CGAL/Global_odt_mesh_3/internal/Boundary_complex_3.h>
+#include <CGAL/Global_odt_mesh_3/internal/Limited_memory_bfgs.h>
+#include <CGAL/Global_odt_mesh_3/internal/Load_triangulation_3.h>
+#include <CGAL/Global_odt_mesh_3/internal/Odt_objective_3.h>
+#include <CGAL/Global_odt_mesh_3/internal/Surface_cvt_objective_3.h>
+
+#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+#include <CGAL/Regular_triangulation_3.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <functional>
+#include <limits>
+#include <map>
+#include <random>
+#include <set>
+#include <string>
+#include <utility>
+#include <vector>
+
+using namespace CGAL::Global_odt_mesh_3::internal;
+typedef CGAL::Exact_predicates_inexact_constructions_kernel Kernel;
+typedef CGAL::Regular_triangulation_3<Kernel> Regular;
+typedef std::array<double, 3> Vector;
+
+static double dot(const Vector& a, const Vector& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
+
+// The derivative of the objective when one vertex moves along a tangent, against its gradient.
+template <class Objective>
+static double gradient_error(Objective& objective, int v, const Eigen::Vector3d& tangent, double h)
+{
+  const double expected = tangent.dot(objective.gradient().template segment<3>(3 * v));
+  const Eigen::VectorXd x = objective.point();
+  double value[2];
+  for(int side = 0; side < 2; ++side)
+  {
+    Eigen::VectorXd y = x;
+    y.segment<3>(3 * v) += (side == 0 ? h : -h) * tangent;
+    check::that(objective.evaluate(y), "a small step is not feasible");
+    value[side] = objective.value();
+    objective.reject();
+  }
+  return std::abs((value[0] - value[1]) / (2 * h) - expected);
+}
+
+static Eigen::Vector3d some_tangent(const Vector& n, std::mt19937& random)
+{
+  std::normal_distribution<double> g;
+  const Eigen::Vector3d normal(n[0], n[1], n[2]), d(g(random), g(random), g(random));
+  return (d - normal.dot(d) * normal).normalized();
+}
+
+// The ODT energy of points in a convex body, of which those on the hull move in tangential planes.
+static void odt_energy(const char* name, const std::vector<Vector>& on_surface, const std::vector<Vector>& inside,
+                       const std::function<Vector(const Site&)>& normal, std::mt19937& random)
+{
+  std::vector<Regular::Weighted_point> points;
+  for(const auto* set : { &on_surface, &inside })
+    for(const Vector& p : *set)
+      points.emplace_back(Kernel::Point_3(p[0], p[1], p[2]), 0);
+  Regular tr(points.begin(), points.end());
+  Moving_triangulation_3 mesh = load_triangulation_3(tr);
+  mesh.number_of_movable_vertices = static_cast<int>(mesh.sites.size());
+  std::vector<Tangential_motion> motions;
+  for(int v = mesh.number_of_interior_vertices; v < mesh.number_of_movable_vertices; ++v)
+  {
+    const Vector n = normal(mesh.sites[v]);
+    motions.push_back({ n, dot(n, n) > 0 ? 0.1 : 0., mesh.sites[v] });
+  }
+  Odt_objective_3 objective(mesh, Odt_objective_3::Density(), motions);
+  check::that(objective.is_feasible(), name, ": not feasible");
+  const double scale = objective.gradient().cwiseAbs().maxCoeff();
+  int tested = 0;
+  for(int v = mesh.number_of_interior_vertices; v < mesh.number_of_movable_vertices; ++v)
+  {
+    const Tangential_motion& m = motions[v - mesh.number_of_interior_vertices];
+    const Eigen::Vector3d g = objective.gradient().segment<3>(3 * v);
+    if(m.is_at_rest())
+    {
+      check::that(g.norm() == 0, name, ": a vertex at rest has a gradient");
+      continue;
+    }
+    check::that(std::abs(g.dot(Eigen::Map<const Eigen::Vector3d>(m.normal.data()))) < 1e-12 * scale, name,
+                ": the gradient is not tangential");
+    const double error = gradient_error(objective, v, some_tangent(m.normal, random), 1e-6);
+    check::that(error < 1e-6 * scale, name, ": tangential gradient off by ", error, " of ", scale);
+    ++tested;
+  }
+  check::that(tested > 20, name, ": only ", tested, " vertices on the surface");
+
+  // A long step ends at the rim of the disk, in the plane.
+  Eigen::VectorXd far = objective.point() - 1e3 * objective.gradient() / scale;
+  objective.evaluate(far);
+  for(int v = mesh.number_of_interior_vertices; v < mesh.number_of_movable_vertices; ++v)
+  {
+    const Tangential_motion& m = motions[v - mesh.number_of_interior_vertices];
+    const Site& s = mesh.sites[v];
+    const Vector way = {{ s.x - m.center.x, s.y - m.center.y, s.z - m.center.z }};
+    check::that(std::sqrt(dot(way, way)) <= m.radius * (1 + 1e-9) && std::abs(dot(way, m.normal)) < 1e-9, name,
+                ": a vertex left its disk");
+  }
+  objective.reject();
+}
+
+static void odt_energy_on_sphere_and_plane()
+{
+  std::mt19937 random(7);
+  std::uniform_real_distribution<double> u(-1, 1);
+  std::vector<Vector> surface, inside;
+  const double golden = 3.14159265358979 * (3 - std::sqrt(5.));
+  for(int n = 0; n < 120; ++n)
+  {
+    const double z = 1 - (2 * n + 1) / 120., r = std::sqrt(1 - z * z);
+    surface.push_back({{ r * std::cos(golden * n), r * std::sin(golden * n), z }});
+  }
+  while(inside.size() < 150)
+  {
+    const Vector p = {{ u(random), u(random), u(random) }};
+    if(dot(p, p) < 0.7)
+      inside.push_back(p);
+  }
+  odt_energy("sphere", surface, inside, [](const Site& s) { return Vector{{ s.x, s.y, s.z }}; }, random);
+
+  // The faces of a cube, jittered in their planes; edges and corners rest.
+  surface.clear();
+  for(Vector& p : inside)
+    for(double& x : p)
+      x *= 0.9;
+  const int grid = 5;
+  for(int i = 0; i <= grid; ++i)
+    for(int j = 0; j <= grid; ++j)
+      for(int k = 0; k <= grid; ++k)
+      {
+        const int at[] = { i, j, k };
+        Vector p;
+        int faces = 0;
+        for(int a = 0; a < 3; ++a)
+          faces += at[a] % grid == 0;
+        for(int a = 0; a < 3; ++a)
+          p[a] = 2. * at[a] / grid - 1 + (faces == 1 && at[a] % grid != 0 ? 0.05 * u(random) : 0);
+        if(faces > 0)
+          surface.push_back(p);
+      }
+  odt_energy("plane", surface, inside, [](const Site& s)
+  {
+    const Vector n = {{ double(std::abs(s.x) == 1) * s.x, double(std::abs(s.y) == 1) * s.y, double(std::abs(s.z) == 1) * s.z }};
+    return dot(n, n) == 1 ? n : Vector{{ 0, 0, 0 }};
+  }, random);
+}
+
+// A square cut into triangles of a jittered grid, whose rim rests.
+struct Square
+{
+  static constexpr int grid = 9;
+  std::vector<Site> sites;
+  std::vector<Boundary_facet> facets;
+  std::vector<Tangential_motion> motions;       // of the first vertices
+
+  explicit Square(double jitter)
+  {
+    std::mt19937 random(11);
+    std::uniform_real_distribution<double> u(-1, 1);
+    std::vector<int> number((grid + 1) * (grid + 1));
+    for(int rim = 0; rim < 2; ++rim)
+      for(int i = 0; i <= grid; ++i)
+        for(int j = 0; j <= grid; ++j)
+        {
+          const bool on_rim = i % grid == 0 || j % grid == 0;
+          if(on_rim != (rim == 1))
+            continue;
+          const double f = on_rim ? 0 : jitter / grid;
+          number[i * (grid + 1) + j] = static_cast<int>(sites.size());
+          sites.push_back({ i / double(grid) + f * u(random), j / double(grid) + f * u(random), 0, 0 });
+          if(!on_rim)
+            motions.push_back({ {{ 0, 0, 1 }}, 0.5, sites.back() });
+        }
+    const auto v = [&](int i, int j) { return number[i * (grid + 1) + j]; };
+    for(int i = 0; i < grid; ++i)
+      for(int j = 0; j < grid; ++j)
+      {
+        // Every other facet is given from its other side.
+        facets.push_back({ {{ v(i, j), v(i + 1, j), v(i + 1, j + 1) }}, {{ 0, 1 }}, 0 });
+        facets.push_back({ {{ v(i, j), v(i, j + 1), v(i + 1, j + 1) }}, {{ 1, 0 }}, 0 });
+      }
+  }
+
+  Surface_cvt_objective_3 objective(const Surface_cvt_objective_3::Density& density)
+  {
+    return Surface_cvt_objective_3(Boundary_complex_3(facets, sites.size()), sites, 0, motions, density);
+  }
+};
+
+static double angle(const Site& apex, const Site& a, const Site& b)
+{
+  const Eigen::Vector3d p(a.x - apex.x, a.y - apex.y, a.z - apex.z), q(b.x - apex.x, b.y - apex.y, b.z - apex.z);
+  return std::atan2(p.cross(q).norm(), p.dot(q));
+}
+
+static void cvt_energy()
+{
+  // A lattice of equilateral triangles has hexagons of twice a triangle's area A as cells,
+  // with 5 (2 A)^2 / (18 sqrt 3) each.
+  const double h = std::sqrt(3.) / 2, area = h / 2;
+  const std::vector<Site> lattice = { { 0, 0, 0, 0 }, { 1, 0, 0, 0 }, { 0.5, h, 0, 0 } };
+  const Surface_cvt_contribution_3 equilateral({{ 0, 1, 2 }}, lattice, {{ 1, 1, 1 }});
+  const double cell = 5 * 4 * area * area / (18 * std::sqrt(3.));
+  check::that(std::abs(2 * equilateral.energy - cell) < 1e-14, "energy of a lattice ", 2 * equilateral.energy, ", not ", cell);
+  for(double m : equilateral.mass)
+    check::that(std::abs(m - area / 3) < 1e-15, "parts of an equilateral triangle differ");
+
+  std::mt19937 random(3);
+  const auto linear = [](double x, double y) { return 1 + 3 * x + 2 * y; };
+  for(bool is_graded : { false, true })
+  {
+    const std::string name = is_graded ? "CVT with density" : "CVT";
+    Square square(0.35);
+    const auto density = [&](int, const Site& s) { return linear(s.x, s.y); };
+    Surface_cvt_objective_3 objective = square.objective(is_graded ? Surface_cvt_objective_3::Density(density)
+                                                                   : Surface_cvt_objective_3::Density());
+    // The integral of the density times the squared distance from the closest vertex, sampled.
+    const int samples = 400;
+    double sum = 0;
+    for(int i = 0; i < samples; ++i)
+      for(int j = 0; j < samples; ++j)
+      {
+        const double x = (i + 0.5) / samples, y = (j + 0.5) / samples;
+        double closest = std::numeric_limits<double>::max();
+        for(const Site& s : square.sites)
+          closest = (std::min)(closest, (s.x - x) * (s.x - x) + (s.y - y) * (s.y - y));
+        sum += closest * (is_graded ? linear(x, y) : 1) / (samples * samples);
+      }
+    check::that(std::abs(objective.value() - sum) < 1e-3 * sum, name, ": energy ", objective.value(), ", sampled ", sum);
+
+    // All flipped edges considered, the surface is Delaunay and covers the square once.
+    const Surface_triangulation_3& surface = objective.surface();
+    double covered = 0;
+    std::map<std::pair<int, int>, double> opposite;
+    for(int f = 0; f < surface.number_of_facets(); ++f)
+    {
+      const std::array<int, 3>& t = surface.vertices(f);
+      const Site &a = square.sites[t[0]], &b = square.sites[t[1]], &c = square.sites[t[2]];
+      covered += ((b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x)) / 2;
+      for(int k = 0; k < 3; ++k)
+        opposite[std::minmax(t[(k + 1) % 3], t[(k + 2) % 3])]
+          += angle(square.sites[t[k]], square.sites[t[(k + 1) % 3]], square.sites[t[(k + 2) % 3]]);
+    }
+    check::that(std::abs(std::abs(covered) - 1) < 1e-12, name, ": facets cover ", covered);
+    for(const auto& e : opposite)
+      check::that(e.second < 3.14159266, name, ": an edge is not Delaunay");
+
+    const double scale = objective.gradient().cwiseAbs().maxCoeff();
+    for(int v = 0; v < static_cast<int>(square.motions.size()); ++v)
+    {
+      const double error = gradient_error(objective, v, some_tangent({{ 0, 0, 1 }}, random), 1e-6);
+      check::that(error < 1e-6 * scale, name, ": gradient off by ", error, " of ", scale);
+    }
+
+    const double before = objective.value();
+    Limited_memory_bfgs minimizer;
+    for(int n = 0; n < 200 && minimizer.iterate(objective) == Limited_memory_bfgs::STEP_TAKEN; ++n);
+    check::that(objective.value() < before, name, ": the energy does not fall");
+    check::that(objective.gradient().cwiseAbs().maxCoeff() < 1e-4 * scale, name, ": gradient ",
+                objective.gradient().cwiseAbs().maxCoeff(), " left of ", scale);
+    if(!is_graded)
+    {
+      const double optimum = 5 / (18 * std::sqrt(3.)) / (Square::grid * Square::grid);
+      check::that(objective.value() > 0.8 * optimum && objective.value() < 1.1 * optimum, name, ": energy ",
+                  objective.value(), ", of hexagons ", optimum);
+    }
+  }
+}
+
+// A sphere of triangles around the axis through two poles: vertices 0 and 1 and a ring.
+static std::vector<Boundary_facet> double_cone(int ring, int first, int south, int north)
+{
+  std::vector<Boundary_facet> facets;
+  for(int n = 0; n < ring; ++n)
+  {
+    const int a = first + n, b = first + (n + 1) % ring;
+    facets.push_back({ {{ a, b, north }}, {{ 0, 1 }}, 0 });
+    facets.push_back({ {{ b, a, south }}, {{ 0, 1 }}, 0 });
+  }
+  return facets;
+}
+
+static void topology_guard()
+{
+  const std::size_t vertices = 20;
+  const std::vector<Boundary_facet> one = double_cone(6, 2, 0, 1), other = double_cone(4, 12, 10, 11);
+  std::vector<Boundary_facet> both = one;
+  both.insert(both.end(), other.begin(), other.end());
+  const Boundary_complex_3 before(both, vertices);
+  check::that(before.junctions().empty(), "a closed surface has no junctions");
+  check::that(before.facets_and_components().at(0) == std::make_pair(both.size(), std::size_t(2)), "facets or components miscounted");
+  check::that(before.difference(before).empty(), "a complex differs from itself");
+  for(int v : { 0, 1, 2, 11, 15 })
+    check::that(before.number_of_fans(v) == 1 && before.is_disk(v, 0), "vertex ", v, " is not inside a disk");
+  check::that(!before.has_facets(9), "vertex 9 is on no surface");
+
+  const auto differs = [&](const char* what, const std::vector<Boundary_facet>& facets, const std::set<int>& at_least)
+  {
+    const std::set<int> found = before.difference(Boundary_complex_3(facets, vertices));
+    check::that(!found.empty(), what, ": not noticed");
+    for(int v : at_least)
+      check::that(found.count(v) > 0, what, ": vertex ", v, " not noticed");
+  };
+  {
+    // Edge (2, 3) between the two poles' facets becomes (0, 1), which the other facets go around.
+    std::vector<Boundary_facet> flipped = both;
+    flipped[0].vertices = {{ 2, 0, 1 }};
+    flipped[1].vertices = {{ 0, 3, 1 }};
+    const Boundary_complex_3 after(flipped, vertices);
+    check::that(before.difference(after).empty(), "a flip changes no topology");
+    check::that(before.other_facets(after).size() == 4, "a flip exchanges two facets for two");
+  }
+  {
+    std::vector<Boundary_facet> hole(both.begin() + 1, both.end());
+    differs("hole", hole, { 1, 2, 3 });
+  }
+  {
+    std::vector<Boundary_facet> patch = both;
+    patch[0].patch = 1;
+    differs("other patch", patch, { 1, 2, 3 });
+  }
+  {
+    std::vector<Boundary_facet> label = both;
+    label[0].labels = {{ 0, 2 }};
+    differs("other subdomain", label, { 1, 2, 3 });
+  }
+  {
+    // Two facets opened and the holes joined by a tube: no junction, but one component and a handle.
+    std::vector<Boundary_facet> tube(both.begin() + 1, both.end() - 1);
+    const std::array<int, 3> a = both.front().vertices, b = both.back().vertices;
+    for(int k = 0; k < 3; ++k)
+    {
+      const int l = (k + 1) % 3;
+      tube.push_back({ {{ a[k], a[l], b[(3 - k) % 3] }}, {{ 0, 1 }}, 0 });
+      tube.push_back({ {{ a[l], b[(3 - l) % 3], b[(3 - k) % 3] }}, {{ 0, 1 }}, 0 });
+    }
+    differs("two components joined by a tube", tube, std::set<int>(a.begin(), a.end()));
+  }
+  {
+    // A pole of one surface where the other has its own: they touch in a vertex.
+    std::vector<Boundary_facet> touching = both;
+    for(Boundary_facet& f : touching)
+      for(int& v : f.vertices)
+        v = v == 11 ? 1 : v;
+    differs("touching in a vertex", touching, { 1 });
+  }
+}
+
+int main()
+{
+  odt_energy_on_sphere_and_plane();
+  cvt_energy();
+  topology_guard();
+  return check::result();
+}
