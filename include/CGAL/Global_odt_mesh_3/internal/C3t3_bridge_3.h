@@ -6,8 +6,13 @@
 #ifndef CGAL_GLOBAL_ODT_MESH_3_INTERNAL_C3T3_BRIDGE_3_H
 #define CGAL_GLOBAL_ODT_MESH_3_INTERNAL_C3T3_BRIDGE_3_H
 
+#include <CGAL/Global_odt_mesh_3/internal/Boundary_complex_3.h>
+#include <CGAL/Global_odt_mesh_3/internal/Domain_oracle_3.h>
+#include <CGAL/Global_odt_mesh_3/internal/Flat_triangulation_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/Flatten_triangulation_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/Moving_triangulation_3.h>
+#include <CGAL/Global_odt_mesh_3/internal/Numbered_triangulation_3.h>
+#include <CGAL/Global_odt_mesh_3/internal/Restricted_complex_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/Restricted_triangulation_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/Spatial_order.h>
 
@@ -45,14 +50,18 @@ class C3t3_bridge_3
   typedef std::vector<Wall_facet<Triangulation> > Walls;
 
 public:
-  typedef Restricted_triangulation_3<Triangulation, Mesh_domain> Complex;
+  typedef Restricted_complex_3<Triangulation, Mesh_domain> Complex;
+  typedef Restricted_triangulation_3<Triangulation, Mesh_domain> Restricted_triangulation;
+  typedef typename Restricted_triangulation::Update Update;
 
   C3t3_bridge_3(C3t3& c3t3, const Mesh_domain& domain)
     : c3t3_(c3t3)
-    , complex_(domain)
+    , restricted_triangulation_(domain)
+    , complex_(restricted_triangulation_.complex())
   {}
 
   const Complex& complex() const { return complex_; }
+  const Oracle_statistics& oracle_statistics() const { return restricted_triangulation_.oracle_statistics(); }
 
   // Loads the complex. Vertices of the interior move, unless a boundary facet
   // touches them; those that surfaces run smoothly through move if `boundary_moves`.
@@ -83,7 +92,7 @@ public:
     read_surface_centers(walls);
     read_labels();
     if(boundary_moves)
-      complex_.measure_fidelity();
+      restricted_triangulation_.measure_fidelity();
     finish(walls, mesh);
   }
 
@@ -91,18 +100,18 @@ public:
   void reload(Moving_triangulation_3& mesh) const
   {
     const bool is_input = !complex_.has_changed();
-    finish(flatten([&](Vertex_handle v) { return is_input ? site_[v] : Numbered_triangulation_3<Triangulation>::number(v); },
-                   mesh.topology),
-           mesh);
+    const auto number = [&](Vertex_handle v)
+    { return is_input ? site_[v] : Numbered_triangulation_3<Triangulation>::number(v); };
+    finish(flatten(number, mesh.topology), mesh);
   }
 
-  bool is_rough() { return complex_.is_rough(); }
+  bool is_rough() { return restricted_triangulation_.is_rough(); }
 
   // Takes the complex to the positions of the movable vertices; false if no valid
   // complex can be made of them, and the complex is as it was.
-  bool store(const Moving_triangulation_3& mesh, const typename Complex::Update& mode)
+  bool store(const Moving_triangulation_3& mesh, const Update& mode)
   {
-    return complex_.update(mesh.sites, mode);
+    return restricted_triangulation_.update(mesh.sites, mode);
   }
 
   // Replaces the c3t3 by the state that store() has led to.
@@ -311,7 +320,8 @@ private:
   }
 
   C3t3& c3t3_;
-  Complex complex_;
+  Restricted_triangulation restricted_triangulation_;
+  Complex& complex_;
   std::vector<Vertex_handle> input_vertices_;
   Site_map site_;
 };

@@ -70,7 +70,7 @@ public:
 private:
   typedef C3t3_bridge_3<C3t3, Mesh_domain> Bridge;
   typedef typename Bridge::Complex Complex;
-  typedef typename Complex::Update Update;
+  typedef typename Bridge::Update Update;
 
   // As CGAL's optimizers, which bound the number of iterations even if the user
   // does not.
@@ -128,11 +128,12 @@ private:
       const std::size_t before = number_of_iterations_;
       if(!minimize_interior())
         return false;
-      if(number_of_iterations_ > before && !bridge.store(mesh_, Update{ false, false, care == CAREFUL ? Complex::ORACLE : Complex::GOOD_EVIDENCE, true }))
+      const typename Update::Evidence evidence = care == CAREFUL ? Update::ORACLE : Update::GOOD_EVIDENCE;
+      if(number_of_iterations_ > before && !bridge.store(mesh_, Update{ false, false, evidence, true }))
         return false;
     }
     bridge.commit();
-    oracle_statistics_ = bridge.complex().oracle_statistics();
+    oracle_statistics_ = bridge.oracle_statistics();
     visitor_.after_rebuild_restricted_delaunay();
     return true;
   }
@@ -196,9 +197,10 @@ private:
         continue;
       // The closest point of a polyhedral surface is cheap.
       const bool projects = is_last || care == CAREFUL || Has_aabb_tree<Mesh_domain>::value;
-      const typename Complex::Evidence evidence
-        = care == CAREFUL ? Complex::ORACLE : is_last ? Complex::GOOD_EVIDENCE : Complex::SOME_EVIDENCE;
-      const bool is_stored = bridge.store(mesh_, Update{ boundary_moves, boundary_moves && projects, evidence, is_last });
+      const typename Update::Evidence evidence
+        = care == CAREFUL ? Update::ORACLE : is_last ? Update::GOOD_EVIDENCE : Update::SOME_EVIDENCE;
+      const Update mode = { boundary_moves, boundary_moves && projects, evidence, is_last };
+      const bool is_stored = bridge.store(mesh_, mode);
       if(!is_stored && is_last && care == SWIFT)
         return false;
       // A round that leads nowhere is lost.
