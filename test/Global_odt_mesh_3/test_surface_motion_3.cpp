@@ -38,11 +38,13 @@ typedef std::array<double, 3> Vector;
 
 static double dot(const Vector& a, const Vector& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
 
-// The derivative of the objective when one vertex moves along a tangent, against its gradient.
+// The derivative of the objective when one vertex moves along a tangent, against its gradient
+// and what is known to be left out of it.
 template <class Objective>
-static double gradient_error(Objective& objective, int v, const Eigen::Vector3d& tangent, double h)
+static double gradient_error(Objective& objective, int v, const Eigen::Vector3d& tangent, double h,
+                             const Eigen::Vector3d& left_out = Eigen::Vector3d::Zero())
 {
-  const double expected = tangent.dot(objective.gradient().template segment<3>(3 * v));
+  const double expected = tangent.dot(objective.gradient().template segment<3>(3 * v) + left_out);
   const Eigen::VectorXd x = objective.point();
   double value[2];
   for(int side = 0; side < 2; ++side)
@@ -61,6 +63,34 @@ static Eigen::Vector3d some_tangent(const Vector& n, std::mt19937& random)
   std::normal_distribution<double> g;
   const Eigen::Vector3d normal(n[0], n[1], n[2]), d(g(random), g(random), g(random));
   return (d - normal.dot(d) * normal).normalized();
+}
+
+// The gradient of the ODT energy is that for a domain that does not change, as vertices stay on its
+// surface. The polyhedron of the cells changes nevertheless when a vertex of a curved surface moves,
+// by which the energy gains, for each facet of area A and outer normal n at vertex i,
+//   integral of (f_I - x^2) lambda_i n = A n ((l_ij^2 + l_ik^2) / 30 + l_jk^2 / 60).
+static std::vector<Eigen::Vector3d> gain_of_polyhedron(const Moving_triangulation_3& mesh)
+{
+  std::vector<Eigen::Vector3d> gain(mesh.sites.size(), Eigen::Vector3d::Zero());
+  const auto point = [&](int v) { return Eigen::Vector3d(mesh.sites[v].x, mesh.sites[v].y, mesh.sites[v].z); };
+  for(int c = 0; c < mesh.topology.number_of_cell_slots(); ++c)
+    for(int f = 0; mesh.topology.is_alive(c) && f < 4; ++f)
+    {
+      if(!Flat_triangulation_3::is_wall(mesh.topology.neighbor(4 * c + f)))
+        continue;
+      std::array<int, 3> t;
+      for(int k = 0; k < 3; ++k)
+        t[k] = mesh.topology.vertex(4 * c + Flat_triangulation_3::facet_vertices(f)[k]);
+      Eigen::Vector3d area = (point(t[1]) - point(t[0])).cross(point(t[2]) - point(t[0])) / 2;
+      if(area.dot(point(mesh.topology.vertex(4 * c + f)) - point(t[0])) > 0)
+        area = -area;
+      for(int i = 0; i < 3; ++i)
+      {
+        const Eigen::Vector3d p = point(t[i]), q = point(t[(i + 1) % 3]), r = point(t[(i + 2) % 3]);
+        gain[t[i]] += area * (((p - q).squaredNorm() + (p - r).squaredNorm()) / 30 + (q - r).squaredNorm() / 60);
+      }
+    }
+  return gain;
 }
 
 // The ODT energy of points in a convex body, of which those on the hull move in tangential planes.
@@ -83,6 +113,7 @@ static void odt_energy(const char* name, const std::vector<Vector>& on_surface, 
   Odt_objective_3 objective(mesh, Odt_objective_3::Density(), motions);
   check::that(objective.is_feasible(), name, ": not feasible");
   const double scale = objective.gradient().cwiseAbs().maxCoeff();
+  const std::vector<Eigen::Vector3d> gain = gain_of_polyhedron(mesh);
   int tested = 0;
   for(int v = mesh.number_of_interior_vertices; v < mesh.number_of_movable_vertices; ++v)
   {
@@ -95,7 +126,7 @@ static void odt_energy(const char* name, const std::vector<Vector>& on_surface, 
     }
     check::that(std::abs(g.dot(Eigen::Map<const Eigen::Vector3d>(m.normal.data()))) < 1e-12 * scale, name,
                 ": the gradient is not tangential");
-    const double error = gradient_error(objective, v, some_tangent(m.normal, random), 1e-6);
+    const double error = gradient_error(objective, v, some_tangent(m.normal, random), 1e-6, gain[v]);
     check::that(error < 1e-6 * scale, name, ": tangential gradient off by ", error, " of ", scale);
     ++tested;
   }
