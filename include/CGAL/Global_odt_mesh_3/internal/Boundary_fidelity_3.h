@@ -11,7 +11,6 @@
 #include <CGAL/Global_odt_mesh_3/internal/Facet_dual_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/Guilty_vertices_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/Restricted_draft_3.h>
-#include <CGAL/Global_odt_mesh_3/internal/Restricted_update.h>
 #include <CGAL/Global_odt_mesh_3/internal/Vertex_tuples.h>
 
 #include <algorithm>
@@ -33,7 +32,7 @@ public:
   typedef Domain_oracle_3<Mesh_domain> Oracle;
   typedef Guilty_vertices_3<Triangulation, Mesh_domain> Guilty_vertices;
 
-  Boundary_fidelity_3(const Complex& complex, const Draft& draft, Oracle& oracle, Guilty_vertices& guilty)
+  Boundary_fidelity_3(const Complex& complex, Draft& draft, Oracle& oracle, Guilty_vertices& guilty)
     : complex_(complex)
     , draft_(draft)
     , oracle_(oracle)
@@ -62,16 +61,15 @@ public:
       return;
     for(std::size_t n = 0; n < draft_.facets.size(); ++n)
     {
-      const Triple& t = draft_.boundary.facets()[n].vertices;
-      const int old = draft_.old_facets[n];
-      const bool is_known = old >= 0 && draft_.is_unchanged(t) && complex_.centers[old].is_exact;
-      if(is_known || is_clearly_close(t))
+      if(draft_.centers[n].is_faithful)
         continue;
+      const Triple& t = draft_.boundary.facets()[n].vertices;
       const auto known = found_.find(t);
       const double distance = known != found_.end() ? known->second
                               : oracle_.distance_to_surface(centroid(t, draft_.sites));
       found_.emplace(t, distance);
-      if(distance > farthest_centroid_)
+      draft_.centers[n].is_faithful = distance <= farthest_centroid_;
+      if(!draft_.centers[n].is_faithful)
         guilty_.blame(t);
     }
   }
@@ -79,15 +77,8 @@ public:
 private:
   typedef typename Draft::Triple Triple;
 
-  // Whether the normals tell that the facet is much closer than it has to be, where they are believed.
-  bool is_clearly_close(const Triple& t) const
-  {
-    return draft_.mode.evidence == Restricted_update::SOME_EVIDENCE
-           && depth_under_tangential_planes(t, draft_.boundary, draft_.sites) <= farthest_centroid_ / 2;
-  }
-
   const Complex& complex_;
-  const Draft& draft_;
+  Draft& draft_;
   Oracle& oracle_;
   Guilty_vertices& guilty_;
   double farthest_centroid_ = 0;

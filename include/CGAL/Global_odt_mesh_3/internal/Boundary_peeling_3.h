@@ -45,10 +45,8 @@ public:
     , preservation_(preservation)
   {}
 
-  // Gives the number of cells peeled off.
-  std::size_t peel()
+  void peel()
   {
-    std::size_t count = 0;
     std::set<Cell_handle> refused;
     for(int pass = 0; pass < 4; ++pass)
     {
@@ -68,9 +66,7 @@ public:
         if(p != peeled.end())
           c.second = p->second.second;
       }
-      count += peeled.size();
     }
-    return count;
   }
 
 private:
@@ -120,27 +116,29 @@ private:
     return complex_.labels.number(c->neighbor(facet[0])->subdomain_index());
   }
 
-  // Cells that change the topology of the boundary stay where they were.
+  // Cells that change the topology of the boundary stay where they were: those at vertices where
+  // it has changed or, if there are none, all.
   void put_back_harmful(Peeled_cells& peeled, std::set<Cell_handle>& refused)
   {
-    for(std::set<int> changed; !(changed = preservation_.changes()).empty(); extraction_.find_boundary())
+    for(std::set<int> changed; !peeled.empty() && !(changed = preservation_.changes()).empty();
+        extraction_.find_boundary())
     {
-      std::size_t number_refused = 0;
-      for(auto p = peeled.begin(); p != peeled.end(); )
+      const auto is_harmful = [&](Cell_handle c)
       {
-        const Quadruple q = draft_.numbers(p->first);
-        if(std::none_of(q.begin(), q.end(), [&](int v) { return changed.count(v) > 0; }))
-        {
+        const Quadruple q = draft_.numbers(c);
+        return std::any_of(q.begin(), q.end(), [&](int v) { return changed.count(v) > 0; });
+      };
+      const bool any = std::any_of(peeled.begin(), peeled.end(),
+                                   [&](const auto& p) { return is_harmful(p.first); });
+      for(auto p = peeled.begin(); p != peeled.end(); )
+        if(any && !is_harmful(p->first))
           ++p;
-          continue;
+        else
+        {
+          refused.insert(p->first);
+          p->first->set_subdomain_index(complex_.labels.value(p->second.first));
+          p = peeled.erase(p);
         }
-        ++number_refused;
-        refused.insert(p->first);
-        p->first->set_subdomain_index(complex_.labels.value(p->second.first));
-        p = peeled.erase(p);
-      }
-      if(number_refused == 0)
-        return;
     }
   }
 

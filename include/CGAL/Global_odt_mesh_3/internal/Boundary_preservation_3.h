@@ -12,6 +12,7 @@
 #include <CGAL/Global_odt_mesh_3/internal/Odt_energy_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/Restricted_draft_3.h>
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <map>
@@ -67,16 +68,21 @@ public:
     }
   }
 
-  // Boundary facets that are missing have a vertex in their surface Delaunay ball.
+  // Boundary facets that are missing have a vertex in their surface Delaunay ball; others
+  // have other subdomains on their sides.
   void check_facets_stay()
   {
     const std::vector<Boundary_facet>& facets = complex_.boundary.facets();
     std::vector<char> is_found(facets.size(), false);
     for(std::size_t n = 0; n < draft_.old_facets.size(); ++n)
-      if(draft_.old_facets[n] >= 0)
-        is_found[draft_.old_facets[n]] = true;
-      else
-        guilty_.blame(draft_.boundary.facets()[n].vertices);
+    {
+      const int old = draft_.old_facets[n];
+      const Boundary_facet& f = draft_.boundary.facets()[n];
+      if(old >= 0)
+        is_found[old] = true;
+      if(old < 0 || std::minmax(f.labels[0], f.labels[1]) != std::minmax(facets[old].labels[0], facets[old].labels[1]))
+        guilty_.blame(f.vertices);
+    }
     for(std::size_t n = 0; n < is_found.size(); ++n)
       if(!is_found[n])
         blame_intruders(facets[n].vertices, complex_.centers[n].point);

@@ -201,7 +201,7 @@ private:
       const Bare_point p = w.facet.first->get_facet_surface_center(w.facet.second);
       complex_.facets.push_back(w.facet);
       complex_.centers.push_back({ {{ CGAL::to_double(p.x()), CGAL::to_double(p.y()), CGAL::to_double(p.z()) }}, p,
-                                   w.facet.first->get_facet_surface_center_index(w.facet.second), true });
+                                   w.facet.first->get_facet_surface_center_index(w.facet.second), true, true });
     }
     complex_.mend_surface_centers();
   }

@@ -94,23 +94,6 @@ inline std::array<double, 3> centroid(const std::array<int, 3>& t, const std::ve
             (s[t[0]].z + s[t[1]].z + s[t[2]].z) / 3 }};
 }
 
-// How far the centroid of a facet is from the tangential planes at its vertices: farther than
-// from the surface, as a rule.
-inline double depth_under_tangential_planes(const std::array<int, 3>& t, const Boundary_complex_3& boundary,
-                                            const std::vector<Site>& sites)
-{
-  const std::array<double, 3> c = centroid(t, sites);
-  double deepest = 0;
-  for(int v : t)
-    if(boundary.number_of_fans(v) == 1)
-    {
-      const std::array<double, 3>& n = boundary.fan(v, 0).normal;
-      const Site& s = sites[v];
-      deepest = (std::max)(deepest, std::abs(n[0] * (c[0] - s.x) + n[1] * (c[1] - s.y) + n[2] * (c[2] - s.z)));
-    }
-  return deepest;
-}
-
 inline double squared_distance(const Site& s, const std::array<double, 3>& p)
 {
   return (s.x - p[0]) * (s.x - p[0]) + (s.y - p[1]) * (s.y - p[1]) + (s.z - p[2]) * (s.z - p[2]);

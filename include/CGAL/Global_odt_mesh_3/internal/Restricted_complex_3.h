@@ -54,6 +54,7 @@ public:
     Bare_point stored;              // what the complex is told
     Index index;
     bool is_exact;                  // on the surface; or else estimated from the normals
+    bool is_faithful = false;       // the facet's centroid is known to be close enough to the surface
   };
 
   // Indexed by the numbers of vertices and of boundary facets.

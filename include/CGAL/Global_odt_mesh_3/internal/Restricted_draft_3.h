@@ -57,6 +57,7 @@ public:
     mode = how;
     sites = target;
     is_settled_.assign(complex_.number_of_movable_vertices, false);
+    left_homes_.clear();
     measured_boundary = complex_.boundary;
     measure();
   }
@@ -108,8 +109,17 @@ public:
   // Where the vertex is now is its home from now on.
   void settle_home(int v)
   {
+    left_homes_.emplace_back(v, complex_.sites[v]);
     complex_.sites[v] = sites[v];
     is_settled_[v] = true;
+  }
+
+  // The draft is given up; vertices are at home where they were.
+  void discard()
+  {
+    for(auto h = left_homes_.rbegin(); h != left_homes_.rend(); ++h)
+      complex_.sites[h->first] = h->second;
+    left_homes_.clear();
   }
 
   // Whether a boundary facet is where it was.
@@ -163,6 +173,7 @@ private:
 
   Complex& complex_;
   std::vector<char> is_settled_;              // of the movable vertices
+  std::vector<std::pair<int, Site> > left_homes_;
 };
 
 } // namespace internal

@@ -42,11 +42,6 @@ public:
   typedef Restricted_complex_3<Triangulation, Mesh_domain> Complex;
   typedef Restricted_update Update;
 
-  struct Statistics
-  {
-    std::size_t updates = 0, refused_updates = 0, attempts = 0, sent_back = 0, pushed = 0, peeled = 0;
-  };
-
   explicit Restricted_triangulation_3(const Mesh_domain& domain)
     : oracle_(domain)
     , draft_(complex_)
@@ -69,7 +64,6 @@ public:
   Complex& complex() { return complex_; }
 
   const Oracle_statistics& oracle_statistics() const { return oracle_.statistics(); }
-  const Statistics& statistics() const { return statistics_; }
 
   bool is_rough() { return projection_.is_rough(); }
   void measure_fidelity() { fidelity_.measure_input(); }
@@ -78,7 +72,6 @@ public:
   // nothing could be done; the state is as before then, and if anything throws.
   bool update(const std::vector<Site>& target, const Update& mode)
   {
-    ++statistics_.updates;
     draft_.start(target, mode);
     guilty_.start();
     projection_.start();
@@ -90,7 +83,6 @@ public:
     draft_.build();
     for(int attempt = 0; attempt < most_attempts; ++attempt)
     {
-      ++statistics_.attempts;
       guilty_.clear();
       check();
       if(guilty_.is_empty())
@@ -102,7 +94,7 @@ public:
       if(guilty_.is_hopeless() || !send_back(attempt))
         break;
     }
-    ++statistics_.refused_updates;
+    draft_.discard();
     return false;
   }
 
@@ -130,7 +122,7 @@ private:
     if(!guilty_.is_empty())
       return;
     if(draft_.mode.boundary_moves)
-      statistics_.peeled += peeling_.peel();
+      peeling_.peel();
     centers_.find_surface_centers();
     if(draft_.mode.boundary_moves && guilty_.is_empty())
       fidelity_.check_fidelity();
@@ -157,7 +149,6 @@ private:
     {
       if(!draft_.is_movable(v) || draft_.is_home(v))
         continue;
-      ++statistics_.sent_back;
       if(!send_back(v, attempt))
         return false;
       if(!rebuild)
@@ -182,7 +173,6 @@ private:
         continue;
       Site& s = draft_.sites[p.first];
       s = { s.x + p.second[0], s.y + p.second[1], s.z + p.second[2], s.weight };
-      ++statistics_.pushed;
     }
   }
 
@@ -208,7 +198,6 @@ private:
   Boundary_peeling_3<Triangulation, Mesh_domain> peeling_;
   Surface_centers_3<Triangulation, Mesh_domain> centers_;
   Boundary_fidelity_3<Triangulation, Mesh_domain> fidelity_;
-  Statistics statistics_;
 };
 
 } // namespace internal

@@ -68,8 +68,10 @@ public:
         const Vector p = estimated_surface_center(t, draft_.boundary, draft_.sites);
         center = { p, Bare_point(p[0], p[1], p[2]), old >= 0 ? complex_.centers[old].index : Index(), false };
       }
+      const bool is_faithful = center.is_faithful;
       if(draft_.mode.finds_centers && !center.is_exact)
         put_on_surface(n, center);
+      center.is_faithful = is_faithful;
       if(draft_.mode.finds_centers && center.is_exact)
         check_duals(n);
     }

@@ -93,6 +93,7 @@ public:
       return true;
     }
     draft_.sites[v] = complex_.sites[v];
+    next_drift_[v] = drift_[v];
     if(draft_.mode.projects && is_careful() && !on_surface_[v])
     {
       if(!project(v))
