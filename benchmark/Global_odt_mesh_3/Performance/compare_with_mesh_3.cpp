@@ -90,7 +90,7 @@ void compare(const char* name, const C3t3& input, const Domain& domain)
       odt::Moving_triangulation_3 mesh;
       odt::C3t3_bridge_3<C3t3, Domain> b(copy, domain);
       b.load(mesh, false);
-      b.store(mesh, { false, false, true, true });
+      b.store(mesh, { false, false, odt::Restricted_update::GOOD_EVIDENCE, true });
       b.commit();
     }));
   }

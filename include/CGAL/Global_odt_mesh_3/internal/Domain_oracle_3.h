@@ -10,6 +10,9 @@
 
 #include <array>
 #include <cmath>
+#ifdef CGAL_GLOBAL_ODT_MESH_3_PROFILING
+#  include <chrono>
+#endif
 #include <cstddef>
 #include <tuple>
 #include <type_traits>
@@ -38,8 +41,36 @@ struct Oracle_statistics
   std::size_t intersections = 0;    // do_intersect_surface followed by construct_intersection
   std::size_t projections = 0;      // closest points from the AABB tree
   std::size_t failures = 0;         // intersections and projections that found nothing of use
+  double seconds = 0;               // spent in the domain, if CGAL_GLOBAL_ODT_MESH_3_PROFILING is defined
 
   std::size_t calls() const { return locations + intersections + projections; }
+
+  Oracle_statistics& operator+=(const Oracle_statistics& o)
+  {
+    locations += o.locations; intersections += o.intersections; projections += o.projections;
+    failures += o.failures; seconds += o.seconds;
+    return *this;
+  }
+};
+
+// Adds the time of its life to the statistics.
+class Oracle_stopwatch
+{
+#ifdef CGAL_GLOBAL_ODT_MESH_3_PROFILING
+public:
+  explicit Oracle_stopwatch(Oracle_statistics& s) : statistics_(s), begin_(std::chrono::steady_clock::now()) {}
+  ~Oracle_stopwatch()
+  {
+    statistics_.seconds += std::chrono::duration<double>(std::chrono::steady_clock::now() - begin_).count();
+  }
+
+private:
+  Oracle_statistics& statistics_;
+  std::chrono::steady_clock::time_point begin_;
+#else
+public:
+  explicit Oracle_stopwatch(Oracle_statistics&) {}
+#endif
 };
 
 // All questions to the domain go through here. They are those of the concept
@@ -65,6 +96,7 @@ public:
   Subdomain_index subdomain(const Point_3& p)
   {
     ++statistics_.locations;
+    const Oracle_stopwatch stopwatch(statistics_);
     const auto s = domain_.is_in_domain_object()(p);
     return s ? Subdomain_index(*s) : Subdomain_index();
   }
@@ -78,6 +110,7 @@ public:
     if constexpr (Has_aabb_tree<Mesh_domain>::value)
     {
       ++statistics_.projections;
+      const Oracle_stopwatch stopwatch(statistics_);
       const auto closest = domain_.aabb_tree().closest_point_and_primitive(Point_3(p[0], p[1], p[2]));
       const Vector q = coordinates(closest.first);
       if(distance(p, q) <= reach && domain_.make_surface_index(closest.second) == patch)
@@ -112,6 +145,7 @@ public:
     if constexpr (Has_aabb_tree<Mesh_domain>::value)
     {
       ++statistics_.projections;
+      const Oracle_stopwatch stopwatch(statistics_);
       return distance(p, coordinates(domain_.aabb_tree().closest_point(Point_3(p[0], p[1], p[2]))));
     }
     else
@@ -123,6 +157,7 @@ public:
   bool intersect(Vector& p, const Vector& direction, double half_length, Index& index)
   {
     ++statistics_.intersections;
+    const Oracle_stopwatch stopwatch(statistics_);
     const Segment_3 s(Point_3(p[0] - half_length * direction[0], p[1] - half_length * direction[1],
                               p[2] - half_length * direction[2]),
                       Point_3(p[0] + half_length * direction[0], p[1] + half_length * direction[1],

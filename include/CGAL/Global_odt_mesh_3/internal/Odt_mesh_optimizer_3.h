@@ -60,7 +60,7 @@ public:
     return !parameters_.remesh_boundary && run(BOUNDARY_FIXED) ? code_ : CANT_IMPROVE_ANYMORE;
   }
 
-  // Of the attempt that led to the result.
+  // Of all attempts.
   const Oracle_statistics& oracle_statistics() const { return oracle_statistics_; }
   std::size_t number_of_surface_vertices() const
   {
@@ -97,6 +97,13 @@ private:
   bool run(Care care)
   {
     Bridge bridge(c3t3_, domain_);
+    const bool is_done = run(bridge, care);
+    oracle_statistics_ += bridge.oracle_statistics();
+    return is_done;
+  }
+
+  bool run(Bridge& bridge, Care care)
+  {
     bridge.load(mesh_, care != BOUNDARY_FIXED);
     number_of_iterations_ = 0;
     still_.clear();
@@ -133,7 +140,6 @@ private:
         return false;
     }
     bridge.commit();
-    oracle_statistics_ = bridge.oracle_statistics();
     visitor_.after_rebuild_restricted_delaunay();
     return true;
   }

@@ -1,0 +1,173 @@
+// Copyright (c) 2026 The Global_odt_mesh_3 authors.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+// What it gives to move vertices on surfaces, and in which way, beside CGAL's own optimizer, on the
+// same meshes in one run, in process CPU time:
+//   - the boundary fixed,
+//   - the boundary remeshed by restricted CVT, then the interior with the boundary fixed
+//     (the way of the paper, section 5.1),
+//   - the default call, that begins with some remeshing and goes on with all vertices together,
+//   - the same after the boundary has been remeshed to the end,
+//   - the default call with rounds of global search.
+//
+//   move_boundary [rounds of search, default 10] [iterations of CGAL's optimizer without freezing, default 0]
+//
+// Environment: CGAL_DATA_DIR, the directory of CGAL's data.
+
+#define CGAL_GLOBAL_ODT_MESH_3_PROFILING
+
+#include "benchmark_inputs.h"
+
+#include <CGAL/Mesh_quality_report_3.h>
+#include <CGAL/Timer.h>
+#include <CGAL/odt_optimize_mesh_3.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdio>
+#include <cstdlib>
+#include <functional>
+#include <string>
+
+using namespace inputs;
+namespace odt = CGAL::Global_odt_mesh_3::internal;
+
+static int search_rounds = 10, cgal_iterations = 0;
+
+static double seconds(const std::function<void()>& f)
+{
+  CGAL::Timer timer;
+  timer.start();
+  f();
+  timer.stop();
+  return timer.time();
+}
+
+struct Cost
+{
+  double seconds = 0, oracle_seconds = 0;
+  std::size_t questions = 0, projections = 0, surface_vertices = 0;
+};
+
+template <class C3t3>
+void print(const char* what, const C3t3& c3t3, double input_volume, const Cost& cost)
+{
+  const CGAL::Mesh_quality_report_3 r = CGAL::mesh_quality_report_3(c3t3, { 10, 20 });
+  std::printf("  %-22s %.4f  %6.2f - %6.2f  %4zu %5zu  %+.3f %%  %6.2f s", what, r.mean_radius_ratio, r.smallest_angle,
+              r.largest_angle, r.cells_below[0].second, r.cells_below[1].second,
+              100 * (r.total().volume / input_volume - 1), cost.seconds);
+  if(cost.surface_vertices > 0)
+    std::printf("  %6.2f %6.2f %5.1f %%", cost.questions / double(cost.surface_vertices),
+                cost.projections / double(cost.surface_vertices), 100 * cost.oracle_seconds / cost.seconds);
+  std::printf("\n");
+  std::fflush(stdout);
+}
+
+template <class C3t3, class Domain>
+void run(C3t3& c3t3, const Domain& domain, const odt::Odt_parameters& parameters, Cost& cost)
+{
+  typedef CGAL::Mesh_3::Null_global_optimizer_visitor<C3t3> Visitor;
+  Visitor visitor;
+  odt::Odt_mesh_optimizer_3<C3t3, Domain, Visitor> optimizer(c3t3, domain, parameters, visitor);
+  cost.seconds += seconds([&] { optimizer(); });
+  const odt::Oracle_statistics& s = optimizer.oracle_statistics();
+  cost.oracle_seconds += s.seconds;
+  cost.questions += s.locations + s.intersections;
+  cost.projections += s.projections;
+  cost.surface_vertices = (std::max)(cost.surface_vertices, optimizer.number_of_surface_vertices());
+}
+
+template <class C3t3, class Domain>
+void compare(const char* name, const C3t3& input, const Domain& domain)
+{
+  typedef typename C3t3::Triangulation Triangulation;
+  typedef CGAL::Mesh_3::Mesh_sizing_field<Triangulation> Sizing;
+  typedef CGAL::Mesh_3::Odt_move<C3t3, Sizing> Move;
+  const double volume = CGAL::mesh_quality_report_3(input, { 10 }).total().volume;
+  std::printf("\n%s: %zu vertices\n", name, std::size_t(input.triangulation().number_of_vertices()));
+  std::printf("  %-22s %-7s %-16s %4s %5s  %-9s %8s  %s\n", "", "3r/R", "dihedral", "<10", "<20", "volume", "CPU",
+              "questions and projections per surface vertex, share of time");
+  print("input", input, volume, Cost());
+  {
+    C3t3 c3t3(input);
+    Cost cost;
+    CGAL::Mesh_3::Mesh_global_optimizer<C3t3, Domain, Move> optimizer(c3t3, domain, 0.01, true, 0.02);
+    cost.seconds = seconds([&] { optimizer(1000); });
+    print("CGAL, default", c3t3, volume, cost);
+  }
+  if(cgal_iterations > 0)
+  {
+    C3t3 c3t3(input);
+    Cost cost;
+    CGAL::Mesh_3::Mesh_global_optimizer<C3t3, Domain, Move> optimizer(c3t3, domain, 0., false, 0.);
+    cost.seconds = seconds([&] { optimizer(cgal_iterations); });
+    print(("CGAL, " + std::to_string(cgal_iterations) + " iterations").c_str(), c3t3, volume, cost);
+  }
+  odt::Odt_parameters usual, fixed, remeshing, searching;
+  fixed.optimize_boundary = false;
+  remeshing.remesh_boundary = true;
+  searching.number_of_rounds = search_rounds;
+  {
+    C3t3 c3t3(input);
+    Cost cost;
+    run(c3t3, domain, fixed, cost);
+    print("boundary fixed", c3t3, volume, cost);
+  }
+  {
+    C3t3 remeshed(input);
+    Cost cost;
+    run(remeshed, domain, remeshing, cost);
+    print("remeshed", remeshed, volume, cost);
+    C3t3 c3t3(remeshed);
+    Cost together = cost;
+    run(c3t3, domain, fixed, together);
+    print("remeshed, then fixed", c3t3, volume, together);
+    run(remeshed, domain, usual, cost);
+    print("remeshed, then default", remeshed, volume, cost);
+  }
+  {
+    C3t3 c3t3(input);
+    Cost cost;
+    run(c3t3, domain, usual, cost);
+    print("default", c3t3, volume, cost);
+  }
+  {
+    C3t3 c3t3(input);
+    Cost cost;
+    run(c3t3, domain, searching, cost);
+    print(("search, " + std::to_string(search_rounds) + " rounds").c_str(), c3t3, volume, cost);
+  }
+}
+
+int main(int argc, char* argv[])
+{
+  search_rounds = argc > 1 ? std::atoi(argv[1]) : search_rounds;
+  cgal_iterations = argc > 2 ? std::atoi(argv[2]) : cgal_iterations;
+  {
+    const Labeled_domain domain = sphere_domain();
+    compare("sphere", sphere(domain, 0.0572), domain);
+    compare("coarse sphere", sphere(domain, 0.096), domain);
+    compare("graded sphere", graded_sphere(domain, 0.0392), domain);
+  }
+  {
+    const Polyhedron elephant = read_polyhedron(CGAL::data_file_path("meshes/elephant.off"));
+    const Polyhedral_domain domain(elephant);
+    compare("elephant", polyhedral_mesh(domain, 0.0104, false), domain);
+  }
+  {
+    const Polyhedron fandisk = read_polyhedron(CGAL::data_file_path("meshes/fandisk.off"));
+    Polyhedral_domain domain(fandisk);
+    domain.detect_features();
+    compare("fandisk", polyhedral_mesh(domain, 0.0158, true), domain);
+  }
+  {
+    CGAL::Image_3 image;
+    if(!image.read(CGAL::data_file_path("images/liver.inr.gz").c_str()))
+      return EXIT_FAILURE;
+    const Labeled_domain domain = image_domain(image);
+    compare("liver", image_mesh(domain, 3.9, 5.6), domain);
+  }
+  return EXIT_SUCCESS;
+}
