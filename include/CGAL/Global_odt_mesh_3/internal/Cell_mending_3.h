@@ -59,7 +59,7 @@ public:
     { return draft_.is_movable(v) && !draft_.is_home(v) && guilty_.number_of_strikes(v) < 2; };
     const auto v = std::find_if(q.begin(), q.end(),
                                 [this](int w) { return w < complex_.number_of_interior_vertices; });
-    if(std::any_of(q.begin(), q.end(), may_go_back) || v == q.end() || guilty_.add_push(*v) > most_pushes)
+    if(std::any_of(q.begin(), q.end(), may_go_back) || v == q.end() || guilty_.number_of_pushes(*v) >= most_pushes)
     {
       guilty_.blame(q);
       return;
@@ -81,8 +81,10 @@ public:
       guilty_.blame(q);
       return;
     }
+    // The more often, the farther.
+    const double step = step_from_boundary * edge * (1 + guilty_.number_of_pushes(*v));
     for(double& x : inward)
-      x *= step_from_boundary * edge / length;
+      x *= step / length;
     guilty_.push(*v, inward);
   }
 
@@ -90,7 +92,7 @@ private:
   typedef std::array<double, 3> Vector;
 
   static constexpr double step_from_boundary = 0.05;          // over an edge on the boundary
-  static constexpr int most_pushes = 3;
+  static constexpr int most_pushes = 5;
 
   const Complex& complex_;
   const Draft& draft_;

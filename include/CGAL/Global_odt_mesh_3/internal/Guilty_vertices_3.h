@@ -94,10 +94,18 @@ public:
     return it == strikes_.end() ? 0 : it->second;
   }
 
-  // Counts, and says, how often the vertex was to be pushed.
-  int add_push(int v) { return ++number_of_pushes_[v]; }
+  // How often the vertex has been pushed.
+  int number_of_pushes(int v) const
+  {
+    const auto it = number_of_pushes_.find(v);
+    return it == number_of_pushes_.end() ? 0 : it->second;
+  }
 
-  void push(int v, const Vector& by) { pushes_.emplace(v, by); }
+  void push(int v, const Vector& by)
+  {
+    if(pushes_.emplace(v, by).second)
+      ++number_of_pushes_[v];
+  }
 
   // What the domain has said of facets holds as long as their vertices stay where they are.
   template <class Answers>

@@ -83,6 +83,7 @@ private:
   static constexpr int iterations_inside_while_remeshing = 10;
   static constexpr int most_rounds_of_minimizer = 12;
   static constexpr int least_careful_rounds = 6;
+  static constexpr int most_tries_of_last_round = 3;
   static constexpr double least_gain_of_round = 2e-4;     // of the energy, relatively
   static constexpr double longest_way_in_round = 0.3;     // of a surface vertex, over its shortest edge on the surface
   static constexpr double share_of_rounds = 0.6;          // of the progress that is reported
@@ -156,8 +157,9 @@ private:
     const bool only_remeshes = parameters_.remesh_boundary;
     const int remesh_rounds = !boundary_moves ? 0 : only_remeshes ? most_rounds_of_minimizer : rounds_of_remeshing;
     const int search_rounds = only_remeshes ? 0 : static_cast<int>(parameters_.number_of_rounds);
-    const int rounds = remesh_rounds + search_rounds
-                       + (boundary_moves && !only_remeshes ? most_rounds_of_minimizer : 0);
+    int rounds = remesh_rounds + search_rounds
+                 + (boundary_moves && !only_remeshes ? most_rounds_of_minimizer : 0);
+    int tries = most_tries_of_last_round;
     Momentum_annealing annealing(parameters_.random_seed);
     double energy = (std::numeric_limits<double>::max)();
     Stage previous = REMESH;
@@ -208,7 +210,12 @@ private:
       const Update mode = { boundary_moves, boundary_moves && projects, evidence, is_last };
       const bool is_stored = bridge.store(mesh_, mode);
       if(!is_stored && is_last && care == SWIFT)
-        return false;
+      {
+        if(!goes_on_ || --tries == 0)
+          return false;
+        is_last = false;
+        ++rounds;
+      }
       // A round that leads nowhere is lost.
       bridge.reload(mesh_);
     }
