@@ -56,6 +56,20 @@ public:
   const std::map<int, Vector>& pushes() const { return pushes_; }
   bool is_offender(int v) const { return offenders_.count(v) > 0; }
 
+  // Collects displaced vertices among these; whether there are any.
+  template <class Vertices>
+  bool blame_displaced(const Vertices& vertices)
+  {
+    bool found = false;
+    for(int v : vertices)
+      if(draft_.is_movable(v) && !draft_.is_home(v))
+      {
+        offenders_.insert(v);
+        found = true;
+      }
+    return found;
+  }
+
   // Collects displaced vertices among these or, if there are none, around them.
   template <class Vertices>
   void blame(const Vertices& vertices)
@@ -64,14 +78,7 @@ public:
     region.erase(-1);
     for(int ring = 0; ring < 6; ++ring)
     {
-      bool found = false;
-      for(int v : region)
-        if(draft_.is_movable(v) && !draft_.is_home(v))
-        {
-          offenders_.insert(v);
-          found = true;
-        }
-      if(found)
+      if(blame_displaced(region))
         return;
       draft_.numbered.grow(region);
     }

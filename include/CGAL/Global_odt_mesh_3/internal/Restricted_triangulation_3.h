@@ -52,7 +52,7 @@ public:
     , extraction_(complex_, draft_, oracle_)
     , preservation_(complex_, draft_, guilty_)
     , peeling_(complex_, draft_, extraction_, preservation_)
-    , centers_(complex_, draft_, oracle_, mending_)
+    , centers_(complex_, draft_, oracle_, guilty_, mending_)
     , fidelity_(complex_, draft_, oracle_, guilty_)
   {}
 

@@ -39,10 +39,12 @@ public:
   typedef Guilty_vertices_3<Triangulation, Mesh_domain> Guilty_vertices;
   typedef Cell_mending_3<Triangulation, Mesh_domain> Cell_mending;
 
-  Surface_centers_3(Complex& complex, Draft& draft, Oracle& oracle, Cell_mending& mending)
+  Surface_centers_3(Complex& complex, Draft& draft, Oracle& oracle, Guilty_vertices& guilty,
+                    Cell_mending& mending)
     : complex_(complex)
     , draft_(draft)
     , oracle_(oracle)
+    , guilty_(guilty)
     , mending_(mending)
   {}
 
@@ -72,8 +74,13 @@ public:
       if(draft_.mode.finds_centers && !center.is_exact)
         put_on_surface(n, center);
       center.is_faithful = is_faithful;
-      if(draft_.mode.finds_centers && center.is_exact)
+      if(!draft_.mode.finds_centers)
+        continue;
+      // Without a center, the facet is better where it was, if that helps.
+      if(center.is_exact)
         check_duals(n);
+      else
+        guilty_.blame_displaced(t);
     }
   }
 
@@ -155,6 +162,7 @@ private:
   Complex& complex_;
   Draft& draft_;
   Oracle& oracle_;
+  Guilty_vertices& guilty_;
   Cell_mending& mending_;
   std::unordered_map<Triple, Surface_center, Hash_vertex_tuple> found_;
 };
