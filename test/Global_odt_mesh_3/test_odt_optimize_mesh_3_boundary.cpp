@@ -1,0 +1,436 @@
+// Copyright (c) 2026 The Global_odt_mesh_3 authors.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+// On difficult boundaries - thin, touching, branching, sharp, strongly bent - and with
+// domains that fail or throw, odt_optimize_mesh_3() and remesh_boundary_mesh_3() keep
+// what they promise.
+
+#include "mesh_contract.h"
+#include "mesh_domains.h"
+
+#include <CGAL/Bbox_3.h>
+#include <CGAL/Mesh_quality_report_3.h>
+#include <CGAL/odt_optimize_mesh_3.h>
+#include <CGAL/remesh_boundary_mesh_3.h>
+#include <CGAL/tags.h>
+#include <CGAL/version.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <functional>
+#include <iostream>
+#include <limits>
+#include <set>
+#include <sstream>
+#include <stdexcept>
+#include <string>
+#include <tuple>
+#include <utility>
+#if CGAL_VERSION_NR < 1060000000
+#  include <boost/optional.hpp>
+#else
+#  include <optional>
+#endif
+
+namespace params = CGAL::parameters;
+using domains::FT;
+using domains::Point_3;
+
+// By which ratio the volumes of a subdomain and of all may change, and how far the surface's own
+// points are from it, over the size of the mesh.
+struct Tolerance
+{
+  double subdomain, all, surface;
+};
+
+// Gives the optimized and the remeshed mesh.
+template <class C3t3, class Domain>
+std::array<C3t3, 2> test(const std::string& name, const C3t3& input, const Domain& domain, const Tolerance& t)
+{
+  const Mesh_contract<C3t3, Domain> contract(input, domain, name);
+  std::array<C3t3, 2> results{{ input, input }};
+  CGAL::odt_optimize_mesh_3(results[0], domain);
+  contract.check_moved(results[0], t.subdomain, t.all, t.surface);
+  CGAL::remesh_boundary_mesh_3(results[1], domain);
+  contract.check_moved(results[1], t.subdomain, t.all, t.surface);
+
+  const double before = CGAL::mesh_quality_report_3(input).mean_radius_ratio;
+  const double after = CGAL::mesh_quality_report_3(results[0]).mean_radius_ratio;
+  check::that(after >= before, name, ": mean radius ratio ", before, " -> ", after);
+  std::cout << name << ": " << input.triangulation().number_of_vertices() << " vertices, "
+            << contract.number_of_interior_vertices() << " inside, mean radius ratio " << before << " -> " << after
+            << std::endl;
+  return results;
+}
+
+// Sharp edges that are no features are cut by coarse facets, hence the volumes.
+static const Tolerance edged = { 0.05, 0.05, 4e-3 };
+
+// Nearly all vertices are on two sheets that are closer than the facets are large: no vertex
+// may be projected to the other sheet.
+static void plate()
+{
+  for(double half : { 0.07, 0.06 })
+  {
+    const domains::Labeled_domain domain = domains::labeled([half](const Point_3& p)
+    { return std::abs(p.x()) < 1 && std::abs(p.y()) < 0.9 && std::abs(p.z()) < half ? 1 : 0; });
+    const domains::Labeled_c3t3 mesh = domains::mesh(domain, 0.2);
+    std::ostringstream name;
+    name << "plate of thickness " << 2 * half;
+    test(name.str(), mesh, domain, edged);
+  }
+}
+
+// Surfaces closer than the mesh size, or crossing, are to be neither joined nor parted.
+static void touching()
+{
+  for(int label : { 2, 1 })
+    for(double gap : { 0.003, 0., -0.01 })
+    {
+      const domains::Labeled_domain domain = domains::labeled([gap, label](const Point_3& p)
+      {
+        const Point_3 from_center(p.x(), p.y(), p.z() - 0.5 - gap);
+        return domains::squared(from_center) < 0.25 ? label
+               : p.z() < 0 && p.z() > -0.4 && std::abs(p.x()) < 0.8 && std::abs(p.y()) < 0.7 ? 1 : 0;
+      });
+      std::ostringstream name;
+      name << "ball and slab of labels " << label << " and 1, gap " << gap;
+      test(name.str(), domains::mesh(domain, 0.16), domain, edged);
+    }
+}
+
+// Where three subdomains meet in a curve, and where four and eight meet in a point, vertices stay.
+static void junctions()
+{
+  const Tolerance branching = { 0.03, 0.01, 4e-3 };
+  const auto in_ball = [](const std::function<int(const Point_3&)>& label)
+  { return domains::labeled([label](const Point_3& p) { return domains::squared(p) < 1 ? label(p) : 0; }); };
+  const domains::Labeled_domain
+    sectors = in_ball([](const Point_3& p) { return p.x() > 0.01 ? 1 : p.y() > 0.02 ? 2 : 3; }),
+    four = in_ball([](const Point_3& p) { return p.z() > 0.013 ? 4 : p.x() > 0.01 ? 1 : p.y() > 0.02 ? 2 : 3; }),
+    octants = in_ball([](const Point_3& p)
+                      { return 1 + (p.x() > 0.01 ? 1 : 0) + (p.y() > 0.02 ? 2 : 0) + (p.z() > 0.013 ? 4 : 0); });
+  test("three sectors of a ball", domains::mesh(sectors, 0.25), sectors, branching);
+  test("four parts of a ball", domains::mesh(four, 0.25), four, branching);
+  test("octants of a ball", domains::mesh(octants, 0.25), octants, branching);
+}
+
+// A box with a tiny notch in one corner.
+static domains::Polyhedron slightly_notched_box()
+{
+  domains::Polyhedron box = domains::notched_box();
+  const auto outward = [](FT x) { return x == 1 ? FT(1.8) : x; };
+  for(auto p = box.points_begin(); p != box.points_end(); ++p)
+    *p = Point_3(outward(p->x()), outward(p->y()), outward(p->z()));
+  return box;
+}
+
+// Two faces at an angle of 14 degrees.
+static domains::Polyhedron wedge()
+{
+  std::istringstream in("OFF\n6 8 0\n"
+                        "0 0 0\n2 0 0\n2 0 0.5\n0 1.5 0\n2 1.5 0\n2 1.5 0.5\n"
+                        "3 0 1 2\n3 3 5 4\n3 0 3 4\n3 0 4 1\n3 1 4 5\n3 1 5 2\n3 0 2 5\n3 0 5 3\n");
+  domains::Polyhedron p;
+  in >> p;
+  return p;
+}
+
+// Vertices that slide near touching protecting balls must not hide, nor be hidden by them.
+static void features()
+{
+  const auto test_features = [](const char* name, const domains::Polyhedron& polyhedron, double size, double volume)
+  {
+    domains::Polyhedral_domain domain(polyhedron);
+    domain.detect_features();
+    const domains::Polyhedral_c3t3 mesh = domains::mesh(domain, size, true);
+    check::that(mesh.number_of_edges_in_complex() > 0, name, ": no features");
+    test(name, mesh, domain, { volume, volume, 4e-3 });
+  };
+  test_features("notched box with features", domains::notched_box(), 0.3, 1e-9);
+  test_features("slightly notched box with features", slightly_notched_box(), 0.4, 1e-9);
+  // Some cells along the thin edge are outside, for the mesher and after.
+  test_features("wedge with features", wedge(), 0.2, 1e-3);
+}
+
+// Strong curvature over few vertices, and edges and corners that are no features: tangential
+// planes lead far from the surface. Volumes depend on where the few vertices are.
+static void bent()
+{
+  const Tolerance coarse = { 0.15, 0.15, 4e-3 };
+  const domains::Labeled_domain
+    cylinder = domains::labeled([](const Point_3& p)
+                                { return p.x() * p.x() + p.y() * p.y() < 0.06 && std::abs(p.z()) < 1.1 ? 1 : 0; }),
+    tetrahedron = domains::labeled([](const Point_3& p)
+    {
+      const FT x = p.x(), y = p.y(), z = p.z();
+      return (std::max)({ x + y + z, x - y - z, -x + y - z, -x - y + z }) < 0.6 ? 1 : 0;
+    });
+  test("cylinder", domains::mesh(cylinder, 0.3), cylinder, coarse);
+  test("tetrahedron", domains::mesh(tetrahedron, 0.35), tetrahedron, coarse);
+}
+
+// That of the concept depends on the version of CGAL.
+#if CGAL_VERSION_NR < 1060000000
+template <class T> using Optional = boost::optional<T>;
+#else
+template <class T> using Optional = std::optional<T>;
+#endif
+
+// What an analytic domain was asked, and where it fails.
+struct Questions
+{
+  enum Kind { IS_IN_DOMAIN, DO_INTERSECT_SURFACE, CONSTRUCT_INTERSECTION };
+  std::array<long, 3> asked{};
+  std::array<long, 3> throws_at{{ -1, -1, -1 }};
+  long misses_of_dozen = 0;   // so many intersections in a row are missed, as the first may be tried again
+
+  void ask(Kind kind)
+  {
+    if(asked[kind]++ == throws_at[kind])
+      throw std::runtime_error("the domain fails");
+  }
+};
+
+// A ball in an ellipsoid, as the concept MeshDomain_3 has it and no more: there is no AABB
+// tree, and indices of patches can be compared for equality only. Other than those of
+// labeled domains, its segments intersect also where both ends are on one side.
+class Ellipsoid_domain
+{
+public:
+  typedef domains::Kernel R;
+  typedef R::FT FT;
+  typedef R::Point_3 Point_3;
+  typedef R::Vector_3 Vector_3;
+  typedef R::Segment_3 Segment_3;
+  typedef R::Ray_3 Ray_3;
+  typedef R::Line_3 Line_3;
+  typedef CGAL::Tag_false Has_features;
+
+  struct Surface_patch_index
+  {
+    int quadric = -1;
+    bool operator==(const Surface_patch_index& other) const { return quadric == other.quadric; }
+    bool operator!=(const Surface_patch_index& other) const { return quadric != other.quadric; }
+    friend std::ostream& operator<<(std::ostream& out, const Surface_patch_index& i) { return out << i.quadric; }
+  };
+  // The order and the way from subdomains are for the contract.
+  struct Index
+  {
+    int dimension = 0, number = 0;
+    Index() = default;
+    explicit Index(int subdomain) : Index(3, subdomain) {}
+    Index(int dimension, int number) : dimension(dimension), number(number) {}
+    bool operator==(const Index& i) const { return dimension == i.dimension && number == i.number; }
+    bool operator<(const Index& i) const { return std::tie(dimension, number) < std::tie(i.dimension, i.number); }
+  };
+  typedef int Subdomain_index;
+  typedef Optional<Subdomain_index> Subdomain;
+  typedef Optional<Surface_patch_index> Surface_patch;
+  typedef std::tuple<Point_3, Index, int> Intersection;
+
+  struct Construct_initial_points
+  {
+    const Ellipsoid_domain& domain;
+
+    // Along a spiral on each surface.
+    template <class OutputIterator>
+    OutputIterator operator()(OutputIterator points, int n = 24) const
+    {
+      for(int k = 0; k < n; ++k)
+      {
+        const int quadric = k % 2;
+        const double z = (2 * k + 1.) / n - 1, r = std::sqrt(1 - z * z);
+        const std::array<double, 3>& axes = domain.axes[quadric];
+        const Point_3 p(axes[0] * r * std::cos(2.4 * k), axes[1] * r * std::sin(2.4 * k), axes[2] * z);
+        *points++ = std::make_pair(p, Index(2, quadric));
+      }
+      return points;
+    }
+  };
+
+  struct Is_in_domain
+  {
+    const Ellipsoid_domain& domain;
+
+    Subdomain operator()(const Point_3& p) const
+    {
+      domain.questions.ask(Questions::IS_IN_DOMAIN);
+      const int around = (domain.equation(0, p - CGAL::ORIGIN) < 1) + (domain.equation(1, p - CGAL::ORIGIN) < 1);
+      return around == 0 ? Subdomain() : Subdomain(around);     // 2 is the ball
+    }
+  };
+
+  struct Do_intersect_surface
+  {
+    const Ellipsoid_domain& domain;
+
+    template <class Query>
+    Surface_patch operator()(const Query& query) const
+    {
+      domain.questions.ask(Questions::DO_INTERSECT_SURFACE);
+      const Intersection i = domain.intersection(query);
+      return std::get<2>(i) == 0 ? Surface_patch() : Surface_patch(domain.surface_patch_index(std::get<1>(i)));
+    }
+  };
+
+  struct Construct_intersection
+  {
+    const Ellipsoid_domain& domain;
+
+    template <class Query>
+    Intersection operator()(const Query& query) const
+    {
+      Questions& questions = domain.questions;
+      questions.ask(Questions::CONSTRUCT_INTERSECTION);
+      return questions.asked[Questions::CONSTRUCT_INTERSECTION] % 12 < questions.misses_of_dozen
+             ? Intersection() : domain.intersection(query);
+    }
+  };
+
+  Construct_initial_points construct_initial_points_object() const { return { *this }; }
+  Is_in_domain is_in_domain_object() const { return { *this }; }
+  Do_intersect_surface do_intersect_surface_object() const { return { *this }; }
+  Construct_intersection construct_intersection_object() const { return { *this }; }
+
+  Index index_from_surface_patch_index(const Surface_patch_index& i) const { return { 2, i.quadric }; }
+  Index index_from_subdomain_index(const Subdomain_index& i) const { return { 3, i }; }
+  Surface_patch_index surface_patch_index(const Index& i) const { return { i.number }; }
+  Subdomain_index subdomain_index(const Index& i) const { return i.number; }
+  CGAL::Bbox_3 bbox() const { return CGAL::Bbox_3(-1, -0.8, -0.7, 1, 0.8, 0.7); }
+
+  mutable Questions questions;
+
+private:
+  // 1 on the surface.
+  FT equation(int quadric, const Vector_3& v) const { return product(quadric, v, v); }
+
+  FT product(int quadric, const Vector_3& v, const Vector_3& w) const
+  {
+    FT sum = 0;
+    for(int k = 0; k < 3; ++k)
+      sum += v[k] * w[k] / CGAL::square(axes[quadric][k]);
+    return sum;
+  }
+
+  Intersection intersection(const Segment_3& s) const { return intersection(s.source(), s.to_vector(), 0, 1); }
+  Intersection intersection(const Ray_3& r) const { return intersection(r.source(), r.to_vector(), 0, infinity); }
+  Intersection intersection(const Line_3& l) const
+  {
+    return intersection(l.point(), l.to_vector(), -infinity, infinity);
+  }
+
+  // The first of the points p + t v with t from `lo` to `hi`.
+  Intersection intersection(const Point_3& p, const Vector_3& v, FT lo, FT hi) const
+  {
+    Intersection first;
+    for(int quadric : { 0, 1 })
+    {
+      const FT a = product(quadric, v, v), b = product(quadric, v, p - CGAL::ORIGIN),
+               c = equation(quadric, p - CGAL::ORIGIN) - 1, discriminant = b * b - a * c;
+      if(a == 0 || discriminant < 0)
+        continue;
+      for(FT t : { (-b - std::sqrt(discriminant)) / a, (-b + std::sqrt(discriminant)) / a })
+        if(lo <= t && t <= hi)
+        {
+          hi = t;
+          first = Intersection(p + t * v, Index(2, quadric), 2);
+        }
+    }
+    return first;
+  }
+
+  static constexpr double infinity = std::numeric_limits<double>::infinity();
+  const std::array<std::array<double, 3>, 2> axes{{ {{ 1, 0.8, 0.7 }}, {{ 0.35, 0.35, 0.35 }} }};
+};
+
+typedef CGAL::Mesh_triangulation_3<Ellipsoid_domain>::type Ellipsoid_triangulation;
+typedef CGAL::Mesh_complex_3_in_triangulation_3<Ellipsoid_triangulation> Ellipsoid_c3t3;
+
+// The ball has few facets.
+static const Tolerance smooth = { 0.05, 0.01, 4e-3 };
+
+static Ellipsoid_c3t3 mesh(const Ellipsoid_domain& domain, double size)
+{
+  CGAL::Mesh_criteria_3<Ellipsoid_triangulation> criteria(
+    params::facet_angle = 25, params::facet_size = size, params::facet_distance = size / 4,
+    params::cell_radius_edge_ratio = 2.5, params::cell_size = size);
+  return CGAL::make_mesh_3<Ellipsoid_c3t3>(domain, criteria, params::no_exude(), params::no_perturb());
+}
+
+static std::set<Point_3> surface_points(const Ellipsoid_c3t3& c3t3)
+{
+  std::set<Point_3> points;
+  const auto& tr = c3t3.triangulation();
+  for(auto v = tr.finite_vertices_begin(); v != tr.finite_vertices_end(); ++v)
+    if(v->in_dimension() == 2)
+      points.insert(v->point().point());
+  return points;
+}
+
+// Vertices whose way to the surface is not found stay on it where they are.
+static void missed_intersections(const Ellipsoid_domain& domain, const Ellipsoid_c3t3& input)
+{
+  for(long misses : { 1, 4, 12 })
+  {
+    domain.questions = Questions();
+    domain.questions.misses_of_dozen = misses;
+    const auto results = test(std::to_string(misses) + " of 12 intersections missed", input, domain, smooth);
+    check::that(domain.questions.asked[Questions::CONSTRUCT_INTERSECTION] >= 12, "no intersection was missed");
+    domain.questions = Questions();
+    for(const Ellipsoid_c3t3& c3t3 : results)
+      check::that(misses < 12 || surface_points(c3t3) == surface_points(input), "vertices moved off a surface not found");
+  }
+}
+
+// Whatever the domain was asked when it threw, the mesh is as before.
+static void exceptions(const Ellipsoid_domain& domain, const Ellipsoid_c3t3& input)
+{
+  const Mesh_contract<Ellipsoid_c3t3, Ellipsoid_domain> contract(input, domain, "exceptions");
+  const auto call = [&](bool remeshes, Ellipsoid_c3t3& c3t3)
+  {
+    if(remeshes)
+      CGAL::remesh_boundary_mesh_3(c3t3, domain);
+    else
+      CGAL::odt_optimize_mesh_3(c3t3, domain);
+  };
+  for(bool remeshes : { false, true })
+  {
+    domain.questions = Questions();
+    Ellipsoid_c3t3 complete(input);
+    call(remeshes, complete);
+    const std::array<long, 3> asked = domain.questions.asked;
+    for(int kind = 0; kind < 3; ++kind)
+      for(long n : { 0L, asked[kind] / 3, asked[kind] - 1 })
+      {
+        Ellipsoid_c3t3 c3t3(input);
+        bool thrown = false;
+        domain.questions = Questions();
+        domain.questions.throws_at[kind] = n;
+        try { call(remeshes, c3t3); }
+        catch(const std::runtime_error&) { thrown = true; }
+        domain.questions = Questions();
+        check::that(thrown, "the domain did not throw at question ", n, " of kind ", kind);
+        contract.check_untouched(c3t3);
+      }
+  }
+}
+
+int main()
+{
+  plate();
+  touching();
+  junctions();
+  features();
+  bent();
+  const Ellipsoid_domain domain;
+  const Ellipsoid_c3t3 c3t3 = mesh(domain, 0.2);
+  test("ellipsoid", c3t3, domain, smooth);
+  missed_intersections(domain, c3t3);
+  exceptions(domain, mesh(domain, 0.3));
+  return check::result();
+}
