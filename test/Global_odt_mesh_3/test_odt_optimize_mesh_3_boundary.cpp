@@ -10,6 +10,8 @@
 #include "mesh_contract.h"
 #include "mesh_domains.h"
 
+#include <CGAL/Global_odt_mesh_3/internal/Domain_oracle_3.h>
+
 #include <CGAL/Bbox_3.h>
 #include <CGAL/Mesh_quality_report_3.h>
 #include <CGAL/odt_optimize_mesh_3.h>
@@ -74,7 +76,7 @@ static const Tolerance edged = { 0.05, 0.05, 4e-3 };
 // may be projected to the other sheet.
 static void plate()
 {
-  for(double half : { 0.07, 0.06 })
+  for(double half : { 0.07, 0.06, 0.05 })
   {
     const domains::Labeled_domain domain = domains::labeled([half](const Point_3& p)
     { return std::abs(p.x()) < 1 && std::abs(p.y()) < 0.9 && std::abs(p.z()) < half ? 1 : 0; });
@@ -420,8 +422,59 @@ static void exceptions(const Ellipsoid_domain& domain, const Ellipsoid_c3t3& inp
   }
 }
 
+// Where a point is projected, out of reach, onto another patch, or by a domain that misses all
+// intersections, it stays where it is.
+template <class Domain>
+static void projection(const char* name, const Domain& domain, const Point_3& from, const Point_3& expected,
+                       double tolerance)
+{
+  typedef CGAL::Global_odt_mesh_3::internal::Domain_oracle_3<Domain> Oracle;
+  typedef typename Oracle::Vector Vector;
+  Oracle oracle(domain);
+  const double distance = std::sqrt(CGAL::squared_distance(from, expected));
+  const Vector start = {{ from.x(), from.y(), from.z() }};
+  const Vector normal = {{ (from.x() - expected.x()) / distance, (from.y() - expected.y()) / distance,
+                           (from.z() - expected.z()) / distance }};
+  Vector p = start;
+  typename Domain::Index index;
+  check::that(oracle.intersect(p, normal, 2 * distance, index), name, ": no surface found");
+  const auto patch = oracle.surface_patch(index);
+  const auto project = [&](double reach, const typename Domain::Surface_patch_index& onto)
+  {
+    p = start;
+    return oracle.project(p, normal, reach, onto);
+  };
+  check::that(project(2 * distance, patch), name, ": not projected");
+  check::that(CGAL::squared_distance(Point_3(p[0], p[1], p[2]), expected) <= tolerance * tolerance, name,
+              ": projected to ", p[0], ' ', p[1], ' ', p[2]);
+  check::that(!project(0.9 * distance, patch) && p == start, name, ": projected out of reach");
+  check::that(!project(2 * distance, typename Domain::Surface_patch_index()) && p == start, name,
+              ": projected onto another patch");
+  check::that(oracle.statistics().failures > 0, name, ": failures are not counted");
+}
+
+static void projection()
+{
+  projection("implicit", domains::sphere(), Point_3(0.63, 0, 0.84), Point_3(0.6, 0, 0.8), 5e-3);
+  const CGAL::Image_3 grays = domains::gray_image();
+  const double radius = std::sqrt(0.125);
+  projection("gray image", domains::gray_image_domain(grays), Point_3(0.53 + radius, 0.5, 0.5),
+             Point_3(0.5 + radius, 0.5, 0.5), 1e-2);
+  const CGAL::Image_3 labels = domains::labeled_image();
+  projection("labeled image", domains::labeled_image_domain(labels), Point_3(0.5, 0.5, 0.95), Point_3(0.5, 0.5, 0.9), 0.04);
+  const domains::Polyhedron box = domains::notched_box();
+  projection("polyhedron", domains::Polyhedral_domain(box), Point_3(0.7, 0.6, -0.1), Point_3(0.7, 0.6, 0), 1e-15);
+  const Ellipsoid_domain ellipsoid;
+  projection("ellipsoid", ellipsoid, Point_3(0.5, 0, 0), Point_3(0.35, 0, 0), 1e-12);
+  ellipsoid.questions.misses_of_dozen = 12;
+  CGAL::Global_odt_mesh_3::internal::Domain_oracle_3<Ellipsoid_domain> oracle(ellipsoid);
+  std::array<double, 3> p = {{ 0.5, 0, 0 }};
+  check::that(!oracle.project(p, {{ 1, 0, 0 }}, 0.3, { 1 }) && p[0] == 0.5, "projected although all intersections are missed");
+}
+
 int main()
 {
+  projection();
   plate();
   touching();
   junctions();

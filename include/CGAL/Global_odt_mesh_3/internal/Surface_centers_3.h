@@ -94,6 +94,11 @@ private:
   typedef typename Complex::Index Index;
   typedef std::array<double, 3> Vector;
 
+  // The middle from where the surface is expected, and half the length, over the radius of the facet.
+  // Both ends of a segment across a thin part are outside, hence those to one side only.
+  static constexpr double segments_to_search[][2] = { { 0, 0.3 }, { 0, 1 }, { 0.15, 0.15 }, { -0.15, 0.15 },
+                                                      { 0.5, 0.5 }, { -0.5, 0.5 }, { 0, 3 } };
+
   static Vector coordinates(const Bare_point& p)
   {
     return {{ CGAL::to_double(p.x()), CGAL::to_double(p.y()), CGAL::to_double(p.z()) }};
@@ -109,11 +114,13 @@ private:
       return;
     }
     const Facet_dual_3 dual(t, draft_.sites);
-    for(double h : { 0.3 * dual.radius, dual.radius, 3 * dual.radius })
+    for(const auto& s : segments_to_search)
     {
       Vector p = center.point;
+      for(int i = 0; i < 3; ++i)
+        p[i] += s[0] * dual.radius * dual.normal[i];
       Index index;
-      if(!oracle_.intersect(p, dual.normal, h, index))
+      if(!oracle_.intersect(p, dual.normal, s[1] * dual.radius, index))
         continue;
       center = { p, Bare_point(p[0], p[1], p[2]), index, true };
       break;
