@@ -82,7 +82,7 @@ private:
   static constexpr int rounds_of_remeshing = 4;
   static constexpr int iterations_inside_while_remeshing = 10;
   static constexpr int most_rounds_of_minimizer = 12;
-  static constexpr int least_careful_rounds = 6;
+  static constexpr int careful_rounds_of_minimizer = 2;
   static constexpr int most_tries_of_last_round = 3;
   static constexpr double least_gain_of_round = 2e-4;     // of the energy, relatively
   static constexpr double longest_way_in_round = 0.3;     // of a surface vertex, over its shortest edge on the surface
@@ -155,10 +155,12 @@ private:
   {
     const bool boundary_moves = number_of_surface_vertices() > 0;
     const bool only_remeshes = parameters_.remesh_boundary;
-    const int remesh_rounds = !boundary_moves ? 0 : only_remeshes ? most_rounds_of_minimizer : rounds_of_remeshing;
+    // Steps on a rough surface hide what is gained, so that the number of rounds is given.
+    const int minimizer_rounds = care == CAREFUL ? careful_rounds_of_minimizer : most_rounds_of_minimizer;
+    const int remesh_rounds = !boundary_moves ? 0 : rounds_of_remeshing + (only_remeshes ? minimizer_rounds : 0);
     const int search_rounds = only_remeshes ? 0 : static_cast<int>(parameters_.number_of_rounds);
     int rounds = remesh_rounds + search_rounds
-                 + (boundary_moves && !only_remeshes ? most_rounds_of_minimizer : 0);
+                 + (boundary_moves && !only_remeshes ? minimizer_rounds : 0);
     int tries = most_tries_of_last_round;
     Momentum_annealing annealing(parameters_.random_seed);
     double energy = (std::numeric_limits<double>::max)();
@@ -193,9 +195,7 @@ private:
         end_iteration();
       }
       const double reached = stage == REMESH ? remesh_surfaces(bridge.complex()) : objective.value();
-      // Steps on a rough surface hide what is gained.
-      const bool pays = stage == SEARCH || (stage == REMESH && !only_remeshes)
-                        || (care == CAREFUL && round_of_stage < least_careful_rounds)
+      const bool pays = stage == SEARCH || (stage == REMESH && !only_remeshes) || care == CAREFUL
                         || reached < (1 - least_gain_of_round) * energy;
       is_last = !goes_on_ || !pays || round + 1 == rounds;
       if(only_remeshes && goes_on_ && pays && is_last)
