@@ -74,12 +74,13 @@ private:
 
   // As CGAL's optimizers, which bound the number of iterations even if the user
   // does not.
-  static constexpr std::size_t most_iterations = 1000;
+  static constexpr int usual_most_iterations = 1000;
   static constexpr std::size_t iterations_between_compactions = 50;
   static constexpr int iterations_to_freeze = 6;
 
   static constexpr int iterations_in_round = 20;
   static constexpr int rounds_of_remeshing = 4;
+  static constexpr int iterations_per_round_of_remeshing = 60;    // of the user's, so that most remain
   static constexpr int iterations_inside_while_remeshing = 10;
   static constexpr int most_rounds_of_minimizer = 12;
   static constexpr int careful_rounds_of_minimizer = 2;
@@ -133,7 +134,7 @@ private:
       return false;
     if(goes_on_ && !parameters_.remesh_boundary)
     {
-      const std::size_t before = number_of_iterations_;
+      const int before = number_of_iterations_;
       if(!minimize_interior())
         return false;
       const typename Update::Evidence evidence = care == CAREFUL ? Update::ORACLE : Update::GOOD_EVIDENCE;
@@ -157,7 +158,8 @@ private:
     const bool only_remeshes = parameters_.remesh_boundary;
     // Steps on a rough surface hide what is gained, so that the number of rounds is given.
     const int minimizer_rounds = care == CAREFUL ? careful_rounds_of_minimizer : most_rounds_of_minimizer;
-    const int remesh_rounds = !boundary_moves ? 0 : rounds_of_remeshing + (only_remeshes ? minimizer_rounds : 0);
+    const int remesh_rounds = !boundary_moves ? 0 : only_remeshes ? rounds_of_remeshing + minimizer_rounds
+                              : (std::min)(rounds_of_remeshing, most_iterations() / iterations_per_round_of_remeshing);
     const int search_rounds = only_remeshes ? 0 : static_cast<int>(parameters_.number_of_rounds);
     int rounds = remesh_rounds + search_rounds
                  + (boundary_moves && !only_remeshes ? minimizer_rounds : 0);
@@ -294,18 +296,23 @@ private:
     return true;
   }
 
+  int most_iterations() const
+  {
+    const std::size_t most = parameters_.max_iteration_number;
+    return most == 0 ? usual_most_iterations
+                     : static_cast<int>((std::min)(most, std::size_t((std::numeric_limits<int>::max)())));
+  }
+
   // False, with the reason in code_, if there is to be no further iteration.
   bool begin_iteration(double progress)
   {
-    const std::size_t limit = parameters_.max_iteration_number == 0 ? most_iterations
-                                                                    : parameters_.max_iteration_number;
-    if(number_of_iterations_ >= limit)
+    if(number_of_iterations_ >= most_iterations())
     {
       code_ = MAX_ITERATION_NUMBER_REACHED;
       return false;
     }
     if((parameters_.time_limit > 0 && timer_.time() > parameters_.time_limit)
-       || !report_progress(progress, double(number_of_iterations_) / double(limit)))
+       || !report_progress(progress, double(number_of_iterations_) / most_iterations()))
     {
       code_ = TIME_LIMIT_REACHED;
       return false;
@@ -317,7 +324,7 @@ private:
   void end_iteration()
   {
     visitor_.after_move_points();
-    visitor_.end_of_iteration(static_cast<int>(number_of_iterations_));
+    visitor_.end_of_iteration(number_of_iterations_);
     ++number_of_iterations_;
     if(number_of_iterations_ % iterations_between_compactions == 0)
     {
@@ -387,7 +394,7 @@ private:
   Oracle_statistics oracle_statistics_;
   std::vector<double> displacement_, shortest_edge_;
   std::vector<int> still_;
-  std::size_t number_of_iterations_ = 0;
+  int number_of_iterations_ = 0;
   bool goes_on_ = true;
   double first_displacement_ = 0;
   double fraction_ = 0;
