@@ -6,7 +6,7 @@
 #ifndef GLOBAL_ODT_MESH_3_EXAMPLES_MESH_PICTURE_H
 #define GLOBAL_ODT_MESH_3_EXAMPLES_MESH_PICTURE_H
 
-#include <CGAL/Mesh_quality_report_3.h>
+#include <CGAL/Global_odt_mesh_3/internal/Cell_shape_3.h>
 #include <CGAL/number_utils.h>
 
 #include <algorithm>
@@ -59,7 +59,7 @@ void write_cutaway(const C3t3& c3t3, const std::string& file)
       const Vector p = position(c, i);
       s[i] = { p[0], p[1], p[2], 0 };
     }
-    const CGAL::Global_odt_mesh_3::internal::Cell_shape shape(s[0], s[1], s[2], s[3]);
+    const CGAL::Global_odt_mesh_3::internal::Cell_shape_3 shape(s[0], s[1], s[2], s[3]);
     const double angle = *std::min_element(shape.angles.begin(), shape.angles.end());
     for(int i = 0; i < 4; ++i)
     {
