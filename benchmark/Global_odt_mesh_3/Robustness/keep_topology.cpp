@@ -35,15 +35,16 @@ struct Tally
 
 static std::map<std::string, Tally> tallies;
 
-// The drift of the volume is told, not judged: the meshes of CGAL's examples are coarse.
+// The drift of the volume is told, not judged: the meshes of CGAL's examples are coarse. `tolerance`
+// is how far from the surface its points may seem, over the size of the mesh.
 template <class C3t3, class Domain>
-void test(const std::string& name, const C3t3& input, const Domain& domain, unsigned int seed)
+void test(const std::string& name, const C3t3& input, const Domain& domain, unsigned int seed, double tolerance = 4e-3)
 {
   const Mesh_contract<C3t3, Domain> contract(input, domain, name + ", seed " + std::to_string(seed));
   C3t3 c3t3(input);
   CGAL::odt_optimize_mesh_3(c3t3, domain, params::number_of_rounds = (seed % 2) * 4, params::random_seed(seed));
   const int before = check::failures();
-  contract.check_moved(c3t3, 0.2, 0.1, 4e-3);
+  contract.check_moved(c3t3, 0.2, 0.1, tolerance);
   Tally& tally = tallies[name];
   ++tally.runs;
   tally.broken += check::failures() > before;
@@ -106,7 +107,9 @@ int main(int argc, char* argv[])
       const Labeled_domain domain = image_domain(image);
       test("liver", mesh<Labeled_c3t3>(domain, Labeled_criteria(
         params::facet_angle = 30, params::facet_size = 12 * f, params::facet_distance = 8 * f,
-        params::cell_radius_edge_ratio = 3, params::cell_size = 16 * f)), domain, seed);
+        params::cell_radius_edge_ratio = 3, params::cell_size = 16 * f)), domain, seed,
+        // The size of a voxel: segments that are shorter may miss a step of the surface.
+        8e-3);
     }
     }
   }
