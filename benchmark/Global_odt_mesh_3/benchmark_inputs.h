@@ -121,6 +121,37 @@ inline Polyhedral_c3t3 polyhedral_mesh(const Polyhedral_domain& domain, double r
                                             params::no_features());
 }
 
+// Calls f(name, mesh, domain) for each of them, with the models in CGAL's data directory.
+template <class Function>
+void for_each_input(const Function& f)
+{
+  {
+    const Labeled_domain domain = sphere_domain();
+    f("sphere", sphere(domain, 0.0572), domain);
+    f("coarse sphere", sphere(domain, 0.096), domain);
+    f("graded sphere", graded_sphere(domain, 0.0392), domain);
+  }
+  {
+    const Polyhedron elephant = read_polyhedron(CGAL::data_file_path("meshes/elephant.off"));
+    const Polyhedral_domain domain(elephant);
+    f("elephant", polyhedral_mesh(domain, 0.0104, false), domain);
+  }
+  {
+    const Polyhedron fandisk = read_polyhedron(CGAL::data_file_path("meshes/fandisk.off"));
+    Polyhedral_domain domain(fandisk);
+    domain.detect_features();
+    f("fandisk", polyhedral_mesh(domain, 0.0158, true), domain);
+  }
+  {
+    const std::string file = CGAL::data_file_path("images/liver.inr.gz");
+    CGAL::Image_3 image;
+    if(!image.read(file.c_str()))
+      throw std::runtime_error("cannot read the image " + file);
+    const Labeled_domain domain = image_domain(image);
+    f("liver", image_mesh(domain, 3.9, 5.6), domain);
+  }
+}
+
 } // namespace inputs
 
 #endif // GLOBAL_ODT_MESH_3_BENCHMARK_INPUTS_H

@@ -117,7 +117,8 @@ version of %CGAL in use knows: `parameters::time_limit = 10, parameters::do_free
   \cgalParamNEnd
   \cgalParamNBegin{max_iteration_number}
     \cgalParamDescription{the number of iterations, that is, of accepted evaluations of either energy, at the most;
-                          0 means 1000. If less than 240, fewer rounds or none are spent on the CVT of the surface. From \cgal 5.6 on also called `number_of_iterations`.}
+                          0 means 1000. If less than 240, fewer rounds or none are spent on the CVT of the surface.
+                          From \cgal 5.6 on also called `number_of_iterations`.}
     \cgalParamType{`std::size_t`}
     \cgalParamDefault{0}
   \cgalParamNEnd

@@ -12,6 +12,7 @@
 // are compared. Environment: CGAL_DATA_DIR, the directory of CGAL's data.
 
 #include "benchmark_inputs.h"
+#include "cpu_seconds.h"
 
 #include <CGAL/Mesh_quality_report_3.h>
 #include <CGAL/Timer.h>
@@ -27,15 +28,6 @@
 using namespace inputs;
 
 static int cgal_iterations = 100;
-
-static double seconds(const std::function<void()>& f)
-{
-  CGAL::Timer timer;
-  timer.start();
-  f();
-  timer.stop();
-  return timer.time();
-}
 
 // The time from the first direction to the end of the last iteration.
 struct Iteration_timer
@@ -130,28 +122,6 @@ int main(int argc, char* argv[])
 {
   if(argc > 1)
     cgal_iterations = (std::max)(1, std::atoi(argv[1]));
-  {
-    const Labeled_domain domain = sphere_domain();
-    compare("sphere", sphere(domain, 0.0572), domain);
-    compare("graded sphere", graded_sphere(domain, 0.0392), domain);
-  }
-  {
-    const Polyhedron elephant = read_polyhedron(CGAL::data_file_path("meshes/elephant.off"));
-    const Polyhedral_domain domain(elephant);
-    compare("elephant", polyhedral_mesh(domain, 0.0104, false), domain);
-  }
-  {
-    const Polyhedron fandisk = read_polyhedron(CGAL::data_file_path("meshes/fandisk.off"));
-    Polyhedral_domain domain(fandisk);
-    domain.detect_features();
-    compare("fandisk", polyhedral_mesh(domain, 0.0158, true), domain);
-  }
-  {
-    CGAL::Image_3 image;
-    if(!image.read(CGAL::data_file_path("images/liver.inr.gz").c_str()))
-      return EXIT_FAILURE;
-    const Labeled_domain domain = image_domain(image);
-    compare("liver", image_mesh(domain, 3.9, 5.6), domain);
-  }
+  for_each_input([](const char* name, const auto& input, const auto& domain) { compare(name, input, domain); });
   return EXIT_SUCCESS;
 }

@@ -19,9 +19,9 @@
 #define CGAL_GLOBAL_ODT_MESH_3_PROFILING
 
 #include "benchmark_inputs.h"
+#include "cpu_seconds.h"
 
 #include <CGAL/Mesh_quality_report_3.h>
-#include <CGAL/Timer.h>
 #include <CGAL/odt_optimize_mesh_3.h>
 
 #include <algorithm>
@@ -35,15 +35,6 @@ using namespace inputs;
 namespace odt = CGAL::Global_odt_mesh_3::internal;
 
 static int search_rounds = 10, cgal_iterations = 0;
-
-static double seconds(const std::function<void()>& f)
-{
-  CGAL::Timer timer;
-  timer.start();
-  f();
-  timer.stop();
-  return timer.time();
-}
 
 struct Cost
 {
@@ -109,65 +100,29 @@ void compare(const char* name, const C3t3& input, const Domain& domain)
   fixed.optimize_boundary = false;
   remeshing.remesh_boundary = true;
   searching.number_of_rounds = search_rounds;
+  // Goes on from `c3t3`, at that cost, and prints the result.
+  const auto measure = [&](const std::string& what, C3t3 c3t3, const odt::Odt_parameters& parameters, Cost cost = Cost())
   {
-    C3t3 c3t3(input);
-    Cost cost;
-    run(c3t3, domain, fixed, cost);
-    print("boundary fixed", c3t3, volume, cost);
-  }
+    run(c3t3, domain, parameters, cost);
+    print(what.c_str(), c3t3, volume, cost);
+  };
+  measure("boundary fixed", input, fixed);
   {
     C3t3 remeshed(input);
     Cost cost;
     run(remeshed, domain, remeshing, cost);
     print("remeshed", remeshed, volume, cost);
-    C3t3 c3t3(remeshed);
-    Cost together = cost;
-    run(c3t3, domain, fixed, together);
-    print("remeshed, then fixed", c3t3, volume, together);
-    run(remeshed, domain, usual, cost);
-    print("remeshed, then default", remeshed, volume, cost);
+    measure("remeshed, then fixed", remeshed, fixed, cost);
+    measure("remeshed, then default", remeshed, usual, cost);
   }
-  {
-    C3t3 c3t3(input);
-    Cost cost;
-    run(c3t3, domain, usual, cost);
-    print("default", c3t3, volume, cost);
-  }
-  {
-    C3t3 c3t3(input);
-    Cost cost;
-    run(c3t3, domain, searching, cost);
-    print(("search, " + std::to_string(search_rounds) + " rounds").c_str(), c3t3, volume, cost);
-  }
+  measure("default", input, usual);
+  measure("search, " + std::to_string(search_rounds) + " rounds", input, searching);
 }
 
 int main(int argc, char* argv[])
 {
   search_rounds = argc > 1 ? std::atoi(argv[1]) : search_rounds;
   cgal_iterations = argc > 2 ? std::atoi(argv[2]) : cgal_iterations;
-  {
-    const Labeled_domain domain = sphere_domain();
-    compare("sphere", sphere(domain, 0.0572), domain);
-    compare("coarse sphere", sphere(domain, 0.096), domain);
-    compare("graded sphere", graded_sphere(domain, 0.0392), domain);
-  }
-  {
-    const Polyhedron elephant = read_polyhedron(CGAL::data_file_path("meshes/elephant.off"));
-    const Polyhedral_domain domain(elephant);
-    compare("elephant", polyhedral_mesh(domain, 0.0104, false), domain);
-  }
-  {
-    const Polyhedron fandisk = read_polyhedron(CGAL::data_file_path("meshes/fandisk.off"));
-    Polyhedral_domain domain(fandisk);
-    domain.detect_features();
-    compare("fandisk", polyhedral_mesh(domain, 0.0158, true), domain);
-  }
-  {
-    CGAL::Image_3 image;
-    if(!image.read(CGAL::data_file_path("images/liver.inr.gz").c_str()))
-      return EXIT_FAILURE;
-    const Labeled_domain domain = image_domain(image);
-    compare("liver", image_mesh(domain, 3.9, 5.6), domain);
-  }
+  for_each_input([](const char* name, const auto& input, const auto& domain) { compare(name, input, domain); });
   return EXIT_SUCCESS;
 }

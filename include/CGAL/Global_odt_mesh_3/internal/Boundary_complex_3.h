@@ -7,6 +7,7 @@
 #define CGAL_GLOBAL_ODT_MESH_3_INTERNAL_BOUNDARY_COMPLEX_3_H
 
 #include <CGAL/Global_odt_mesh_3/internal/Odt_energy_3.h>
+#include <CGAL/Global_odt_mesh_3/internal/Vertex_tuples.h>
 
 #include <algorithm>
 #include <array>
@@ -91,10 +92,10 @@ public:
   bool is_disk(int v, int n) const { return is_disk_[first_fan_[v] + n]; }
   const std::map<int, std::pair<std::size_t, std::size_t> >& facets_and_components() const { return counts_; }
 
-  static Triple sorted(Triple t)
+  // Whether both pairs are the same subdomains, on whichever side.
+  static bool same_labels(const std::array<int, 2>& a, const std::array<int, 2>& b)
   {
-    std::sort(t.begin(), t.end());
-    return t;
+    return (a[0] == b[0] && a[1] == b[1]) || (a[0] == b[1] && a[1] == b[0]);
   }
 
   // Normals, shortest edges and smoothness of the fans for these positions.
@@ -290,8 +291,7 @@ private:
   static bool same_surface(const Facet& a, const Facet& b)
   {
     return a.patch != Facet::no_patch && a.patch == b.patch && a.labels[0] != a.labels[1]
-           && ((a.labels[0] == b.labels[0] && a.labels[1] == b.labels[1])
-               || (a.labels[0] == b.labels[1] && a.labels[1] == b.labels[0]));
+           && same_labels(a.labels, b.labels);
   }
 
   std::vector<Triple> triples() const

@@ -96,9 +96,8 @@ private:
       for(int n = 0; n < boundary.number_of_fans(f.vertices[k]); ++n)
       {
         const Boundary_fan& fan = boundary.fan(f.vertices[k], n);
-        const bool same_labels = (fan.labels[0] == f.labels[0] && fan.labels[1] == f.labels[1])
-                                 || (fan.labels[0] == f.labels[1] && fan.labels[1] == f.labels[0]);
-        if(same_labels && fan.patch != Boundary_facet::no_patch && (k == 0 || common.count(fan.patch) > 0))
+        if(Boundary_complex_3::same_labels(fan.labels, f.labels) && fan.patch != Boundary_facet::no_patch
+           && (k == 0 || common.count(fan.patch) > 0))
           here.insert(fan.patch);
       }
       common.swap(here);

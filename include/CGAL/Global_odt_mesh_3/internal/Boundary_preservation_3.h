@@ -12,7 +12,6 @@
 #include <CGAL/Global_odt_mesh_3/internal/Odt_energy_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/Restricted_draft_3.h>
 
-#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <map>
@@ -80,7 +79,7 @@ public:
       const Boundary_facet& f = draft_.boundary.facets()[n];
       if(old >= 0)
         is_found[old] = true;
-      if(old < 0 || std::minmax(f.labels[0], f.labels[1]) != std::minmax(facets[old].labels[0], facets[old].labels[1]))
+      if(old < 0 || !Boundary_complex_3::same_labels(f.labels, facets[old].labels))
         guilty_.blame(f.vertices);
     }
     for(std::size_t n = 0; n < is_found.size(); ++n)

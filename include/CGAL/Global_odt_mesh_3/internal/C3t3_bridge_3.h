@@ -9,10 +9,12 @@
 #include <CGAL/Global_odt_mesh_3/internal/Boundary_complex_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/Domain_oracle_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/Flat_triangulation_3.h>
+#include <CGAL/Global_odt_mesh_3/internal/Facet_dual_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/Flatten_triangulation_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/Moving_triangulation_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/Numbered_triangulation_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/Restricted_complex_3.h>
+#include <CGAL/Global_odt_mesh_3/internal/Point_coordinates.h>
 #include <CGAL/Global_odt_mesh_3/internal/Restricted_triangulation_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/Spatial_order.h>
 
@@ -73,11 +75,9 @@ public:
       return;
     for(auto v = tr.finite_vertices_begin(); v != tr.finite_vertices_end(); ++v)
     {
-      const auto& p = tr.point(v);
       site_[v] = static_cast<int>(complex_.vertices.size());
       complex_.vertices.push_back(v);
-      complex_.sites.push_back({ CGAL::to_double(p.x()), CGAL::to_double(p.y()), CGAL::to_double(p.z()),
-                                 CGAL::to_double(p.weight()) });
+      complex_.sites.push_back(weighted_site(tr.point(v)));
     }
     complex_.triangulation = &tr;
     Walls walls = flatten([this](Vertex_handle v) { return site_[v]; }, mesh.topology);
@@ -200,7 +200,7 @@ private:
     {
       const Bare_point p = w.facet.first->get_facet_surface_center(w.facet.second);
       complex_.facets.push_back(w.facet);
-      complex_.centers.push_back({ {{ CGAL::to_double(p.x()), CGAL::to_double(p.y()), CGAL::to_double(p.z()) }}, p,
+      complex_.centers.push_back({ coordinates(p), p,
                                    w.facet.first->get_facet_surface_center_index(w.facet.second), true, true });
     }
     complex_.mend_surface_centers();
@@ -308,13 +308,12 @@ private:
   void add_circumradius(const Triangulation& tr, Cell_handle c,
                         std::vector<double>& sum, std::vector<double>& count) const
   {
-    const Bare_point p = tr.dual(c);
-    const double x = CGAL::to_double(p.x()), y = CGAL::to_double(p.y()), z = CGAL::to_double(p.z());
+    const std::array<double, 3> p = coordinates(tr.dual(c));
     for(int i = 0; i < 4; ++i)
     {
       const int v = Numbered_triangulation_3<Triangulation>::number(c->vertex(i));
       const Site& s = complex_.sites[v];
-      sum[v] += std::sqrt((x - s.x) * (x - s.x) + (y - s.y) * (y - s.y) + (z - s.z) * (z - s.z));
+      sum[v] += std::sqrt(squared_distance(s, p));
       ++count[v];
     }
   }

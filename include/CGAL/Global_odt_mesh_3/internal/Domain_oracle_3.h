@@ -6,7 +6,7 @@
 #ifndef CGAL_GLOBAL_ODT_MESH_3_INTERNAL_DOMAIN_ORACLE_3_H
 #define CGAL_GLOBAL_ODT_MESH_3_INTERNAL_DOMAIN_ORACLE_3_H
 
-#include <CGAL/number_utils.h>
+#include <CGAL/Global_odt_mesh_3/internal/Point_coordinates.h>
 
 #include <array>
 #include <cmath>
@@ -42,8 +42,6 @@ struct Oracle_statistics
   std::size_t projections = 0;      // closest points from the AABB tree
   std::size_t failures = 0;         // intersections and projections that found nothing of use
   double seconds = 0;               // spent in the domain, if CGAL_GLOBAL_ODT_MESH_3_PROFILING is defined
-
-  std::size_t calls() const { return locations + intersections + projections; }
 
   Oracle_statistics& operator+=(const Oracle_statistics& o)
   {
@@ -177,11 +175,6 @@ public:
   }
 
 private:
-  static Vector coordinates(const Point_3& p)
-  {
-    return {{ CGAL::to_double(p.x()), CGAL::to_double(p.y()), CGAL::to_double(p.z()) }};
-  }
-
   static double distance(const Vector& a, const Vector& b)
   {
     return std::sqrt((a[0] - b[0]) * (a[0] - b[0]) + (a[1] - b[1]) * (a[1] - b[1]) + (a[2] - b[2]) * (a[2] - b[2]));

@@ -8,11 +8,11 @@
 
 #include <CGAL/Global_odt_mesh_3/internal/Flatten_triangulation_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/Moving_triangulation_3.h>
+#include <CGAL/Global_odt_mesh_3/internal/Point_coordinates.h>
 #include <CGAL/Global_odt_mesh_3/internal/Spatial_order.h>
 
 #include <CGAL/Time_stamper.h>
 #include <CGAL/Unique_hash_map.h>
-#include <CGAL/number_utils.h>
 
 #include <algorithm>
 #include <cstddef>
@@ -35,10 +35,8 @@ Moving_triangulation_3 load_triangulation_3(const Triangulation& tr)
   std::vector<Site> sites;
   for(auto v = tr.finite_vertices_begin(); v != tr.finite_vertices_end(); ++v)
   {
-    const auto& p = tr.point(v);
     number[v] = static_cast<int>(sites.size());
-    sites.push_back({ CGAL::to_double(p.x()), CGAL::to_double(p.y()), CGAL::to_double(p.z()),
-                      CGAL::to_double(p.weight()) });
+    sites.push_back(weighted_site(tr.point(v)));
   }
   const auto walls = flatten_triangulation_3(
     tr, [&number](Vertex_handle v) { return number[v]; },

@@ -12,10 +12,9 @@
 #include <CGAL/Global_odt_mesh_3/internal/Domain_oracle_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/Facet_dual_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/Guilty_vertices_3.h>
+#include <CGAL/Global_odt_mesh_3/internal/Point_coordinates.h>
 #include <CGAL/Global_odt_mesh_3/internal/Restricted_draft_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/Vertex_tuples.h>
-
-#include <CGAL/number_utils.h>
 
 #include <array>
 #include <cmath>
@@ -70,12 +69,10 @@ public:
         const Vector p = estimated_surface_center(t, draft_.boundary, draft_.sites);
         center = { p, Bare_point(p[0], p[1], p[2]), old >= 0 ? complex_.centers[old].index : Index(), false };
       }
-      const bool is_faithful = center.is_faithful;
-      if(draft_.mode.finds_centers && !center.is_exact)
-        put_on_surface(n, center);
-      center.is_faithful = is_faithful;
       if(!draft_.mode.finds_centers)
         continue;
+      if(!center.is_exact)
+        put_on_surface(n, center);
       // Without a center, the facet is better where it was, if that helps.
       if(center.is_exact)
         check_duals(n);
@@ -99,9 +96,13 @@ private:
   static constexpr double segments_to_search[][2] = { { 0, 0.3 }, { 0, 1 }, { 0.15, 0.15 }, { -0.15, 0.15 },
                                                       { 0.5, 0.5 }, { -0.5, 0.5 }, { 0, 3 } };
 
-  static Vector coordinates(const Bare_point& p)
+  // Leaves what is known of the facet's centroid.
+  static void put_at(const Vector& p, const Index& index, Surface_center& center)
   {
-    return {{ CGAL::to_double(p.x()), CGAL::to_double(p.y()), CGAL::to_double(p.z()) }};
+    center.point = p;
+    center.stored = Bare_point(p[0], p[1], p[2]);
+    center.index = index;
+    center.is_exact = true;
   }
 
   void put_on_surface(std::size_t n, Surface_center& center)
@@ -122,7 +123,7 @@ private:
       Index index;
       if(!oracle_.intersect(p, dual.normal, s[1] * dual.radius, index))
         continue;
-      center = { p, Bare_point(p[0], p[1], p[2]), index, true };
+      put_at(p, index, center);
       break;
     }
     if(!center.is_exact)
@@ -141,7 +142,7 @@ private:
     Vector p = dual.point_at((from + to) / 2);
     Index index;
     if(oracle_.intersect(p, dual.normal, std::abs(to - from) / 2, index))
-      center = { p, Bare_point(p[0], p[1], p[2]), index, true };
+      put_at(p, index, center);
   }
 
   // The dual points of the cells at a facet lie on the two sides of its center.

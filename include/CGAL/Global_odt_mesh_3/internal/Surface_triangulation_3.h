@@ -95,8 +95,6 @@ public:
 private:
   // Angles have to differ from the straight one by more than rounding.
   static constexpr double least_sine = 1e-9;
-  // A flip does not bend the surface more than by this cosine.
-  static constexpr double smallest_cosine = 0.5;
 
   static int next(int c) { return c % 3 == 2 ? c - 2 : c + 1; }
   static int previous(int c) { return c % 3 == 0 ? c + 2 : c - 1; }
@@ -127,7 +125,9 @@ private:
       return false;
     const Eigen::Vector3d ps = edge(p, s), normal = (above + below).normalized();
     const Eigen::Vector3d first = pq.cross(ps), second = ps.cross(pr);
-    return first.dot(normal) > smallest_cosine * first.norm() && second.dot(normal) > smallest_cosine * second.norm()
+    // A flip does not bend the surface more than a smooth fan.
+    constexpr double cosine = Boundary_complex_3::smallest_cosine;
+    return first.dot(normal) > cosine * first.norm() && second.dot(normal) > cosine * second.norm()
            && !is_edge(c, vertex(d));
   }
 
