@@ -105,6 +105,9 @@ public:
     finish(flatten(number, mesh.topology), mesh);
   }
 
+  // Moves a site for a surface vertex to the surface; false if that cannot be done.
+  bool put_on_surface(int v, Site& s) { return restricted_triangulation_.put_on_surface(v, s); }
+
   bool is_rough() { return restricted_triangulation_.is_rough(); }
 
   // Takes the complex to the positions of the movable vertices; false if no valid

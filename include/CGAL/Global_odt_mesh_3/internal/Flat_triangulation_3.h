@@ -78,15 +78,37 @@ public:
 
   void set_neighbors(int slot, int other)
   {
-    neighbors_[slot] = other;
+    write(neighbors_, slot, other);
     if(!is_wall(other))
-      neighbors_[other] = slot;
+      write(neighbors_, other, slot);
     else
     {
       if(static_cast<std::size_t>(~other) >= wall_slots_.size())
         wall_slots_.resize((~other | 1) + 1, -1);
-      wall_slots_[~other] = slot;
+      write(wall_slots_, ~other, slot);
     }
+  }
+
+  // From begin_trial() to end_trial(), what flips overwrite is remembered; undo_trial() brings
+  // it back and ends the trial.
+  void begin_trial() { is_on_trial_ = true; }
+
+  void end_trial()
+  {
+    is_on_trial_ = false;
+    overwritten_.clear();
+  }
+
+  void undo_trial()
+  {
+    for(auto w = overwritten_.rbegin(); w != overwritten_.rend(); ++w)
+      if(w->index >= 0)
+        (*w->array)[w->index] = w->value;
+      else if(w->index == pushed)
+        w->array->pop_back();
+      else
+        w->array->push_back(w->value);
+    end_trial();
   }
 
   // Replaces the two cells at facet `slot` by the three around the edge between
@@ -304,30 +326,53 @@ private:
     return v == a[0] ? 0 : v == a[1] ? 1 : 2;
   }
 
+  // What has been overwritten, pushed at the end of an array, or popped from there.
+  struct Overwritten
+  {
+    std::vector<int>* array;
+    int index, value;
+  };
+  static constexpr int pushed = -1, popped = -2;
+
+  void write(std::vector<int>& array, int index, int value)
+  {
+    if(is_on_trial_)
+      overwritten_.push_back({ &array, index, array[index] });
+    array[index] = value;
+  }
+
   int allocate_cell()
   {
-    if(!free_cells_.empty())
+    if(free_cells_.empty())
     {
-      const int c = free_cells_.back();
-      free_cells_.pop_back();
-      return c;
+      free_cells_.push_back(number_of_cell_slots());
+      cell_vertices_.resize(cell_vertices_.size() + 4, no_vertex);
+      neighbors_.resize(neighbors_.size() + 4, ~0);
     }
-    cell_vertices_.resize(cell_vertices_.size() + 4, no_vertex);
-    neighbors_.resize(neighbors_.size() + 4, ~0);
-    return number_of_cell_slots() - 1;
+    const int c = free_cells_.back();
+    free_cells_.pop_back();
+    if(is_on_trial_)
+      overwritten_.push_back({ &free_cells_, popped, c });
+    return c;
   }
 
   void release_cell(int c)
   {
-    std::fill_n(&cell_vertices_[4 * c], 4, static_cast<int>(no_vertex));
+    for(int i = 0; i < 4; ++i)
+      write(cell_vertices_, 4 * c + i, no_vertex);
     free_cells_.push_back(c);
+    if(is_on_trial_)
+      overwritten_.push_back({ &free_cells_, pushed, c });
   }
 
   void set_cell(int c, int v0, int v1, int v2, int v3)
   {
-    int* v = &cell_vertices_[4 * c];
-    v[0] = v0; v[1] = v1; v[2] = v2; v[3] = v3;
-    vertex_cell_[v0] = vertex_cell_[v1] = vertex_cell_[v2] = vertex_cell_[v3] = c;
+    const std::array<int, 4> v = {{ v0, v1, v2, v3 }};
+    for(int i = 0; i < 4; ++i)
+    {
+      write(cell_vertices_, 4 * c + i, v[i]);
+      write(vertex_cell_, v[i], c);
+    }
   }
 
   std::vector<int> cell_vertices_;
@@ -335,6 +380,8 @@ private:
   std::vector<int> vertex_cell_;
   std::vector<int> wall_slots_;     // of both sides of each wall
   std::vector<int> free_cells_;
+  bool is_on_trial_ = false;
+  std::vector<Overwritten> overwritten_;
 };
 
 } // namespace internal

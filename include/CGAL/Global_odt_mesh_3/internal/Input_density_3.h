@@ -79,7 +79,7 @@ private:
         for(int j = i + 1; j < 4; ++j)
         {
           const int u = topology_.vertex(4 * c + i), v = topology_.vertex(4 * c + j);
-          const double l = std::sqrt(Moving_triangulation_3::squared_distance(sites_[u], sites_[v]));
+          const double l = std::sqrt(Constrained_triangulation_3::squared_distance(sites_[u], sites_[v]));
           sum[u] += l; sum[v] += l;
           ++count[u]; ++count[v];
         }

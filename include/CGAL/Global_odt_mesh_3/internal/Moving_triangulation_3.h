@@ -6,14 +6,15 @@
 #ifndef CGAL_GLOBAL_ODT_MESH_3_INTERNAL_MOVING_TRIANGULATION_3_H
 #define CGAL_GLOBAL_ODT_MESH_3_INTERNAL_MOVING_TRIANGULATION_3_H
 
+#include <CGAL/Global_odt_mesh_3/internal/Constrained_triangulation_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/Flat_triangulation_3.h>
+#include <CGAL/Global_odt_mesh_3/internal/Lawson_flips_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/Odt_energy_3.h>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
-#include <limits>
 #include <vector>
 
 namespace CGAL {
@@ -26,22 +27,11 @@ namespace internal {
 // cells and regularity of the facets in one pass over the cells, and mends by
 // flips what the motion broke. Walls are never flipped. When a motion cannot be
 // mended, restore() brings back the state of the last keep().
-//
-// The vertices [0, number_of_interior_vertices) move in space, and no wall touches
-// them; those up to number_of_movable_vertices move along with their walls.
-//
-// A wall is a facet of the restricted triangulation as long as the dual points of
-// its cells lie on either side of the surface. The surface is known by its height
-// over the wall where the dual line of the wall crosses both.
 class Moving_triangulation_3
+  : public Constrained_triangulation_3
 {
 public:
-  Flat_triangulation_3 topology;
-  std::vector<Site> sites;
   std::vector<double> density;          // one value a vertex, or empty: uniform
-  std::vector<double> wall_heights;     // positive toward side 1
-  int number_of_interior_vertices = 0;
-  int number_of_movable_vertices = 0;
 
   struct Statistics
   {
@@ -101,71 +91,8 @@ public:
   // The vertices that the last evaluation kept from going where they were sent.
   const std::vector<int>& retreated_vertices() const { return retreated_; }
 
-  // The mean length of the edges of each movable vertex; an edge counts once for
-  // each of its cells.
-  void mean_edge_lengths(std::vector<double>& length) const
-  {
-    length.assign(number_of_movable_vertices, 0);
-    std::vector<int> count(number_of_movable_vertices, 0);
-    for_each_edge([&](int u, int v, double squared_length)
-    {
-      for(int w : { u, v })
-        if(w < number_of_movable_vertices)
-        {
-          length[w] += std::sqrt(squared_length);
-          ++count[w];
-        }
-    });
-    for(int v = 0; v < number_of_movable_vertices; ++v)
-      length[v] /= (std::max)(1, count[v]);
-  }
-
-  // The shortest edge of each movable vertex.
-  void shortest_edges(std::vector<double>& length) const
-  {
-    length.assign(number_of_movable_vertices, (std::numeric_limits<double>::max)());
-    for_each_edge([&](int u, int v, double squared_length)
-    {
-      for(int w : { u, v })
-        if(w < number_of_movable_vertices && squared_length < length[w])
-          length[w] = squared_length;
-    });
-    for(double& l : length)
-      l = std::sqrt(l);
-  }
-
-  static double squared_distance(const Site& a, const Site& b)
-  {
-    const double x = a.x - b.x, y = a.y - b.y, z = a.z - b.z;
-    return x * x + y * y + z * z;
-  }
-
 private:
-  // Calls f(u, v, squared length) for the edges of all cells.
-  template <class F>
-  void for_each_edge(const F& f) const
-  {
-    for(int c = 0; c < topology.number_of_cell_slots(); ++c)
-      for(int i = 0; i < 3 && topology.is_alive(c); ++i)
-        for(int j = i + 1; j < 4; ++j)
-        {
-          const int u = topology.vertex(4 * c + i), v = topology.vertex(4 * c + j);
-          f(u, v, squared_distance(sites[u], sites[v]));
-        }
-  }
-
-  Cell_products products(int cell) const
-  {
-    return products(topology.vertex(4 * cell), topology.vertex(4 * cell + 1),
-                    topology.vertex(4 * cell + 2), topology.vertex(4 * cell + 3));
-  }
-
-  Cell_products products(int a, int b, int c, int d) const
-  {
-    return Cell_products(sites[a], sites[b], sites[c], sites[d]);
-  }
-
-  double determinant(int a, int b, int c, int d) const { return products(a, b, c, d).determinant; }
+  friend class Lawson_flips_3<Moving_triangulation_3>;
 
   template <bool graded>
   static Cell_energy cell_energy(const Cell_products& t, const int* v,
@@ -176,13 +103,6 @@ private:
                                {{ rho[v[0]], rho[v[1]], rho[v[2]], rho[v[3]] }});
     else
       return uniform_odt_energy(t, s[v[0]], s[v[1]], s[v[2]], s[v[3]]);
-  }
-
-  // Flips must gain more than rounding can feign, or they would cycle: the
-  // power is compared with a length to the fifth around the tested vertex.
-  static bool is_irregular(double power, double squared_length)
-  {
-    return power < 0 && power < -1e-11 * squared_length * squared_length * std::sqrt(squared_length);
   }
 
   void pass()
@@ -239,27 +159,6 @@ private:
     return energy;
   }
 
-  // Whether the dual point of a cell is beyond the surface at the wall opposite to
-  // its vertex i.
-  bool is_beyond_wall(const Cell_products& t, const int* v, int i, int across) const
-  {
-    const std::array<int, 3>& f = Flat_triangulation_3::facet_vertices(i);
-    const Site& origin = sites[v[0]];
-    const Site& p = sites[v[f[0]]];
-    const Site& q = sites[v[f[1]]];
-    const Site& r = sites[v[f[2]]];
-    const double ax = q.x - p.x, ay = q.y - p.y, az = q.z - p.z;
-    const double bx = r.x - p.x, by = r.y - p.y, bz = r.z - p.z;
-    // The normal points out of the cell.
-    const double mx = ay * bz - az * by, my = az * bx - ax * bz, mz = ax * by - ay * bx;
-    const double g = 2 * t.determinant;
-    const double above = mx * (t.nx - g * (p.x - origin.x)) + my * (t.ny - g * (p.y - origin.y))
-                         + mz * (t.nz - g * (p.z - origin.z));
-    const double height = wall_heights[Flat_triangulation_3::wall(across)]
-                          * (Flat_triangulation_3::wall_side(across) == 0 ? 1 : -1);
-    return above > height * g * std::sqrt(mx * mx + my * my + mz * mz);
-  }
-
   // Adds (or, with sign -1, removes) what a cell contributes.
   void add_cell(int cell, int sign)
   {
@@ -281,13 +180,6 @@ private:
       return;
     kept_topology_ = topology;
     topology_is_kept_ = true;
-  }
-
-  void push_facets(int cell)
-  {
-    for(int i = 0; i < 4; ++i)
-      if(!Flat_triangulation_3::is_wall(topology.neighbor(4 * cell + i)))
-        irregular_.push_back(4 * cell + i);
   }
 
   std::array<int, 3> flip_2_3(int slot)
@@ -314,83 +206,7 @@ private:
     return cells;
   }
 
-  // Six times the volumes of the cells that flip_2_3(slot) would make.
-  std::array<double, 3> volumes_after_2_3(int slot) const
-  {
-    const int a = topology.vertex(slot), b = topology.vertex(topology.neighbor(slot));
-    const int c = slot - slot % 4;
-    const std::array<int, 3>& f = Flat_triangulation_3::facet_vertices(slot % 4);
-    std::array<double, 3> volume;
-    for(int k = 0; k < 3; ++k)
-      volume[k] = determinant(a, b, topology.vertex(c + f[(k + 1) % 3]),
-                              topology.vertex(c + f[(k + 2) % 3]));
-    return volume;
-  }
-
-  // Lawson's algorithm, from the facets in irregular_. Facets that no flip can
-  // remove wait until flips nearby have changed their surroundings.
-  void make_regular()
-  {
-    // Each flip lowers the lifted surface; the bound only guards against
-    // rounding.
-    std::size_t budget = 1000 + 40 * irregular_.size();
-    std::vector<int> waiting;
-    std::size_t flips = 0;
-    for(;;)
-    {
-      while(!irregular_.empty() && budget-- > 0)
-      {
-        const int slot = irregular_.back();
-        irregular_.pop_back();
-        const int c = slot / 4;
-        if(!topology.is_alive(c))
-          continue;
-        const int across = topology.neighbor(slot);
-        if(Flat_triangulation_3::is_wall(across))
-          continue;
-        const Site& origin = sites[topology.vertex(4 * c)];
-        const Site& q = sites[topology.vertex(across)];
-        const Cell_products t = products(c);
-        if(!is_irregular(t.power(origin, q), squared_distance(origin, q)))
-          continue;
-        if(mend_facet(slot, t.determinant + products(across / 4).determinant))
-          ++flips;
-        else
-          waiting.push_back(slot);
-      }
-      irregular_.clear();
-      if(flips == 0)
-        return;
-      irregular_.swap(waiting);
-      flips = 0;
-    }
-  }
-
-  bool mend_facet(int slot, double volume)
-  {
-    const std::array<double, 3> after = volumes_after_2_3(slot);
-    const double flat = 1e-12 * volume;
-    const int k = static_cast<int>(std::min_element(after.begin(), after.end()) - after.begin());
-    if(after[k] > flat)
-    {
-      for(int c : flip_2_3(slot))
-        push_facets(c);
-      return true;
-    }
-    // The edge across from the k-th vertex of the facet is reflex.
-    if(after[(k + 1) % 3] <= flat || after[(k + 2) % 3] <= flat)
-      return false;
-    const std::array<int, 3>& f = Flat_triangulation_3::facet_vertices(slot % 4);
-    const int u = f[(k + 1) % 3], v = f[(k + 2) % 3];
-    std::array<int, 3> ring;
-    if(topology.has_degree_3(slot / 4, u, v, ring))
-    {
-      for(int c : flip_3_2(ring))
-        push_facets(c);
-      return true;
-    }
-    return false;
-  }
+  void make_regular() { Lawson_flips_3<Moving_triangulation_3>(*this, *this, irregular_).make_regular(); }
 
   // Gives all cells positive volume, first by flips that lower the sum of the
   // negative volumes, then, if much is left, by moving vertices into the kernel
@@ -560,7 +376,7 @@ private:
     {
       if(!(products(c).determinant > 0))
         inverted_.push_back(c);
-      push_facets(c);
+      push_facets(c, irregular_);
     }
   }
 
@@ -603,7 +419,7 @@ private:
     {
       add_cell(slot / 4, 1);
       if(positive)
-        push_facets(slot / 4);
+        push_facets(slot / 4, irregular_);
     }
     return positive;
   }

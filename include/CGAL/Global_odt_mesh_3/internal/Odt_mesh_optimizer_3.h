@@ -12,6 +12,7 @@
 #include <CGAL/Global_odt_mesh_3/internal/Momentum_annealing.h>
 #include <CGAL/Global_odt_mesh_3/internal/Odt_objective_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/Odt_parameters.h>
+#include <CGAL/Global_odt_mesh_3/internal/Sliver_removal_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/Surface_cvt_objective_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/Tangential_motion.h>
 
@@ -87,6 +88,7 @@ private:
   static constexpr int most_tries_of_last_round = 3;
   static constexpr double least_gain_of_round = 2e-4;     // of the energy, relatively
   static constexpr double longest_way_in_round = 0.3;     // of a surface vertex, over its shortest edge on the surface
+  static constexpr int most_sliver_rounds = 5;
   static constexpr double share_of_rounds = 0.6;          // of the progress that is reported
 
   // In swift rounds, surface vertices follow tangential planes and are only now
@@ -137,8 +139,7 @@ private:
       const int before = number_of_iterations_;
       if(!minimize_interior())
         return false;
-      const typename Update::Evidence evidence = care == CAREFUL ? Update::ORACLE : Update::GOOD_EVIDENCE;
-      if(number_of_iterations_ > before && !bridge.store(mesh_, Update{ false, false, evidence, true }))
+      if(!remove_slivers(bridge, care, number_of_iterations_ > before))
         return false;
     }
     bridge.commit();
@@ -294,6 +295,53 @@ private:
       break;
     }
     return true;
+  }
+
+  bool remove_slivers(Bridge& bridge, Care care, bool has_moved)
+  {
+    const typename Update::Evidence evidence = care == CAREFUL ? Update::ORACLE : Update::GOOD_EVIDENCE;
+    for(int round = 0; ; ++round)
+    {
+      bool surface_moves = false;
+      if(parameters_.sliver_bound > 0 && round < most_sliver_rounds)
+      {
+        std::vector<Site> before = mesh_.sites;
+        const Complex& complex = bridge.complex();
+        Sliver_removal_3 removal(mesh_, parameters_.sliver_bound + 2, parameters_.random_seed + round, [&](int v, Site& s)
+        {
+          const Boundary_fan& fan = complex.boundary.fan(v, 0);
+          if(!fan.is_smooth)
+            return false;
+          const Site& o = mesh_.sites[v];
+          const double h = fan.normal[0] * (s.x - o.x) + fan.normal[1] * (s.y - o.y) + fan.normal[2] * (s.z - o.z);
+          s = { s.x - h * fan.normal[0], s.y - h * fan.normal[1], s.z - h * fan.normal[2], s.weight };
+          return bridge.put_on_surface(v, s);
+        });
+        clock_t t = clock();
+        if(getenv("V")) std::printf("  round %d total %.2f\n", round, removal.total());
+        for(int pass = 0; pass < 12; ++pass)
+        {
+          const std::size_t n = removal.pass();
+          if(getenv("V")) std::printf("   pass %d improved %zu total %.2f trials %zu %.3fs\n", pass, n, removal.total(), removal.trials, double(clock() - t) / CLOCKS_PER_SEC);
+          if(n == 0)
+            break;
+        }
+        has_moved = has_moved || removal.moves > 0;
+        for(int v = mesh_.number_of_interior_vertices; v < mesh_.number_of_movable_vertices && !surface_moves; ++v)
+          surface_moves = mesh_.squared_distance(before[v], mesh_.sites[v]) > 0;
+      }
+      if(!has_moved)
+        return true;
+      clock_t t = clock();
+      const bool stored = bridge.store(mesh_, Update{ surface_moves, surface_moves, evidence, true });
+      if(getenv("V")) std::printf("  stored %d with surface %d %.3fs\n", stored, surface_moves, double(clock() - t) / CLOCKS_PER_SEC);
+      if(!stored && round == 0)
+        return false;
+      if(!stored || round == most_sliver_rounds)
+        return true;
+      has_moved = false;
+      bridge.reload(mesh_);
+    }
   }
 
   int most_iterations() const

@@ -66,6 +66,7 @@ public:
   const Oracle_statistics& oracle_statistics() const { return oracle_.statistics(); }
 
   bool is_rough() { return projection_.is_rough(); }
+  bool put_on_surface(int v, Site& s) { return projection_.put_on_surface(v, s); }
   void measure_fidelity() { fidelity_.measure_input(); }
 
   // Goes to new positions of the movable vertices, as far as possible. False if

@@ -53,6 +53,12 @@ public:
       next_on_surface_[v] = on_surface_[v] && draft_.is_home(v);
   }
 
+  // Moves a site for a surface vertex of the complex to the surface; false if that cannot be done.
+  bool put_on_surface(int v, Site& s)
+  {
+    return put_on_surface(complex_.boundary.fan(v, 0), s);
+  }
+
   // Projects the surface vertices that are not on the surface, or those only that may have
   // got too far from it. One for which that fails stays, or goes back to where it was last on it.
   void project_all()
@@ -136,8 +142,11 @@ private:
 
   bool project(int v)
   {
-    const Boundary_fan& fan = draft_.measured_boundary.fan(v, 0);
-    Site& s = draft_.sites[v];
+    return put_on_surface(draft_.measured_boundary.fan(v, 0), draft_.sites[v]);
+  }
+
+  bool put_on_surface(const Boundary_fan& fan, Site& s)
+  {
     Vector p = {{ s.x, s.y, s.z }};
     if(!oracle_.project(p, fan.normal, farthest_projection * fan.shortest_edge, complex_.patches.value(fan.patch)))
       return false;

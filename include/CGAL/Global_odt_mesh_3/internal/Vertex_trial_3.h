@@ -1,0 +1,162 @@
+// Copyright (c) 2026 The Global_odt_mesh_3 authors.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_GLOBAL_ODT_MESH_3_INTERNAL_VERTEX_TRIAL_3_H
+#define CGAL_GLOBAL_ODT_MESH_3_INTERNAL_VERTEX_TRIAL_3_H
+
+#include <CGAL/Global_odt_mesh_3/internal/Angle_deficit_3.h>
+#include <CGAL/Global_odt_mesh_3/internal/Constrained_triangulation_3.h>
+#include <CGAL/Global_odt_mesh_3/internal/Flat_triangulation_3.h>
+#include <CGAL/Global_odt_mesh_3/internal/Lawson_flips_3.h>
+#include <CGAL/Global_odt_mesh_3/internal/Odt_energy_3.h>
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <limits>
+#include <vector>
+
+namespace CGAL {
+namespace Global_odt_mesh_3 {
+namespace internal {
+
+// What moving one vertex of a constrained regular triangulation does to the angles of the
+// cells, after the flips that it entails; to be accepted or taken back.
+class Vertex_trial_3
+{
+public:
+  Vertex_trial_3(Constrained_triangulation_3& mesh, const Angle_deficit_3& angle_deficit)
+    : mesh_(mesh)
+    , angle_deficit_(angle_deficit)
+  {
+    make_room();
+    for(int c = 0; c < mesh.topology.number_of_cell_slots(); ++c)
+      deficit_[c] = measure(c);
+  }
+
+  double deficit(int cell) const { return deficit_[cell]; }
+
+  // The change of the sum of the deficits if the vertex goes to `s`, or infinity if it cannot.
+  // The mesh stays as tried until accept() or reject().
+  double move(int v, const Site& s)
+  {
+    ++trial_;
+    touched_.clear();
+    vertex_ = v;
+    from_ = mesh_.sites[v];
+    before_ = after_ = 0;
+    mesh_.topology.begin_trial();
+    mesh_.topology.star(v, star_);
+    mesh_.sites[v] = s;
+    irregular_.clear();
+    for(int slot : star_)
+    {
+      if(!(mesh_.products(slot / 4).determinant > 0))
+        return (std::numeric_limits<double>::infinity)();
+      touch(slot / 4);
+      mesh_.push_facets(slot / 4, irregular_);
+    }
+    Lawson_flips_3<Vertex_trial_3>(mesh_, *this, irregular_).make_regular();
+    for(int c : touched_)
+      if(mesh_.topology.is_alive(c))
+      {
+        if(is_beyond_wall(c))
+          return (std::numeric_limits<double>::infinity)();
+        after_ += measure(c);
+      }
+    return after_ - before_;
+  }
+
+  // The sum of the deficits of the cells that the trial has made.
+  double deficit_after() const { return after_; }
+
+  void accept()
+  {
+    mesh_.topology.end_trial();
+    for(int c : touched_)
+      deficit_[c] = mesh_.topology.is_alive(c) ? measure(c) : 0;
+  }
+
+  void reject()
+  {
+    mesh_.topology.undo_trial();
+    mesh_.sites[vertex_] = from_;
+  }
+
+private:
+  friend class Lawson_flips_3<Vertex_trial_3>;
+
+  std::array<int, 3> flip_2_3(int slot)
+  {
+    touch(slot / 4);
+    touch(mesh_.topology.neighbor(slot) / 4);
+    const std::array<int, 3> cells = mesh_.topology.flip_2_3(slot);
+    make_room();
+    for(int c : cells)
+      touch(c);
+    return cells;
+  }
+
+  std::array<int, 2> flip_3_2(const std::array<int, 3>& ring)
+  {
+    for(int slot : ring)
+      touch(slot / 4);
+    return mesh_.topology.flip_3_2(ring);
+  }
+
+  // Cells that were not there before have no deficit.
+  void touch(int c)
+  {
+    if(trial_of_cell_[c] == trial_)
+      return;
+    trial_of_cell_[c] = trial_;
+    touched_.push_back(c);
+    before_ += deficit_[c];
+  }
+
+  void make_room()
+  {
+    deficit_.resize(mesh_.topology.number_of_cell_slots(), 0);
+    trial_of_cell_.resize(mesh_.topology.number_of_cell_slots(), 0);
+  }
+
+  double measure(int c) const
+  {
+    if(!mesh_.topology.is_alive(c))
+      return 0;
+    const int* const v = mesh_.topology.cell_vertices() + 4 * c;
+    return angle_deficit_(mesh_.sites[v[0]], mesh_.sites[v[1]], mesh_.sites[v[2]], mesh_.sites[v[3]]);
+  }
+
+  // Whether a vertex of the interior has pushed the dual point of the cell through the surface.
+  bool is_beyond_wall(int c) const
+  {
+    const int* const v = mesh_.topology.cell_vertices() + 4 * c;
+    for(int i = 0; i < 4; ++i)
+    {
+      const int across = mesh_.topology.neighbor(4 * c + i);
+      if(Flat_triangulation_3::is_wall(across) && v[i] < mesh_.number_of_interior_vertices
+         && mesh_.is_beyond_wall(mesh_.products(c), v, i, across))
+        return true;
+    }
+    return false;
+  }
+
+  Constrained_triangulation_3& mesh_;
+  const Angle_deficit_3& angle_deficit_;
+  std::vector<double> deficit_;             // of each cell
+  std::vector<std::size_t> trial_of_cell_;
+  std::size_t trial_ = 0;
+  int vertex_ = -1;
+  Site from_;
+  double before_ = 0, after_ = 0;
+  std::vector<int> touched_, star_, irregular_;
+};
+
+} // namespace internal
+} // namespace Global_odt_mesh_3
+} // namespace CGAL
+
+#endif // CGAL_GLOBAL_ODT_MESH_3_INTERNAL_VERTEX_TRIAL_3_H
