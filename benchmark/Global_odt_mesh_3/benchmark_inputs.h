@@ -148,7 +148,7 @@ void for_each_input(const Function& f)
     if(!image.read(file.c_str()))
       throw std::runtime_error("cannot read the image " + file);
     const Labeled_domain domain = image_domain(image);
-    f("liver", image_mesh(domain, 3.9, 5.6), domain);
+    f("liver", image_mesh(domain, 4.4, 5.6), domain);
   }
 }
 

@@ -310,19 +310,16 @@ private:
         Sliver_removal_3 removal(mesh_, parameters_.sliver_bound + 2, parameters_.random_seed + round, [&](int v, Site& s)
         {
           const Boundary_fan& fan = complex.boundary.fan(v, 0);
-          if(!fan.is_smooth)
+          if(!fan.is_smooth && care != CAREFUL)
             return false;
           const Site& o = mesh_.sites[v];
           const double h = fan.normal[0] * (s.x - o.x) + fan.normal[1] * (s.y - o.y) + fan.normal[2] * (s.z - o.z);
           s = { s.x - h * fan.normal[0], s.y - h * fan.normal[1], s.z - h * fan.normal[2], s.weight };
           return bridge.put_on_surface(v, s);
         });
-        clock_t t = clock();
-        if(getenv("V")) std::printf("  round %d total %.2f\n", round, removal.total());
         for(int pass = 0; pass < 12; ++pass)
         {
           const std::size_t n = removal.pass();
-          if(getenv("V")) std::printf("   pass %d improved %zu total %.2f trials %zu %.3fs\n", pass, n, removal.total(), removal.trials, double(clock() - t) / CLOCKS_PER_SEC);
           if(n == 0)
             break;
         }
@@ -332,9 +329,7 @@ private:
       }
       if(!has_moved)
         return true;
-      clock_t t = clock();
       const bool stored = bridge.store(mesh_, Update{ surface_moves, surface_moves, evidence, true });
-      if(getenv("V")) std::printf("  stored %d with surface %d %.3fs\n", stored, surface_moves, double(clock() - t) / CLOCKS_PER_SEC);
       if(!stored && round == 0)
         return false;
       if(!stored || round == most_sliver_rounds)

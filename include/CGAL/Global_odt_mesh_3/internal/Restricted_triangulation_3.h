@@ -180,7 +180,9 @@ private:
   bool send_back(int v, int attempt)
   {
     const bool on_surface = v >= complex_.number_of_interior_vertices;
-    const bool halfway = attempt < patient_attempts && guilty_.add_strike(v) < (on_surface ? 1 : 2);
+    // On the way, few attempts matter more than long ways.
+    const bool is_patient = attempt < patient_attempts && !(on_surface && draft_.mode.evidence == Update::SOME_EVIDENCE);
+    const bool halfway = is_patient && guilty_.add_strike(v) < (on_surface ? 1 : 2);
     Site& s = draft_.sites[v];
     const Site& home = complex_.sites[v];
     s = halfway ? Site{ (s.x + home.x) / 2, (s.y + home.y) / 2, (s.z + home.z) / 2, home.weight } : home;

@@ -58,6 +58,7 @@ public:
       if(mesh_.topology.is_alive(c) && trial_.deficit(c) > 0)
         slivers.emplace_back(-trial_.deficit(c), c);
     std::sort(slivers.begin(), slivers.end());
+    failures_.resize(2 * mesh_.topology.number_of_cell_slots());
     std::size_t improved = 0;
     for(const auto& s : slivers)
       if(mesh_.topology.is_alive(s.second) && trial_.deficit(s.second) > 0)
@@ -77,45 +78,60 @@ public:
 private:
   bool improve(int cell)
   {
+    Failures& failures = failures_[cell];
+    if(failures.deficit != trial_.deficit(cell))
+      failures = { trial_.deficit(cell), 0 };
+    if(failures.number == parameters_.failures)
+      return false;
     std::array<int, 4> vertices;
     for(int i = 0; i < 4; ++i)
       vertices[i] = mesh_.topology.vertex(4 * cell + i);
+    // Those of the interior first.
+    std::sort(vertices.begin(), vertices.end());
     ++attempts;
-    double best = -1e-9;
-    int best_vertex = -1;
-    Site best_site;
+    best_change_ = -1e-9;
+    best_vertex_ = -1;
     for(int v : vertices)
     {
-      if(v >= mesh_.number_of_movable_vertices)
-        continue;
-      for(int n = 0; n < parameters_.tries; ++n)
-      {
-        Site s = mesh_.sites[v];
-        if(!displace(v, (n % 2 == 0 ? parameters_.far : parameters_.near) * edge_length_[v], s))
-          continue;
-        ++trials;
-        const double change = trial_.move(v, s);
-        if(change < best && trial_.deficit_after() == 0)
-        {
-          trial_.accept();
-          ++moves;
-          return true;
-        }
-        trial_.reject();
-        if(change < best)
-        {
-          best = change;
-          best_vertex = v;
-          best_site = s;
-        }
-      }
+      if(v < mesh_.number_of_movable_vertices && try_positions(v))
+        return true;
     }
-    if(best_vertex < 0)
+    if(best_vertex_ < 0)
+    {
+      ++failures.number;
       return false;
-    trial_.move(best_vertex, best_site);
+    }
+    trial_.move(best_vertex_, best_site_);
     trial_.accept();
     ++moves;
     return true;
+  }
+
+  // Whether one was found, and accepted, that leaves no deficit.
+  bool try_positions(int v)
+  {
+    for(int n = 0; n < parameters_.tries; ++n)
+    {
+      Site s = mesh_.sites[v];
+      if(!displace(v, (n % 2 == 0 ? parameters_.far : parameters_.near) * edge_length_[v], s))
+        return false;
+      ++trials;
+      const double change = trial_.move(v, s);
+      if(change < best_change_ && trial_.deficit_after() == 0)
+      {
+        trial_.accept();
+        ++moves;
+        return true;
+      }
+      trial_.reject();
+      if(change < best_change_)
+      {
+        best_change_ = change;
+        best_vertex_ = v;
+        best_site_ = s;
+      }
+    }
+    return false;
   }
 
   bool displace(int v, double length, Site& s)
@@ -137,6 +153,13 @@ private:
 
   double uniform() { return std::ldexp(double(random_()), -32); }
 
+  // How often a cell could not be improved in vain.
+  struct Failures
+  {
+    double deficit = 0;
+    int number = 0;
+  };
+
   Constrained_triangulation_3& mesh_;
   Sliver_removal_parameters parameters_;
   Angle_deficit_3 angle_deficit_;
@@ -144,6 +167,10 @@ private:
   Projection projection_;
   std::mt19937 random_;
   std::vector<double> edge_length_;
+  std::vector<Failures> failures_;
+  double best_change_;
+  int best_vertex_;
+  Site best_site_;
 };
 
 } // namespace internal
