@@ -8,6 +8,7 @@
 
 #include "check.h"
 
+#include <CGAL/Global_odt_mesh_3/internal/Averaging_iteration.h>
 #include <CGAL/Global_odt_mesh_3/internal/Load_triangulation_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/Limited_memory_bfgs.h>
 #include <CGAL/Global_odt_mesh_3/internal/Odt_objective_3.h>
@@ -202,17 +203,9 @@ static void minimization(double shift, std::mt19937& random)
   check::that(difference_to_exact(mesh) <= 4, "the minimizer's triangulation is not CGAL's");
 
   Odt_objective_3 avv(copy);
+  Averaging_iteration averaging;
   for(int i = 0; i < 500; ++i)
-  {
-    const Eigen::VectorXd start = avv.point();
-    Eigen::VectorXd step = -(avv.gradient().array() / avv.diagonal().array()).matrix();
-    while(!avv.evaluate(start + step))
-    {
-      avv.reject();
-      step /= 2;
-    }
-    avv.accept();
-  }
+    check::that(averaging.iterate(avv), "AVV finds no step in iteration ", i);
   check::that(energy < avv.value(), "AVV finds a lower energy: ", avv.value(), " < ", energy);
 }
 

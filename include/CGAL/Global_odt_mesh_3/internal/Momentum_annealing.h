@@ -7,13 +7,12 @@
 #define CGAL_GLOBAL_ODT_MESH_3_INTERNAL_MOMENTUM_ANNEALING_H
 
 #include <CGAL/Global_odt_mesh_3/internal/Odt_objective_3.h>
+#include <CGAL/Global_odt_mesh_3/internal/Vertex_noise.h>
 
 #include <Eigen/Core>
 
 #include <algorithm>
 #include <cmath>
-#include <random>
-#include <vector>
 
 namespace CGAL {
 namespace Global_odt_mesh_3 {
@@ -37,14 +36,14 @@ public:
   explicit Momentum_annealing(unsigned int seed,
                               const Momentum_annealing_parameters& parameters = Momentum_annealing_parameters())
     : parameters_(parameters)
-    , random_(seed)
+    , noise_(seed)
   {}
 
   // To be called when the vertices have got other neighbors or motions: forgets the
   // momentum and measures the edges.
   void start(const Odt_objective_3& f)
   {
-    f.mean_edge_lengths(edge_length_);
+    noise_.measure_edges(f);
     velocity_ = Eigen::VectorXd::Zero(f.point().size());
   }
 
@@ -54,34 +53,13 @@ public:
     const double left = std::pow((std::max)(0., 1 - done), parameters_.decay);
     x_ = f.point();
     step_ = parameters_.momentum * velocity_ - (f.gradient().array() / f.diagonal().array()).matrix();
-    noise_.resize(x_.size());
-    for(int v = 0; v < f.number_of_vertices(); ++v)
-    {
-      auto step = step_.segment<3>(3 * v);
-      auto noise = noise_.segment<3>(3 * v);
-      noise = random_direction();
-      if(f.is_frozen(v))
-      {
-        step.setZero();
-        noise.setZero();
-        continue;
-      }
-      const double longest = parameters_.longest_step * edge_length_[v], length = step.norm();
-      if(length > longest)
-        step *= longest / length;
-      const bool on_surface = f.normal(v) != nullptr;
-      if(on_surface)
-      {
-        const Eigen::Map<const Eigen::Vector3d> n(f.normal(v)->data());
-        noise -= n.dot(noise) * n;
-      }
-      noise *= left * edge_length_[v] * uniform_(random_)
-               * (on_surface ? parameters_.surface_amplitude : parameters_.interior_amplitude);
-    }
-    if(f.evaluate(x_ + step_ + noise_))
+    shorten_steps(f);
+    const Eigen::VectorXd& noise
+      = noise_.draw(f, left * parameters_.interior_amplitude, left * parameters_.surface_amplitude);
+    if(f.evaluate(x_ + step_ + noise))
     {
       f.keep();
-      velocity_ = f.point() - x_ - noise_;
+      velocity_ = f.point() - x_ - noise;
     }
     else
     {
@@ -91,21 +69,21 @@ public:
   }
 
 private:
-  Eigen::Vector3d random_direction()
+  void shorten_steps(const Odt_objective_3& f)
   {
-    Eigen::Vector3d d;
-    do
-      d = { normal_(random_), normal_(random_), normal_(random_) };
-    while(d.squaredNorm() < 1e-12);
-    return d.normalized();
+    for(int v = 0; v < f.number_of_vertices(); ++v)
+    {
+      auto step = step_.segment<3>(3 * v);
+      const double longest = f.is_frozen(v) ? 0 : parameters_.longest_step * noise_.mean_edge_length(v);
+      const double length = step.norm();
+      if(length > longest)
+        step *= longest / length;
+    }
   }
 
   Momentum_annealing_parameters parameters_;
-  std::mt19937 random_;
-  std::uniform_real_distribution<double> uniform_{ 0, 1 };
-  std::normal_distribution<double> normal_;
-  std::vector<double> edge_length_;
-  Eigen::VectorXd x_, step_, noise_, velocity_;
+  Vertex_noise noise_;
+  Eigen::VectorXd x_, step_, velocity_;
 };
 
 } // namespace internal
