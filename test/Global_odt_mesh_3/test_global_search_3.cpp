@@ -87,10 +87,9 @@ static void perturbation()
   double mean = 0, longest = 0, out_of_plane = 0, of_frozen = 0;
   for(int n = 0; n < draws; ++n)
   {
-    const Eigen::VectorXd& d = noise.draw(f, amplitude, amplitude);
     for(int v = 0; v < mesh.number_of_movable_vertices; ++v)
     {
-      const Eigen::Vector3d moved = d.segment<3>(3 * v);
+      const Eigen::Vector3d moved = noise.displacement(f, v, amplitude, amplitude);
       const double length = moved.norm() / noise.mean_edge_length(v);
       longest = (std::max)(longest, length);
       if(v >= mesh.number_of_interior_vertices)

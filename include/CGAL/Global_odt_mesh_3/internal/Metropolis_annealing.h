@@ -52,11 +52,13 @@ public:
   {
     noise_.measure_edges(f);
     start_ = f.point();
-    const Eigen::VectorXd& noise = noise_.draw(f, parameters_.perturbation, parameters_.perturbation);
-    double part = 1;
-    for(int n = 0; n < max_halvings; ++n, part /= 2)
+    perturbation_.resize(start_.size());
+    for(int v = 0; v < f.number_of_vertices(); ++v)
+      perturbation_.segment<3>(3 * v)
+        = noise_.displacement(f, v, parameters_.perturbation, parameters_.perturbation);
+    for(int n = 0; n < max_halvings; ++n, perturbation_ /= 2)
     {
-      if(f.evaluate(start_ + part * noise))
+      if(f.evaluate(start_ + perturbation_))
       {
         f.keep();
         return;
@@ -118,7 +120,7 @@ private:
   Metropolis_annealing_parameters parameters_;
   double temperature_;
   Vertex_noise noise_;
-  Eigen::VectorXd start_;
+  Eigen::VectorXd start_, perturbation_;
 };
 
 } // namespace internal

@@ -51,16 +51,11 @@ public:
   void iterate(Odt_objective_3& f, double done)
   {
     const double left = std::pow((std::max)(0., 1 - done), parameters_.decay);
-    x_ = f.point();
-    step_ = parameters_.momentum * velocity_
-            - parameters_.step_length * (f.gradient().array() / f.diagonal().array()).matrix();
-    shorten_steps(f);
-    const Eigen::VectorXd& noise
-      = noise_.draw(f, left * parameters_.interior_amplitude, left * parameters_.surface_amplitude);
-    if(f.evaluate(x_ + step_ + noise))
+    prepare_step(f, left * parameters_.interior_amplitude, left * parameters_.surface_amplitude);
+    if(f.evaluate(trial_))
     {
       f.keep();
-      velocity_ = f.point() - x_ - noise;
+      velocity_ = f.point() - start_;
     }
     else
     {
@@ -70,21 +65,30 @@ public:
   }
 
 private:
-  void shorten_steps(const Odt_objective_3& f)
+  // The noise goes into the point from which the step starts, so that it gives no momentum. In one
+  // loop, as the vectors of large meshes come from memory.
+  void prepare_step(const Odt_objective_3& f, double interior_amplitude, double surface_amplitude)
   {
+    start_.resize(f.point().size());
+    trial_.resize(f.point().size());
     for(int v = 0; v < f.number_of_vertices(); ++v)
     {
-      auto step = step_.segment<3>(3 * v);
+      const int n = 3 * v;
+      Eigen::Vector3d step = parameters_.momentum * velocity_.segment<3>(n)
+                             - parameters_.step_length / f.diagonal()[n] * f.gradient().segment<3>(n);
       const double longest = f.is_frozen(v) ? 0 : parameters_.longest_step * noise_.mean_edge_length(v);
-      const double length = step.norm();
-      if(length > longest)
-        step *= longest / length;
+      const double squared_length = step.squaredNorm();
+      if(squared_length > longest * longest)
+        step *= longest / std::sqrt(squared_length);
+      start_.segment<3>(n) = f.point().segment<3>(n)
+                             + noise_.displacement(f, v, interior_amplitude, surface_amplitude);
+      trial_.segment<3>(n) = start_.segment<3>(n) + step;
     }
   }
 
   Momentum_annealing_parameters parameters_;
   Vertex_noise noise_;
-  Eigen::VectorXd x_, step_, velocity_;
+  Eigen::VectorXd start_, trial_, velocity_;
 };
 
 } // namespace internal

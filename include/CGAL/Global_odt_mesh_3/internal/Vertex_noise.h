@@ -25,30 +25,23 @@ class Vertex_noise
 public:
   explicit Vertex_noise(unsigned int seed) : random_(seed) {}
 
-  // To be called before draw() and when the edges have got other lengths.
+  // To be called first and when the edges have got other lengths.
   void measure_edges(const Odt_objective_3& f) { f.mean_edge_lengths(edge_length_); }
   double mean_edge_length(int v) const { return edge_length_[v]; }
 
-  // Random directions, their tangential part on surfaces, of a length uniform between zero and
-  // the amplitude times the mean edge. Frozen vertices get none.
-  const Eigen::VectorXd& draw(const Odt_objective_3& f, double interior_amplitude, double surface_amplitude)
+  // In a random direction, its tangential part on surfaces, of a length uniform between zero and
+  // the amplitude times the mean edge. Frozen vertices stay.
+  Eigen::Vector3d displacement(const Odt_objective_3& f, int v, double interior_amplitude, double surface_amplitude)
   {
-    noise_.setZero(f.point().size());
-    for(int v = 0; v < f.number_of_vertices(); ++v)
-    {
-      if(f.is_frozen(v))
-        continue;
-      Eigen::Vector3d direction = random_.direction();
-      double amplitude = interior_amplitude;
-      if(const std::array<double, 3>* normal = f.normal(v))
-      {
-        const Eigen::Map<const Eigen::Vector3d> n(normal->data());
-        direction -= n.dot(direction) * n;
-        amplitude = surface_amplitude;
-      }
-      noise_.segment<3>(3 * v) = amplitude * edge_length_[v] * random_.uniform() * direction;
-    }
-    return noise_;
+    if(f.is_frozen(v))
+      return Eigen::Vector3d::Zero();
+    const Eigen::Vector3d direction = random_.direction();
+    const double length = edge_length_[v] * random_.uniform();
+    const std::array<double, 3>* normal = f.normal(v);
+    if(normal == nullptr)
+      return interior_amplitude * length * direction;
+    const Eigen::Map<const Eigen::Vector3d> n(normal->data());
+    return surface_amplitude * length * (direction - n.dot(direction) * n);
   }
 
   // The source of the noise, for whatever else is left to chance.
@@ -57,7 +50,6 @@ public:
 private:
   Random_source random_;
   std::vector<double> edge_length_;
-  Eigen::VectorXd noise_;
 };
 
 } // namespace internal
