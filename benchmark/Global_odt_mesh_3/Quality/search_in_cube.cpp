@@ -19,6 +19,7 @@
 #include "random_cube.h"
 
 #include <CGAL/Global_odt_mesh_3/internal/Averaging_iteration.h>
+#include <CGAL/Global_odt_mesh_3/internal/Cell_order.h>
 #include <CGAL/Global_odt_mesh_3/internal/Cell_shape_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/Limited_memory_bfgs.h>
 #include <CGAL/Global_odt_mesh_3/internal/Metropolis_annealing.h>
@@ -72,7 +73,7 @@ static Outcome outcome(const Moving_triangulation_3& mesh, double time)
 class Runner
 {
 public:
-  explicit Runner(Moving_triangulation_3& mesh) : mesh_(mesh), objective_(mesh) {}
+  explicit Runner(Moving_triangulation_3& mesh) : mesh_(mesh), objective_(mesh), order_(mesh) {}
 
   void average(int iterations)
   {
@@ -108,15 +109,12 @@ private:
   void repeat(int times, const std::function<bool(int)>& iterate)
   {
     for(int n = 0; n < times && iterate(n); ++n)
-      if(n % 50 == 49)
-      {
-        mesh_.topology.compact();
-        mesh_.keep();
-      }
+      order_.maintain(mesh_);
   }
 
   Moving_triangulation_3& mesh_;
   Odt_objective_3 objective_;
+  Cell_order order_;
 };
 
 struct Method

@@ -6,6 +6,7 @@
 #ifndef CGAL_GLOBAL_ODT_MESH_3_INTERNAL_METROPOLIS_ANNEALING_H
 #define CGAL_GLOBAL_ODT_MESH_3_INTERNAL_METROPOLIS_ANNEALING_H
 
+#include <CGAL/Global_odt_mesh_3/internal/Cell_order.h>
 #include <CGAL/Global_odt_mesh_3/internal/Limited_memory_bfgs.h>
 #include <CGAL/Global_odt_mesh_3/internal/Moving_triangulation_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/Odt_objective_3.h>
@@ -85,11 +86,11 @@ public:
   void run(Moving_triangulation_3& mesh, Odt_objective_3& f)
   {
     Limited_memory_bfgs minimizer;
+    Cell_order order(mesh);
     for(int round = 0; round < parameters_.number_of_rounds; ++round)
     {
       const double energy = f.value();
-      mesh.topology.compact();
-      mesh.keep();
+      order.maintain(mesh);
       const Moving_triangulation_3 before = mesh;
       perturb(f);
       minimize(minimizer, f, parameters_.iterations_in_round);

@@ -28,8 +28,9 @@ struct Momentum_annealing_parameters
   double longest_step = 0.3;            // of a vertex, over its mean incident edge length
 };
 
-// Gradient steps, longer than the AVV moves (2.3) of the paper, with momentum and with noise whose amplitude falls to zero. Every step that leads to a triangulation is taken,
-// whatever the energy says.
+// Gradient steps, longer than the AVV moves (2.3) of the paper, with momentum and with noise
+// whose amplitude falls to zero. Every step that leads to a triangulation is taken, whatever
+// the energy says.
 class Momentum_annealing
 {
 public:
@@ -65,8 +66,7 @@ public:
   }
 
 private:
-  // The noise goes into the point from which the step starts, so that it gives no momentum. In one
-  // loop, as the vectors of large meshes come from memory.
+  // The noise goes into the point from which the step starts, so that it gives no momentum.
   void prepare_step(const Odt_objective_3& f, double interior_amplitude, double surface_amplitude)
   {
     start_.resize(f.point().size());
