@@ -7,85 +7,20 @@
 // one while its vertices move, and the minimizer finds a stationary point.
 
 #include "check.h"
+#include "random_cube_triangulation.h"
 
-#include <CGAL/Global_odt_mesh_3/internal/Load_triangulation_3.h>
+#include <CGAL/Global_odt_mesh_3/internal/Averaging_iteration.h>
 #include <CGAL/Global_odt_mesh_3/internal/Limited_memory_bfgs.h>
 #include <CGAL/Global_odt_mesh_3/internal/Odt_objective_3.h>
-
-#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
-#include <CGAL/Regular_triangulation_3.h>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <iostream>
-#include <iterator>
-#include <map>
 #include <random>
 #include <set>
-#include <vector>
 
 using namespace CGAL::Global_odt_mesh_3::internal;
-typedef CGAL::Exact_predicates_inexact_constructions_kernel Kernel;
-typedef CGAL::Regular_triangulation_3<Kernel> Regular;
-
-// Random points in the unit cube, whose surface carries a regular grid, all
-// displaced by `shift`; some vertices weighted on request.
-static Moving_triangulation_3 random_cube(int grid, int interior, double shift, bool weighted, std::mt19937& random)
-{
-  std::uniform_real_distribution<double> u(0, 1);
-  std::vector<Regular::Weighted_point> points;
-  const auto add = [&](double x, double y, double z, double w)
-  { points.emplace_back(Kernel::Point_3(x + shift, y + shift, z + shift), w); };
-  for(int i = 0; i <= grid; ++i)
-    for(int j = 0; j <= grid; ++j)
-      for(int k = 0; k <= grid; ++k)
-        if(i % grid == 0 || j % grid == 0 || k % grid == 0)
-          add(i / double(grid), j / double(grid), k / double(grid), 0);
-  const double size = std::pow(1. / interior, 1. / 3);
-  for(int n = 0; n < interior; ++n)
-  {
-    const double w = weighted && n % 10 == 0 ? 0.05 * size * size : 0;
-    add(u(random), u(random), u(random), w);
-  }
-  Regular tr(points.begin(), points.end());
-  return load_triangulation_3(tr);
-}
-
-// The number of cells by which the flat and CGAL's exact triangulation of the
-// same points differ.
-static std::size_t difference_to_exact(const Moving_triangulation_3& mesh)
-{
-  typedef std::array<int, 4> Cell;
-  std::set<Cell> flat, exact;
-  for(int c = 0; c < mesh.topology.number_of_cell_slots(); ++c)
-    if(mesh.topology.is_alive(c))
-    {
-      Cell v;
-      for(int i = 0; i < 4; ++i)
-        v[i] = mesh.topology.vertex(4 * c + i);
-      std::sort(v.begin(), v.end());
-      flat.insert(v);
-    }
-  Regular tr;
-  std::map<Regular::Vertex_handle, int> number;
-  for(std::size_t v = 0; v < mesh.sites.size(); ++v)
-  {
-    const Site& s = mesh.sites[v];
-    number[tr.insert(Regular::Weighted_point(Kernel::Point_3(s.x, s.y, s.z), s.weight))] = static_cast<int>(v);
-  }
-  for(auto c = tr.finite_cells_begin(); c != tr.finite_cells_end(); ++c)
-  {
-    Cell v;
-    for(int i = 0; i < 4; ++i)
-      v[i] = number[c->vertex(i)];
-    std::sort(v.begin(), v.end());
-    exact.insert(v);
-  }
-  std::vector<Cell> only;
-  std::set_symmetric_difference(flat.begin(), flat.end(), exact.begin(), exact.end(), std::back_inserter(only));
-  return only.size();
-}
 
 // Each pair of flips 2-3 and 3-2 leads back to the same cells.
 static void flips(std::mt19937& random)
@@ -202,17 +137,9 @@ static void minimization(double shift, std::mt19937& random)
   check::that(difference_to_exact(mesh) <= 4, "the minimizer's triangulation is not CGAL's");
 
   Odt_objective_3 avv(copy);
+  Averaging_iteration averaging;
   for(int i = 0; i < 500; ++i)
-  {
-    const Eigen::VectorXd start = avv.point();
-    Eigen::VectorXd step = -(avv.gradient().array() / avv.diagonal().array()).matrix();
-    while(!avv.evaluate(start + step))
-    {
-      avv.reject();
-      step /= 2;
-    }
-    avv.accept();
-  }
+    check::that(averaging.iterate(avv), "AVV finds no step in iteration ", i);
   check::that(energy < avv.value(), "AVV finds a lower energy: ", avv.value(), " < ", energy);
 }
 

@@ -11,43 +11,18 @@
 // The cube has 18,083 vertices, of which 3,752 are a grid on its surface that
 // stays.
 
-#include <CGAL/Global_odt_mesh_3/internal/Load_triangulation_3.h>
+#include "random_cube.h"
+
+#include <CGAL/Global_odt_mesh_3/internal/Averaging_iteration.h>
 #include <CGAL/Global_odt_mesh_3/internal/Limited_memory_bfgs.h>
 #include <CGAL/Global_odt_mesh_3/internal/Odt_objective_3.h>
 
-#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
-#include <CGAL/Regular_triangulation_3.h>
 #include <CGAL/Timer.h>
 
-#include <cmath>
 #include <cstdio>
 #include <cstdlib>
-#include <random>
-#include <vector>
 
 using namespace CGAL::Global_odt_mesh_3::internal;
-typedef CGAL::Exact_predicates_inexact_constructions_kernel Kernel;
-typedef CGAL::Regular_triangulation_3<Kernel> Regular;
-
-static Moving_triangulation_3 random_cube(unsigned int seed)
-{
-  const int grid = 25, vertices = 18083;
-  std::vector<Regular::Weighted_point> points;
-  for(int i = 0; i <= grid; ++i)
-    for(int j = 0; j <= grid; ++j)
-      for(int k = 0; k <= grid; ++k)
-        if(i % grid == 0 || j % grid == 0 || k % grid == 0)
-          points.emplace_back(Kernel::Point_3(double(i) / grid, double(j) / grid, double(k) / grid), 0);
-  std::mt19937 random(seed);
-  std::uniform_real_distribution<double> u(0, 1);
-  while(points.size() < vertices)
-  {
-    const double x = u(random), y = u(random), z = u(random);
-    points.emplace_back(Kernel::Point_3(x, y, z), 0);
-  }
-  const Regular tr(points.begin(), points.end());
-  return load_triangulation_3(tr);
-}
 
 static void compact_now_and_then(Moving_triangulation_3& mesh, int iteration)
 {
@@ -78,19 +53,10 @@ int main(int argc, char* argv[])
 
     timer.reset();
     Odt_objective_3 avv(copy);
+    Averaging_iteration averaging;
     int m = 0;
-    while(m < 499)
-    {
-      const Eigen::VectorXd start = avv.point();
-      Eigen::VectorXd step = -(avv.gradient().array() / avv.diagonal().array()).matrix();
-      while(!avv.evaluate(start + step))
-      {
-        avv.reject();
-        step /= 2;
-      }
-      avv.accept();
+    while(m < 499 && averaging.iterate(avv))
       compact_now_and_then(copy, ++m);
-    }
     const double avv_time = timer.time();
     std::printf("%4d  %11d %6.2f  %.2e  %.5e %9d %6.2f  %.2e  %.5e %+.3f  %.2f\n", seed, n, time,
                 objective.gradient().norm(), objective.value(), m, avv_time, avv.gradient().norm(), avv.value(),
