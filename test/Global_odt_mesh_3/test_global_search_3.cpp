@@ -116,7 +116,7 @@ static void acceptance()
 {
   for(double rise : { 0.1, 0.5, 2. })
   {
-    Metropolis_annealing_parameters constant;
+    CGAL::Metropolis_annealing_schedule constant;
     constant.cooling = 1;
     Metropolis_annealing annealing(3, constant);
     const int draws = 40000;
@@ -129,7 +129,7 @@ static void acceptance()
   }
 
   Metropolis_annealing annealing(4);
-  double expected = annealing.parameters().temperature;
+  double expected = annealing.schedule().temperature;
   int rejections = 0;
   for(int n = 0; n < 100; ++n)
   {
@@ -157,12 +157,12 @@ static void rejection()
   minimize(f, 300);
   const double energy = f.value();
   const Eigen::VectorXd point = f.point();
-  Metropolis_annealing_parameters parameters;
-  parameters.number_of_rounds = parameters.iterations_in_round = 1;
-  parameters.final_iterations = 0;
-  Metropolis_annealing annealing(6, parameters);
-  annealing.run(mesh, f);
-  check::that(annealing.temperature() == 0.9 * parameters.temperature, "a bad round is accepted");
+  CGAL::Metropolis_annealing_schedule schedule;
+  schedule.iterations_in_round = 1;
+  schedule.final_iterations = 0;
+  Metropolis_annealing annealing(6, schedule);
+  annealing.run(mesh, f, 1);
+  check::that(annealing.temperature() == 0.9 * schedule.temperature, "a bad round is accepted");
   check::that(f.point() == point, "a rejected round moves vertices");
   check::that(std::abs(f.value() - energy) <= 1e-12 * energy, "a rejected round changes the energy");
 }

@@ -93,9 +93,7 @@ public:
 
   void search_as_printed(unsigned int seed, int factor)
   {
-    Metropolis_annealing_parameters parameters;
-    parameters.number_of_rounds *= factor;
-    Metropolis_annealing(seed, parameters).run(mesh_, objective_);
+    Metropolis_annealing(seed).run(mesh_, objective_, factor * Metropolis_annealing::usual_rounds);
   }
 
   void search_with_momentum(unsigned int seed, int steps)

@@ -6,6 +6,7 @@
 #ifndef CGAL_GLOBAL_ODT_MESH_3_INTERNAL_METROPOLIS_ANNEALING_H
 #define CGAL_GLOBAL_ODT_MESH_3_INTERNAL_METROPOLIS_ANNEALING_H
 
+#include <CGAL/Annealing_schedules_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/Cell_order.h>
 #include <CGAL/Global_odt_mesh_3/internal/Limited_memory_bfgs.h>
 #include <CGAL/Global_odt_mesh_3/internal/Moving_triangulation_3.h>
@@ -20,16 +21,6 @@ namespace CGAL {
 namespace Global_odt_mesh_3 {
 namespace internal {
 
-struct Metropolis_annealing_parameters
-{
-  double perturbation = 0.2;        // over the mean incident edge length
-  int iterations_in_round = 20;     // of L-BFGS
-  int number_of_rounds = 20;        // M of the paper
-  double temperature = 1e-4;        // at the beginning, over the energy
-  double cooling = 0.9;             // of the temperature at each rejection
-  int final_iterations = 30;
-};
-
 // Algorithm 2 of the paper, the global ODT method: rounds that perturb all vertices and go to a
 // minimum nearby, which replaces that of the rounds before if it is lower or, with the
 // probability of Metropolis, a little higher. The temperature is relative to the energy, so that
@@ -37,14 +28,16 @@ struct Metropolis_annealing_parameters
 class Metropolis_annealing
 {
 public:
+  static constexpr int usual_rounds = 20;
+
   explicit Metropolis_annealing(unsigned int seed,
-                                const Metropolis_annealing_parameters& parameters = Metropolis_annealing_parameters())
-    : parameters_(parameters)
-    , temperature_(parameters.temperature)
+                                const Metropolis_annealing_schedule& schedule = Metropolis_annealing_schedule())
+    : schedule_(schedule)
+    , temperature_(schedule.temperature)
     , noise_(seed)
   {}
 
-  const Metropolis_annealing_parameters& parameters() const { return parameters_; }
+  const Metropolis_annealing_schedule& schedule() const { return schedule_; }
   double temperature() const { return temperature_; }
 
   // Step (3): the perturbed point becomes the current one. Noise that breaks the triangulation
@@ -56,7 +49,7 @@ public:
     perturbation_.resize(start_.size());
     for(int v = 0; v < f.number_of_vertices(); ++v)
       perturbation_.segment<3>(3 * v)
-        = noise_.displacement(f, v, parameters_.perturbation, parameters_.perturbation);
+        = noise_.displacement(f, v, schedule_.perturbation, schedule_.perturbation);
     for(int n = 0; n < max_halvings; ++n, perturbation_ /= 2)
     {
       if(f.evaluate(start_ + perturbation_))
@@ -77,30 +70,30 @@ public:
     const double rise = (energy_after - energy_before) / energy_before;
     if(std::exp(-rise / temperature_) > noise_.random().uniform())
       return true;
-    temperature_ *= parameters_.cooling;
+    temperature_ *= schedule_.cooling;
     return false;
   }
 
-  // All of Algorithm 2 from the current point, which should be a minimum, on the objective of
-  // this mesh.
-  void run(Moving_triangulation_3& mesh, Odt_objective_3& f)
+  // All of Algorithm 2, M rounds, from the current point, which should be a minimum, on the
+  // objective of this mesh.
+  void run(Moving_triangulation_3& mesh, Odt_objective_3& f, int number_of_rounds = usual_rounds)
   {
     Limited_memory_bfgs minimizer;
     Cell_order order(mesh);
-    for(int round = 0; round < parameters_.number_of_rounds; ++round)
+    for(int round = 0; round < number_of_rounds; ++round)
     {
       const double energy = f.value();
       order.maintain(mesh);
       const Moving_triangulation_3 before = mesh;
       perturb(f);
-      minimize(minimizer, f, parameters_.iterations_in_round);
+      minimize(minimizer, f, schedule_.iterations_in_round);
       if(!accepts(f.value(), energy))
       {
         mesh = before;
         f.start();
       }
     }
-    minimize(minimizer, f, parameters_.final_iterations);
+    minimize(minimizer, f, schedule_.final_iterations);
   }
 
 private:
@@ -118,7 +111,7 @@ private:
       }
   }
 
-  Metropolis_annealing_parameters parameters_;
+  Metropolis_annealing_schedule schedule_;
   double temperature_;
   Vertex_noise noise_;
   Eigen::VectorXd start_, perturbation_;

@@ -6,6 +6,7 @@
 #ifndef CGAL_GLOBAL_ODT_MESH_3_INTERNAL_MOMENTUM_ANNEALING_H
 #define CGAL_GLOBAL_ODT_MESH_3_INTERNAL_MOMENTUM_ANNEALING_H
 
+#include <CGAL/Annealing_schedules_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/Odt_objective_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/Vertex_noise.h>
 
@@ -18,16 +19,6 @@ namespace CGAL {
 namespace Global_odt_mesh_3 {
 namespace internal {
 
-struct Momentum_annealing_parameters
-{
-  double momentum = 0.75;               // the part of a step that goes on in the next one
-  double step_length = 1.4;             // over that of AVV; with this momentum, 1.9 swings up
-  double interior_amplitude = 0.14;     // of the noise at the beginning, over the mean incident edge length
-  double surface_amplitude = 0.1;
-  double decay = 0.6;                   // the exponent of the time left
-  double longest_step = 0.3;            // of a vertex, over its mean incident edge length
-};
-
 // Gradient steps, longer than the AVV moves (2.3) of the paper, with momentum and with noise
 // whose amplitude falls to zero. Every step that leads to a triangulation is taken, whatever
 // the energy says.
@@ -35,8 +26,8 @@ class Momentum_annealing
 {
 public:
   explicit Momentum_annealing(unsigned int seed,
-                              const Momentum_annealing_parameters& parameters = Momentum_annealing_parameters())
-    : parameters_(parameters)
+                              const Momentum_annealing_schedule& schedule = Momentum_annealing_schedule())
+    : schedule_(schedule)
     , noise_(seed)
   {}
 
@@ -51,8 +42,8 @@ public:
   // One step when the fraction `done` of all steps is behind.
   void iterate(Odt_objective_3& f, double done)
   {
-    const double left = std::pow((std::max)(0., 1 - done), parameters_.decay);
-    prepare_step(f, left * parameters_.interior_amplitude, left * parameters_.surface_amplitude);
+    const double left = std::pow((std::max)(0., 1 - done), schedule_.decay);
+    prepare_step(f, left * schedule_.interior_amplitude, left * schedule_.surface_amplitude);
     if(f.evaluate(trial_))
     {
       f.keep();
@@ -74,9 +65,9 @@ private:
     for(int v = 0; v < f.number_of_vertices(); ++v)
     {
       const int n = 3 * v;
-      Eigen::Vector3d step = parameters_.momentum * velocity_.segment<3>(n)
-                             - parameters_.step_length / f.diagonal()[n] * f.gradient().segment<3>(n);
-      const double longest = f.is_frozen(v) ? 0 : parameters_.longest_step * noise_.mean_edge_length(v);
+      Eigen::Vector3d step = schedule_.momentum * velocity_.segment<3>(n)
+                             - schedule_.step_length / f.diagonal()[n] * f.gradient().segment<3>(n);
+      const double longest = f.is_frozen(v) ? 0 : schedule_.longest_step * noise_.mean_edge_length(v);
       const double squared_length = step.squaredNorm();
       if(squared_length > longest * longest)
         step *= longest / std::sqrt(squared_length);
@@ -86,7 +77,7 @@ private:
     }
   }
 
-  Momentum_annealing_parameters parameters_;
+  Momentum_annealing_schedule schedule_;
   Vertex_noise noise_;
   Eigen::VectorXd start_, trial_, velocity_;
 };

@@ -6,6 +6,8 @@
 #ifndef CGAL_GLOBAL_ODT_MESH_3_INTERNAL_ODT_PARAMETERS_H
 #define CGAL_GLOBAL_ODT_MESH_3_INTERNAL_ODT_PARAMETERS_H
 
+#include <CGAL/Annealing_schedules_3.h>
+
 #include <CGAL/Mesh_3/parameters_defaults.h>
 #include <CGAL/Named_function_parameters.h>
 #include <CGAL/assertions.h>
@@ -13,14 +15,19 @@
 #include <cmath>
 #include <cstddef>
 #include <functional>
+#include <variant>
 
 namespace CGAL {
 namespace Global_odt_mesh_3 {
 namespace internal {
 
+typedef std::variant<Momentum_annealing_schedule, Metropolis_annealing_schedule> Annealing_schedule;
+
 // What the caller of odt_optimize_mesh_3() may say.
 struct Odt_parameters
 {
+  static constexpr std::size_t usual_number_of_rounds = static_cast<std::size_t>(-1);
+
   double time_limit = 0;
   std::size_t max_iteration_number = 0;
   double convergence = parameters::default_values_for_mesh_3::odt_convergence_ratio;
@@ -28,8 +35,9 @@ struct Odt_parameters
   bool do_freeze = true;
   bool optimize_boundary = true;
   bool remesh_boundary = false;         // by the restricted CVT, instead of with the interior
-  std::size_t number_of_rounds = 0;
-  double sliver_bound = 0;
+  Annealing_schedule annealing_schedule;
+  std::size_t number_of_rounds = usual_number_of_rounds;    // of the schedule
+  double sliver_bound = 20;
   unsigned int random_seed = 0;
   std::function<bool(double)> callback;
 
@@ -38,6 +46,7 @@ struct Odt_parameters
     CGAL_precondition_msg(time_limit >= 0, "time_limit must be a number of seconds, not negative");
     CGAL_precondition_msg(convergence >= 0 && convergence <= 1, "convergence must be in [0, 1]");
     CGAL_precondition_msg(freeze_bound >= 0 && freeze_bound <= 1, "freeze_bound must be in [0, 1]");
+    std::visit([](const auto& schedule) { schedule.check(); }, annealing_schedule);
     CGAL_precondition_msg(sliver_bound >= 0 && sliver_bound < 180, "sliver_bound must be in [0, 180) degrees");
   }
 };

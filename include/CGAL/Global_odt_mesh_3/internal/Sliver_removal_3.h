@@ -8,13 +8,15 @@
 
 #include <CGAL/Global_odt_mesh_3/internal/Angle_deficit_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/Constrained_triangulation_3.h>
+#include <CGAL/Global_odt_mesh_3/internal/Random_source.h>
 #include <CGAL/Global_odt_mesh_3/internal/Vertex_trial_3.h>
+
+#include <Eigen/Core>
 
 #include <algorithm>
 #include <array>
 #include <cstddef>
 #include <functional>
-#include <random>
 #include <utility>
 #include <vector>
 
@@ -24,103 +26,101 @@ namespace internal {
 
 struct Sliver_removal_parameters
 {
-  int tries = 16;                   // of a vertex
-  double far = 0.35, near = 0.12;   // the lengths of tries, over the mean incident edge length, in turn
-  int passes = 12;
-  int failures = 3;
+  int tries_per_vertex = 16;
+  double far = 0.35, near = 0.12;   // the longest tries, over the mean incident edge length, in turn
+  int most_failures = 3;            // for the same cell
+  int most_passes = 12;
 };
 
+// Removes the cells with dihedral angles below a bound by moving single vertices: each vertex of
+// such a cell tries random positions around it, and the one that lowers the deficit of the angles
+// most is taken. That disturbs few vertices, so that the energy hardly rises.
 class Sliver_removal_3
 {
 public:
-  // Puts a vertex on the surface; false if it is not to be moved there.
-  typedef std::function<bool(int, Site&)> Projection;
+  // Moves a site for a vertex on a surface to where that vertex may be; false if it has to stay.
+  typedef std::function<bool(int, Site&)> Surface_motion;
 
-  Sliver_removal_3(Constrained_triangulation_3& mesh, double bound, unsigned int seed, Projection projection = Projection(),
+  Sliver_removal_3(Constrained_triangulation_3& mesh, double bound, unsigned int seed,
+                   Surface_motion surface_motion = Surface_motion(),
                    const Sliver_removal_parameters& parameters = Sliver_removal_parameters())
     : mesh_(mesh)
     , parameters_(parameters)
-    , angle_deficit_(bound)
-    , trial_(mesh, angle_deficit_)
-    , projection_(std::move(projection))
+    , trial_(mesh, bound)
+    , surface_motion_(std::move(surface_motion))
     , random_(seed)
   {
     mesh.mean_edge_lengths(edge_length_);
   }
 
-  std::size_t trials = 0, moves = 0, attempts = 0;
+  std::size_t number_of_moves() const { return number_of_moves_; }
+  std::size_t number_of_surface_moves() const { return number_of_surface_moves_; }
 
-  // One pass; gives the number of improvements.
-  std::size_t pass()
+  // Until there are no such cells, or nothing improves them any more.
+  void run()
   {
-    std::vector<std::pair<double, int> > slivers;
-    for(int c = 0; c < mesh_.topology.number_of_cell_slots(); ++c)
-      if(mesh_.topology.is_alive(c) && trial_.deficit(c) > 0)
-        slivers.emplace_back(-trial_.deficit(c), c);
-    std::sort(slivers.begin(), slivers.end());
-    failures_.resize(2 * mesh_.topology.number_of_cell_slots());
-    std::size_t improved = 0;
-    for(const auto& s : slivers)
-      if(mesh_.topology.is_alive(s.second) && trial_.deficit(s.second) > 0)
-        improved += improve(s.second);
-    return improved;
-  }
-
-  double total() const
-  {
-    double t = 0;
-    for(int c = 0; c < mesh_.topology.number_of_cell_slots(); ++c)
-      if(mesh_.topology.is_alive(c))
-        t += trial_.deficit(c);
-    return t;
+    for(int n = 0; n < parameters_.most_passes && pass(); ++n) {}
   }
 
 private:
+  // Whether something has been improved. The worst cells come first.
+  bool pass()
+  {
+    std::vector<std::pair<double, int> > slivers;
+    for(int c = 0; c < mesh_.topology.number_of_cell_slots(); ++c)
+      if(trial_.deficit(c) > 0)
+        slivers.emplace_back(-trial_.deficit(c), c);
+    std::sort(slivers.begin(), slivers.end());
+    bool improved = false;
+    for(const auto& s : slivers)
+      if(trial_.deficit(s.second) > 0 && improve(s.second))
+        improved = true;
+    return improved;
+  }
+
   bool improve(int cell)
   {
+    if(failures_.size() <= static_cast<std::size_t>(cell))
+      failures_.resize(mesh_.topology.number_of_cell_slots());
     Failures& failures = failures_[cell];
     if(failures.deficit != trial_.deficit(cell))
       failures = { trial_.deficit(cell), 0 };
-    if(failures.number == parameters_.failures)
+    if(failures.number == parameters_.most_failures)
       return false;
     std::array<int, 4> vertices;
-    for(int i = 0; i < 4; ++i)
-      vertices[i] = mesh_.topology.vertex(4 * cell + i);
-    // Those of the interior first.
+    std::copy_n(mesh_.topology.cell_vertices() + 4 * cell, 4, vertices.begin());
+    // Those of the interior come first: that needs no question to the domain.
     std::sort(vertices.begin(), vertices.end());
-    ++attempts;
-    best_change_ = -1e-9;
+    best_change_ = -least_improvement;
     best_vertex_ = -1;
     for(int v : vertices)
-    {
       if(v < mesh_.number_of_movable_vertices && try_positions(v))
         return true;
-    }
     if(best_vertex_ < 0)
     {
       ++failures.number;
       return false;
     }
     trial_.move(best_vertex_, best_site_);
-    trial_.accept();
-    ++moves;
+    accept(best_vertex_);
     return true;
   }
 
   // Whether one was found, and accepted, that leaves no deficit.
   bool try_positions(int v)
   {
-    for(int n = 0; n < parameters_.tries; ++n)
+    for(int n = 0; n < parameters_.tries_per_vertex; ++n)
     {
       Site s = mesh_.sites[v];
-      if(!displace(v, (n % 2 == 0 ? parameters_.far : parameters_.near) * edge_length_[v], s))
+      const Eigen::Vector3d d = edge_length_[v] * random_.uniform()
+                                * (n % 2 == 0 ? parameters_.far : parameters_.near) * random_.direction();
+      s = { s.x + d[0], s.y + d[1], s.z + d[2], s.weight };
+      if(is_on_surface(v) && !(surface_motion_ && surface_motion_(v, s)))
         return false;
-      ++trials;
       const double change = trial_.move(v, s);
-      if(change < best_change_ && trial_.deficit_after() == 0)
+      if(change < -least_improvement && trial_.deficit_after() == 0)
       {
-        trial_.accept();
-        ++moves;
+        accept(v);
         return true;
       }
       trial_.reject();
@@ -134,43 +134,35 @@ private:
     return false;
   }
 
-  bool displace(int v, double length, Site& s)
+  void accept(int v)
   {
-    double x, y, z, d;
-    do
-    {
-      x = 2 * uniform() - 1;
-      y = 2 * uniform() - 1;
-      z = 2 * uniform() - 1;
-      d = x * x + y * y + z * z;
-    }
-    while(d > 1);
-    s.x += length * x;
-    s.y += length * y;
-    s.z += length * z;
-    return v < mesh_.number_of_interior_vertices || (projection_ && projection_(v, s));
+    trial_.accept();
+    ++number_of_moves_;
+    number_of_surface_moves_ += is_on_surface(v);
   }
 
-  double uniform() { return std::ldexp(double(random_()), -32); }
+  bool is_on_surface(int v) const { return v >= mesh_.number_of_interior_vertices; }
 
-  // How often a cell could not be improved in vain.
+  // How often a cell has been tried in vain.
   struct Failures
   {
     double deficit = 0;
     int number = 0;
   };
 
+  static constexpr double least_improvement = 1e-6;     // square degrees
+
   Constrained_triangulation_3& mesh_;
   Sliver_removal_parameters parameters_;
-  Angle_deficit_3 angle_deficit_;
   Vertex_trial_3 trial_;
-  Projection projection_;
-  std::mt19937 random_;
+  Surface_motion surface_motion_;
+  Random_source random_;
   std::vector<double> edge_length_;
   std::vector<Failures> failures_;
-  double best_change_;
-  int best_vertex_;
-  Site best_site_;
+  double best_change_ = 0;
+  int best_vertex_ = -1;
+  Site best_site_ = { 0, 0, 0, 0 };
+  std::size_t number_of_moves_ = 0, number_of_surface_moves_ = 0;
 };
 
 } // namespace internal

@@ -12,7 +12,6 @@
 #include <CGAL/Global_odt_mesh_3/internal/Lawson_flips_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/Odt_energy_3.h>
 
-#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <limits>
@@ -27,15 +26,17 @@ namespace internal {
 class Vertex_trial_3
 {
 public:
-  Vertex_trial_3(Constrained_triangulation_3& mesh, const Angle_deficit_3& angle_deficit)
+  // `bound`, in degrees, is what the dihedral angles should reach.
+  Vertex_trial_3(Constrained_triangulation_3& mesh, double bound)
     : mesh_(mesh)
-    , angle_deficit_(angle_deficit)
+    , angle_deficit_(bound)
   {
     make_room();
     for(int c = 0; c < mesh.topology.number_of_cell_slots(); ++c)
       deficit_[c] = measure(c);
   }
 
+  // Zero for cells that are not alive.
   double deficit(int cell) const { return deficit_[cell]; }
 
   // The change of the sum of the deficits if the vertex goes to `s`, or infinity if it cannot.
@@ -76,7 +77,7 @@ public:
   {
     mesh_.topology.end_trial();
     for(int c : touched_)
-      deficit_[c] = mesh_.topology.is_alive(c) ? measure(c) : 0;
+      deficit_[c] = measure(c);
   }
 
   void reject()
@@ -145,7 +146,7 @@ private:
   }
 
   Constrained_triangulation_3& mesh_;
-  const Angle_deficit_3& angle_deficit_;
+  Angle_deficit_3 angle_deficit_;
   std::vector<double> deficit_;             // of each cell
   std::vector<std::size_t> trial_of_cell_;
   std::size_t trial_ = 0;

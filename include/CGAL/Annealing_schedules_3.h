@@ -1,0 +1,85 @@
+// Copyright (c) 2026 The Global_odt_mesh_3 authors.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_ANNEALING_SCHEDULES_3_H
+#define CGAL_ANNEALING_SCHEDULES_3_H
+
+#include <CGAL/license/Mesh_3.h>
+
+#include <CGAL/assertions.h>
+
+namespace CGAL {
+
+/*!
+\ingroup PkgGlobalOdtMesh3Functions
+
+is the default value of the named parameter `annealing_schedule` of `odt_optimize_mesh_3()`: steps along
+the gradient with momentum and with noise whose amplitude falls to zero, each of which is taken whatever the energy says.
+*/
+struct Momentum_annealing_schedule
+{
+  /// the part of a step that goes on in the next one; in [0, 1)
+  double momentum = 0.75;
+  /// the length of steps, relative to that of the move to the volume-weighted mean of the circumcenters
+  /// (equation (2.3) of the paper); positive
+  double step_length = 1.4;
+  /// the length of the noise of interior vertices at the beginning, relative to their mean incident edge; in [0, 1]
+  double interior_amplitude = 0.14;
+  /// the same for vertices on surfaces
+  double surface_amplitude = 0.1;
+  /// the amplitude is proportional to the share of steps that are left, raised to this power; positive
+  double decay = 0.6;
+  /// the longest step of a vertex, relative to its mean incident edge; positive
+  double longest_step = 0.3;
+
+  /// refuses values that make no sense, by a precondition that says which.
+  void check() const
+  {
+    CGAL_precondition_msg(momentum >= 0 && momentum < 1, "annealing_schedule: momentum must be in [0, 1)");
+    CGAL_precondition_msg(step_length > 0, "annealing_schedule: step_length must be positive");
+    CGAL_precondition_msg(interior_amplitude >= 0 && interior_amplitude <= 1,
+                          "annealing_schedule: interior_amplitude must be in [0, 1]");
+    CGAL_precondition_msg(surface_amplitude >= 0 && surface_amplitude <= 1,
+                          "annealing_schedule: surface_amplitude must be in [0, 1]");
+    CGAL_precondition_msg(decay > 0, "annealing_schedule: decay must be positive");
+    CGAL_precondition_msg(longest_step > 0, "annealing_schedule: longest_step must be positive");
+  }
+};
+
+/*!
+\ingroup PkgGlobalOdtMesh3Functions
+
+is a value of the named parameter `annealing_schedule` of `odt_optimize_mesh_3()`: Algorithm 2 of the paper (section 4.3).
+In each round all vertices are perturbed in random directions and go to a minimum nearby, which is accepted if it is lower
+or, with the probability of Metropolis, a little higher.
+*/
+struct Metropolis_annealing_schedule
+{
+  /// the longest perturbation of a vertex, relative to its mean incident edge; in [0, 1]
+  double perturbation = 0.2;
+  /// the L-BFGS iterations of a round; positive
+  int iterations_in_round = 20;
+  /// the temperature at the beginning, relative to the energy, so that the scale of the mesh does not matter; positive
+  double temperature = 1e-4;
+  /// the factor on the temperature at each rejection; in (0, 1]
+  double cooling = 0.9;
+  /// the L-BFGS iterations after the last round; not negative
+  int final_iterations = 30;
+
+  /// refuses values that make no sense, by a precondition that says which.
+  void check() const
+  {
+    CGAL_precondition_msg(perturbation >= 0 && perturbation <= 1,
+                          "annealing_schedule: perturbation must be in [0, 1]");
+    CGAL_precondition_msg(iterations_in_round > 0, "annealing_schedule: iterations_in_round must be positive");
+    CGAL_precondition_msg(temperature > 0, "annealing_schedule: temperature must be positive");
+    CGAL_precondition_msg(cooling > 0 && cooling <= 1, "annealing_schedule: cooling must be in (0, 1]");
+    CGAL_precondition_msg(final_iterations >= 0, "annealing_schedule: final_iterations must not be negative");
+  }
+};
+
+} // namespace CGAL
+
+#endif // CGAL_ANNEALING_SCHEDULES_3_H

@@ -1,0 +1,104 @@
+// Copyright (c) 2026 The Global_odt_mesh_3 authors.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_GLOBAL_ODT_MESH_3_INTERNAL_ITERATION_CONTROL_H
+#define CGAL_GLOBAL_ODT_MESH_3_INTERNAL_ITERATION_CONTROL_H
+
+#include <CGAL/Global_odt_mesh_3/internal/Odt_parameters.h>
+
+#include <CGAL/Mesh_optimization_return_code.h>
+#include <CGAL/Real_timer.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <limits>
+
+namespace CGAL {
+namespace Global_odt_mesh_3 {
+namespace internal {
+
+// What the user says of when to stop, and is told about the iterations.
+template <class Visitor>
+class Iteration_control
+{
+public:
+  Iteration_control(const Odt_parameters& parameters, Visitor& visitor)
+    : parameters_(parameters)
+    , visitor_(visitor)
+  {
+    timer_.start();
+  }
+
+  // For an attempt with that many iterations at most, unless the user says otherwise.
+  void start(int usual_most_iterations)
+  {
+    const std::size_t most = parameters_.max_iteration_number;
+    most_iterations_ = most == 0 ? usual_most_iterations
+                     : static_cast<int>((std::min)(most, std::size_t((std::numeric_limits<int>::max)())));
+    number_of_iterations_ = 0;
+    goes_on_ = true;
+  }
+
+  bool has_bound_on_iterations() const { return parameters_.max_iteration_number > 0; }
+  int most_iterations() const { return most_iterations_; }
+  int number_of_iterations() const { return number_of_iterations_; }
+
+  // False once time or iterations are used up, or the user has said so; then code() says why.
+  bool goes_on() const { return goes_on_; }
+  Mesh_optimization_return_code code() const { return code_; }
+
+  // The fraction of the time that has passed, or 0 if there is no limit.
+  double elapsed() const { return parameters_.time_limit > 0 ? timer_.time() / parameters_.time_limit : 0.; }
+
+  // The largest fraction reported so far.
+  double reported() const { return fraction_; }
+
+  // Before each iteration, with the fraction of the work that is done; gives goes_on().
+  bool begin_iteration(double progress)
+  {
+    goes_on_ = false;
+    code_ = MAX_ITERATION_NUMBER_REACHED;
+    if(number_of_iterations_ >= most_iterations_)
+      return false;
+    code_ = TIME_LIMIT_REACHED;
+    if(elapsed() > 1 || !report(progress))
+      return false;
+    goes_on_ = true;
+    visitor_.after_compute_moves();
+    return true;
+  }
+
+  void end_iteration()
+  {
+    visitor_.after_move_points();
+    visitor_.end_of_iteration(number_of_iterations_);
+    ++number_of_iterations_;
+  }
+
+private:
+  // The fraction done is the largest of those of the work, the iterations and the time.
+  bool report(double progress)
+  {
+    if(!parameters_.callback)
+      return true;
+    const double iterations = double(number_of_iterations_) / most_iterations_;
+    fraction_ = (std::max)(fraction_, (std::min)(1., (std::max)({ progress, iterations, elapsed() })));
+    return parameters_.callback(fraction_);
+  }
+
+  const Odt_parameters& parameters_;
+  Visitor& visitor_;
+  Real_timer timer_;
+  int most_iterations_ = 0, number_of_iterations_ = 0;
+  bool goes_on_ = true;
+  double fraction_ = 0;
+  Mesh_optimization_return_code code_ = CANT_IMPROVE_ANYMORE;
+};
+
+} // namespace internal
+} // namespace Global_odt_mesh_3
+} // namespace CGAL
+
+#endif // CGAL_GLOBAL_ODT_MESH_3_INTERNAL_ITERATION_CONTROL_H

@@ -1,0 +1,115 @@
+// Copyright (c) 2026 The Global_odt_mesh_3 authors.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_GLOBAL_ODT_MESH_3_INTERNAL_ROUND_PLAN_H
+#define CGAL_GLOBAL_ODT_MESH_3_INTERNAL_ROUND_PLAN_H
+
+#include <CGAL/Global_odt_mesh_3/internal/Global_search.h>
+#include <CGAL/Global_odt_mesh_3/internal/Odt_parameters.h>
+
+#include <algorithm>
+#include <array>
+#include <numeric>
+
+namespace CGAL {
+namespace Global_odt_mesh_3 {
+namespace internal {
+
+// How many rounds of which kind, with how many iterations, lie ahead.
+class Round_plan
+{
+public:
+  // Vertices of surfaces go toward a restricted CVT while the interior follows; all vertices search
+  // globally; all vertices go to the minimum.
+  enum Stage { REMESH, SEARCH, MINIMIZE };
+
+  static constexpr int iterations_on_surface = 20;      // of the CVT, in a round of remeshing
+
+  Round_plan(const Odt_parameters& p, bool boundary_moves, bool is_careful)
+    : Round_plan(p, p.number_of_rounds == Odt_parameters::usual_number_of_rounds
+                      ? Global_search::usual_rounds(p.annealing_schedule) : static_cast<int>(p.number_of_rounds),
+                 boundary_moves, is_careful)
+  {}
+
+  bool is_done() const { return rounds_[REMESH] + rounds_[SEARCH] + rounds_[MINIMIZE] <= 0; }
+  Stage stage() const { return rounds_[REMESH] > 0 ? REMESH : rounds_[SEARCH] > 0 ? SEARCH : MINIMIZE; }
+  int iterations() const { return iterations_[stage()]; }
+  bool stops_without_gain() const { return stops_without_gain_[stage()]; }
+
+  void advance() { --rounds_[stage()]; }
+  void skip(Stage s) { rounds_[s] = 0; }
+  void add(Stage s) { ++rounds_[s]; }
+
+  // The fraction of the search that is behind at iteration n of the round.
+  double search_progress(int n) const
+  {
+    return (search_rounds_ - rounds_[SEARCH] + double(n) / iterations_[SEARCH]) / search_rounds_;
+  }
+
+  // Of all rounds, about.
+  int number_of_iterations() const { return planned_iterations_; }
+
+  // As CGAL's optimizers, which bound the number of iterations even if the user does not.
+  int usual_most_iterations() const { return 1000 + planned_iterations_; }
+
+private:
+  static constexpr int rounds_of_remeshing = 4, rounds_of_remeshing_before_search = 2;
+  static constexpr int iterations_inside_while_remeshing = 10;
+  static constexpr int most_rounds_of_minimizer = 12, careful_rounds_of_minimizer = 2;
+  static constexpr int iterations_of_minimizer = 20;
+  // If the user bounds the number of iterations, most remain for the other stages.
+  static constexpr int iterations_per_round_of_remeshing = 60;
+  static constexpr double share_of_search = 0.7;
+
+  Round_plan(const Odt_parameters& p, int number_of_rounds, bool boundary_moves, bool is_careful)
+    : stops_without_gain_{{ p.remesh_boundary, false, !is_careful }}
+    , iterations_{{ iterations_inside_while_remeshing, Global_search::iterations_in_round(p.annealing_schedule),
+                    !boundary_moves ? 0 : number_of_rounds > 0 ? Global_search::final_iterations(p.annealing_schedule)
+                                                                 : iterations_of_minimizer }}
+  {
+    // Steps on a rough surface hide what is gained, so that the number of rounds is given.
+    const int minimizer_rounds = is_careful ? careful_rounds_of_minimizer : most_rounds_of_minimizer;
+    if(p.remesh_boundary)
+      rounds_ = {{ boundary_moves ? rounds_of_remeshing + minimizer_rounds : 0, 0, boundary_moves ? 0 : 1 }};
+    else if(number_of_rounds > 0)
+      rounds_ = {{ boundary_moves ? rounds_of_remeshing_before_search : 0, number_of_rounds, 1 }};
+    else
+      rounds_ = {{ boundary_moves ? rounds_of_remeshing : 0, 0, boundary_moves ? minimizer_rounds : 1 }};
+    planned_iterations_ = planned_iterations();
+    if(p.max_iteration_number > 0 && !p.remesh_boundary)
+      shorten(static_cast<int>((std::min)(p.max_iteration_number, std::size_t(planned_iterations_))));
+    search_rounds_ = rounds_[SEARCH];
+  }
+
+  int planned_iterations() const
+  {
+    return 1 + rounds_[REMESH] * (iterations_[REMESH] + iterations_on_surface) + rounds_[SEARCH] * iterations_[SEARCH]
+           + (std::min)(rounds_[MINIMIZE], 2) * iterations_[MINIMIZE];
+  }
+
+  void shorten(int most)
+  {
+    rounds_[REMESH] = (std::min)(rounds_[REMESH], most / iterations_per_round_of_remeshing);
+    const int left = most - rounds_[REMESH] * (iterations_[REMESH] + iterations_on_surface);
+    const int search = static_cast<int>(share_of_search * left);
+    if(rounds_[SEARCH] * iterations_[SEARCH] > search)
+    {
+      rounds_[SEARCH] = (search + iterations_[SEARCH] / 2) / iterations_[SEARCH];
+      if(rounds_[SEARCH] > 0)
+        iterations_[SEARCH] = (std::min)(iterations_[SEARCH], search / rounds_[SEARCH]);
+    }
+    planned_iterations_ = planned_iterations();
+  }
+
+  std::array<bool, 3> stops_without_gain_;
+  std::array<int, 3> iterations_, rounds_;
+  int search_rounds_ = 0, planned_iterations_ = 0;
+};
+
+} // namespace internal
+} // namespace Global_odt_mesh_3
+} // namespace CGAL
+
+#endif // CGAL_GLOBAL_ODT_MESH_3_INTERNAL_ROUND_PLAN_H

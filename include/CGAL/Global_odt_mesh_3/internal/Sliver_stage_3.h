@@ -1,0 +1,139 @@
+// Copyright (c) 2026 The Global_odt_mesh_3 authors.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_GLOBAL_ODT_MESH_3_INTERNAL_SLIVER_STAGE_3_H
+#define CGAL_GLOBAL_ODT_MESH_3_INTERNAL_SLIVER_STAGE_3_H
+
+#include <CGAL/Global_odt_mesh_3/internal/Angle_deficit_3.h>
+#include <CGAL/Global_odt_mesh_3/internal/Moving_triangulation_3.h>
+#include <CGAL/Global_odt_mesh_3/internal/Odt_parameters.h>
+#include <CGAL/Global_odt_mesh_3/internal/Sliver_removal_3.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <limits>
+#include <vector>
+
+namespace CGAL {
+namespace Global_odt_mesh_3 {
+namespace internal {
+
+// Removal of slivers from a complex. The facets on surfaces follow the vertices only when the
+// complex is made anew, which may bring other slivers, so that several rounds are needed.
+template <class Bridge>
+class Sliver_stage_3
+{
+public:
+  // On rough surfaces, vertices move even where the facets around them bend sharply.
+  Sliver_stage_3(Bridge& bridge, const Odt_parameters& parameters, bool is_rough)
+    : bridge_(bridge)
+    , bound_(parameters.sliver_bound)
+    , seed_(parameters.random_seed)
+    , is_rough_(is_rough)
+  {}
+
+  // Whether vertices on surfaces have moved.
+  bool remove_from(Moving_triangulation_3& mesh)
+  {
+    Sliver_removal_3 removal(mesh, bound_ + margin, seed_++, [&](int v, Site& s) { return moves(v, mesh.sites[v], s); });
+    removal.run();
+    has_moved_ = removal.number_of_moves() > 0;
+    return removal.number_of_surface_moves() > 0;
+  }
+
+  // Takes the complex, from which the mesh has been loaded, through as many rounds as improve it and
+  // as `may_go_on()` permits.
+  template <class Predicate>
+  void remove_from_complex(Moving_triangulation_3& mesh, const Predicate& may_go_on)
+  {
+    double best = deficit(mesh);
+    std::vector<Site> best_sites = mesh.sites;
+    bool is_best = true;
+    for(int round = 0, in_vain = 0; round < most_rounds && in_vain < most_rounds_in_vain && best > 0 && may_go_on(); ++round)
+    {
+      const bool surface_moves = remove_from(mesh);
+      if(!has_moved_)
+        break;
+      const bool is_stored = store(mesh, surface_moves);
+      bridge_.reload(mesh);
+      const double reached = deficit(mesh);
+      is_best = reached < best;
+      in_vain = is_stored && is_best ? 0 : in_vain + 1;
+      if(is_best)
+      {
+        best = reached;
+        best_sites = mesh.sites;
+      }
+    }
+    if(is_best)
+      return;
+    mesh.sites = best_sites;
+    store(mesh, true);
+    bridge_.reload(mesh);
+  }
+
+  // The number of cells with an angle below the bound.
+  std::size_t number_of_slivers(const Moving_triangulation_3& mesh) const
+  {
+    std::size_t n = 0;
+    for_each_deficit(mesh, [&n](double d) { n += d > 0; });
+    return n;
+  }
+
+private:
+  typedef typename Bridge::Update Update;
+
+  static constexpr int most_rounds = 8, most_rounds_in_vain = 2;
+  static constexpr double margin = 2;           // degrees, for what the surface takes away again
+
+  double deficit(const Moving_triangulation_3& mesh) const
+  {
+    double sum = 0;
+    for_each_deficit(mesh, [&sum](double d) { sum += d; });
+    return sum;
+  }
+
+  template <class F>
+  void for_each_deficit(const Moving_triangulation_3& mesh, const F& f) const
+  {
+    const Angle_deficit_3 angle_deficit(bound_);
+    for(int c = 0; c < mesh.topology.number_of_cell_slots(); ++c)
+      if(mesh.topology.is_alive(c))
+      {
+        const int* const v = mesh.topology.cell_vertices() + 4 * c;
+        f(angle_deficit(mesh.sites[v[0]], mesh.sites[v[1]], mesh.sites[v[2]], mesh.sites[v[3]]));
+      }
+  }
+
+  bool store(const Moving_triangulation_3& mesh, bool surface_moves)
+  {
+    return bridge_.store(mesh, Update{ surface_moves, surface_moves,
+                                       is_rough_ ? Update::ORACLE : Update::GOOD_EVIDENCE, true });
+  }
+
+  // Displacements on a surface are tangential.
+  bool moves(int v, const Site& from, Site& s)
+  {
+    const auto& fan = bridge_.complex().boundary.fan(v, 0);
+    if(!fan.is_smooth && !is_rough_)
+      return false;
+    const auto& n = fan.normal;
+    const double h = n[0] * (s.x - from.x) + n[1] * (s.y - from.y) + n[2] * (s.z - from.z);
+    s = { s.x - h * n[0], s.y - h * n[1], s.z - h * n[2], s.weight };
+    return bridge_.put_on_surface(v, s);
+  }
+
+  Bridge& bridge_;
+  double bound_;
+  unsigned int seed_;
+  bool is_rough_;
+  bool has_moved_ = false;
+};
+
+} // namespace internal
+} // namespace Global_odt_mesh_3
+} // namespace CGAL
+
+#endif // CGAL_GLOBAL_ODT_MESH_3_INTERNAL_SLIVER_STAGE_3_H
