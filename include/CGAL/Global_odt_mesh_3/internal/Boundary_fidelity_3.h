@@ -31,6 +31,7 @@ public:
   typedef typename Draft::Complex Complex;
   typedef Domain_oracle_3<Mesh_domain> Oracle;
   typedef Guilty_vertices_3<Triangulation, Mesh_domain> Guilty_vertices;
+  typedef typename Draft::Triple Triple;
 
   Boundary_fidelity_3(const Complex& complex, Draft& draft, Oracle& oracle, Guilty_vertices& guilty)
     : complex_(complex)
@@ -46,7 +47,7 @@ public:
       return;
     for(const Boundary_facet& f : complex_.boundary.facets())
       farthest_centroid_ = (std::max)(farthest_centroid_,
-                                      oracle_.distance_to_surface(centroid(f.vertices, complex_.sites)));
+                                      oracle_.distance_to_surface(centroid(sorted(f.vertices), complex_.sites)));
   }
 
   // For a new draft.
@@ -64,18 +65,26 @@ public:
       if(draft_.centers[n].is_faithful)
         continue;
       const Triple& t = draft_.boundary.facets()[n].vertices;
-      const auto known = found_.find(t);
-      const double distance = known != found_.end() ? known->second
-                              : oracle_.distance_to_surface(centroid(t, draft_.sites));
-      found_.emplace(t, distance);
-      draft_.centers[n].is_faithful = distance <= farthest_centroid_;
+      draft_.centers[n].is_faithful = is_faithful(t);
       if(!draft_.centers[n].is_faithful)
         guilty_.blame(t);
     }
   }
 
+  // Whether these vertices may be those of a boundary facet.
+  bool is_faithful(const Triple& facet)
+  {
+    if(!Has_aabb_tree<Mesh_domain>::value)
+      return true;
+    const Triple t = sorted(facet);
+    const auto known = found_.find(t);
+    const double distance = known != found_.end() ? known->second
+                            : oracle_.distance_to_surface(centroid(t, draft_.sites));
+    found_.emplace(t, distance);
+    return distance <= farthest_centroid_;
+  }
+
 private:
-  typedef typename Draft::Triple Triple;
 
   const Complex& complex_;
   Draft& draft_;

@@ -7,6 +7,7 @@
 #define CGAL_GLOBAL_ODT_MESH_3_INTERNAL_BOUNDARY_PEELING_3_H
 
 #include <CGAL/Global_odt_mesh_3/internal/Boundary_extraction_3.h>
+#include <CGAL/Global_odt_mesh_3/internal/Boundary_fidelity_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/Boundary_preservation_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/Cell_knowledge.h>
 #include <CGAL/Global_odt_mesh_3/internal/Cell_shape_3.h>
@@ -36,13 +37,15 @@ public:
   typedef typename Draft::Complex Complex;
   typedef Boundary_extraction_3<Triangulation, Mesh_domain> Boundary_extraction;
   typedef Boundary_preservation_3<Triangulation, Mesh_domain> Boundary_preservation;
+  typedef Boundary_fidelity_3<Triangulation, Mesh_domain> Boundary_fidelity;
 
   Boundary_peeling_3(Complex& complex, Draft& draft, Boundary_extraction& extraction,
-                     const Boundary_preservation& preservation)
+                     const Boundary_preservation& preservation, Boundary_fidelity& fidelity)
     : complex_(complex)
     , draft_(draft)
     , extraction_(extraction)
     , preservation_(preservation)
+    , fidelity_(fidelity)
   {}
 
   void peel()
@@ -113,6 +116,9 @@ private:
     const double between = shape.angles[facet[0] == 0 ? facet[1] - 1 : facet[0] + facet[1]];
     if(between < 180 - flat_angle || *std::min_element(shape.angles.begin(), shape.angles.end()) > sliver_angle)
       return no_subdomain;
+    for(int i = 0; i < 4; ++i)
+      if(i != facet[0] && i != facet[1] && !fidelity_.is_faithful({{ q[(i + 1) % 4], q[(i + 2) % 4], q[(i + 3) % 4] }}))
+        return no_subdomain;
     return complex_.labels.number(c->neighbor(facet[0])->subdomain_index());
   }
 
@@ -146,6 +152,7 @@ private:
   Draft& draft_;
   Boundary_extraction& extraction_;
   const Boundary_preservation& preservation_;
+  Boundary_fidelity& fidelity_;
 };
 
 } // namespace internal

@@ -24,6 +24,7 @@ namespace CGAL {
 
 namespace internal_np {
 
+enum annealing_schedule_t { annealing_schedule };
 enum number_of_rounds_t { number_of_rounds };
 enum optimize_boundary_t { optimize_boundary };
 
@@ -49,6 +50,7 @@ struct Global_odt_parameter
   }
 };
 
+inline constexpr Global_odt_parameter<internal_np::annealing_schedule_t> annealing_schedule{};
 inline constexpr Global_odt_parameter<internal_np::number_of_rounds_t> number_of_rounds{};
 inline constexpr Global_odt_parameter<internal_np::optimize_boundary_t> optimize_boundary{};
 
@@ -82,6 +84,7 @@ void read_argument(const Argument& argument, Odt_parameters& p)
 {
   if constexpr (Is_named_function_parameters<Argument>::value)
   {
+    read_parameter(argument, internal_np::annealing_schedule, p.annealing_schedule);
     read_parameter(argument, internal_np::number_of_rounds, p.number_of_rounds);
     read_parameter(argument, internal_np::optimize_boundary, p.optimize_boundary);
     read_parameter(argument, internal_np::random_seed, p.random_seed);

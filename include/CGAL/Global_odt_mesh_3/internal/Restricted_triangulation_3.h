@@ -51,9 +51,9 @@ public:
     , labels_(complex_, draft_, oracle_, guilty_, mending_)
     , extraction_(complex_, draft_, oracle_)
     , preservation_(complex_, draft_, guilty_)
-    , peeling_(complex_, draft_, extraction_, preservation_)
-    , centers_(complex_, draft_, oracle_, guilty_, mending_)
     , fidelity_(complex_, draft_, oracle_, guilty_)
+    , peeling_(complex_, draft_, extraction_, preservation_, fidelity_)
+    , centers_(complex_, draft_, oracle_, guilty_, mending_)
   {}
 
   // The parts refer to each other.
@@ -198,9 +198,9 @@ private:
   Cell_labels_3<Triangulation, Mesh_domain> labels_;
   Boundary_extraction_3<Triangulation, Mesh_domain> extraction_;
   Boundary_preservation_3<Triangulation, Mesh_domain> preservation_;
+  Boundary_fidelity_3<Triangulation, Mesh_domain> fidelity_;
   Boundary_peeling_3<Triangulation, Mesh_domain> peeling_;
   Surface_centers_3<Triangulation, Mesh_domain> centers_;
-  Boundary_fidelity_3<Triangulation, Mesh_domain> fidelity_;
 };
 
 } // namespace internal
