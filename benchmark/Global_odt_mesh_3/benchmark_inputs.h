@@ -104,16 +104,16 @@ inline Polyhedron read_polyhedron(const std::string& file)
   return polyhedron;
 }
 
-// Sizes are relative to the diagonal of the bounding box.
+// Sizes are relative to the diagonal of the bounding box, the distance to the surface to the size.
 inline Polyhedral_c3t3 polyhedral_mesh(const Polyhedral_domain& domain, double relative_size,
-                                       bool with_features)
+                                       bool with_features, double relative_distance = 0.125)
 {
   typedef CGAL::Mesh_criteria_3<Polyhedral_triangulation> Criteria;
   const CGAL::Bbox_3 b = domain.bbox();
   const double size = relative_size * std::sqrt(CGAL::square(b.xmax() - b.xmin()) + CGAL::square(b.ymax() - b.ymin())
                                                 + CGAL::square(b.zmax() - b.zmin()));
   Criteria criteria(params::edge_size = size, params::facet_angle = 25, params::facet_size = size,
-                    params::facet_distance = size / 8, params::cell_radius_edge_ratio = 3,
+                    params::facet_distance = relative_distance * size, params::cell_radius_edge_ratio = 3,
                     params::cell_size = size);
   if(with_features)
     return CGAL::make_mesh_3<Polyhedral_c3t3>(domain, criteria, params::no_exude(), params::no_perturb());
@@ -134,7 +134,7 @@ void for_each_input(const Function& f)
   {
     const Polyhedron elephant = read_polyhedron(CGAL::data_file_path("meshes/elephant.off"));
     const Polyhedral_domain domain(elephant);
-    f("elephant", polyhedral_mesh(domain, 0.0104, false), domain);
+    f("elephant", polyhedral_mesh(domain, 0.0102, false, 1 / 6.), domain);
   }
   {
     const Polyhedron fandisk = read_polyhedron(CGAL::data_file_path("meshes/fandisk.off"));

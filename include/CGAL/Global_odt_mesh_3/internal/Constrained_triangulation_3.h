@@ -6,6 +6,7 @@
 #ifndef CGAL_GLOBAL_ODT_MESH_3_INTERNAL_CONSTRAINED_TRIANGULATION_3_H
 #define CGAL_GLOBAL_ODT_MESH_3_INTERNAL_CONSTRAINED_TRIANGULATION_3_H
 
+#include <CGAL/Global_odt_mesh_3/internal/Angle_deficit_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/Flat_triangulation_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/Odt_energy_3.h>
 
@@ -47,6 +48,13 @@ struct Constrained_triangulation_3
   }
 
   double determinant(int a, int b, int c, int d) const { return products(a, b, c, d).determinant; }
+
+  // What the angles of the cell lack, or 0 if it is not alive.
+  double deficit(int cell, const Angle_deficit_3& angle_deficit) const
+  {
+    const int* const v = topology.cell_vertices() + 4 * cell;
+    return topology.is_alive(cell) ? angle_deficit(sites[v[0]], sites[v[1]], sites[v[2]], sites[v[3]]) : 0.;
+  }
 
   // Six times the volumes of the cells that flip_2_3(slot) would make.
   std::array<double, 3> volumes_after_2_3(int slot) const

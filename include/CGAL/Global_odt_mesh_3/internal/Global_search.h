@@ -39,10 +39,12 @@ public:
                                                                            : usual_rounds_of_momentum;
   }
 
-  static int iterations_in_round(const Annealing_schedule& schedule)
+  // Facets on surfaces follow the vertices only between rounds.
+  static int iterations_in_round(const Annealing_schedule& schedule, bool boundary_moves)
   {
     const auto* metropolis = std::get_if<Metropolis_annealing_schedule>(&schedule);
-    return metropolis != nullptr ? metropolis->iterations_in_round : iterations_in_round_of_momentum;
+    return metropolis != nullptr ? metropolis->iterations_in_round
+                                 : boundary_moves ? iterations_in_round_on_surfaces : iterations_in_round_of_momentum;
   }
 
   // Those of the minimizer that follow the search.
@@ -88,7 +90,7 @@ public:
 
 private:
   static constexpr int usual_rounds_of_momentum = 4;
-  static constexpr int iterations_in_round_of_momentum = 40;
+  static constexpr int iterations_in_round_of_momentum = 50, iterations_in_round_on_surfaces = 30;
   static constexpr int final_iterations_of_momentum = 20;
 
   bool is_metropolis() const { return std::holds_alternative<Metropolis_annealing_schedule>(schedule_); }

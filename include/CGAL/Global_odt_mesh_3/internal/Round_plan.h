@@ -65,7 +65,7 @@ private:
 
   Round_plan(const Odt_parameters& p, int number_of_rounds, bool boundary_moves, bool is_careful)
     : stops_without_gain_{{ p.remesh_boundary, false, !is_careful }}
-    , iterations_{{ iterations_inside_while_remeshing, Global_search::iterations_in_round(p.annealing_schedule),
+    , iterations_{{ iterations_inside_while_remeshing, Global_search::iterations_in_round(p.annealing_schedule, boundary_moves),
                     !boundary_moves ? 0 : number_of_rounds > 0 ? Global_search::final_iterations(p.annealing_schedule)
                                                                  : iterations_of_minimizer }}
   {

@@ -26,6 +26,7 @@ namespace internal {
 
 struct Sliver_removal_parameters
 {
+  double margin = 2;                // degrees by which cells should exceed the bound: surfaces may take some away
   int tries_per_vertex = 16;
   double far = 0.35, near = 0.12;   // the longest tries, over the mean incident edge length, in turn
   int most_failures = 3;            // for the same cell
@@ -38,16 +39,17 @@ struct Sliver_removal_parameters
 class Sliver_removal_3
 {
 public:
-  // Moves a site for a vertex on a surface to where that vertex may be; false if it has to stay.
-  typedef std::function<bool(int, Site&)> Surface_motion;
+  // Moves a site for a vertex to where that vertex may be; false if it has to stay.
+  typedef std::function<bool(int, Site&)> Motion;
 
+  // Without a motion, vertices of the interior go anywhere, and those on surfaces stay.
   Sliver_removal_3(Constrained_triangulation_3& mesh, double bound, unsigned int seed,
-                   Surface_motion surface_motion = Surface_motion(),
+                   Motion motion = Motion(),
                    const Sliver_removal_parameters& parameters = Sliver_removal_parameters())
     : mesh_(mesh)
     , parameters_(parameters)
-    , trial_(mesh, bound)
-    , surface_motion_(std::move(surface_motion))
+    , trial_(mesh, bound + parameters.margin)
+    , motion_(std::move(motion))
     , random_(seed)
   {
     mesh.mean_edge_lengths(edge_length_);
@@ -115,7 +117,7 @@ private:
       const Eigen::Vector3d d = edge_length_[v] * random_.uniform()
                                 * (n % 2 == 0 ? parameters_.far : parameters_.near) * random_.direction();
       s = { s.x + d[0], s.y + d[1], s.z + d[2], s.weight };
-      if(is_on_surface(v) && !(surface_motion_ && surface_motion_(v, s)))
+      if(motion_ ? !motion_(v, s) : is_on_surface(v))
         return false;
       const double change = trial_.move(v, s);
       if(change < -least_improvement && trial_.deficit_after() == 0)
@@ -155,7 +157,7 @@ private:
   Constrained_triangulation_3& mesh_;
   Sliver_removal_parameters parameters_;
   Vertex_trial_3 trial_;
-  Surface_motion surface_motion_;
+  Motion motion_;
   Random_source random_;
   std::vector<double> edge_length_;
   std::vector<Failures> failures_;

@@ -37,7 +37,7 @@ public:
   // Whether vertices on surfaces have moved.
   bool remove_from(Moving_triangulation_3& mesh)
   {
-    Sliver_removal_3 removal(mesh, bound_ + margin, seed_++, [&](int v, Site& s) { return moves(v, mesh.sites[v], s); });
+    Sliver_removal_3 removal(mesh, bound_, seed_++, [&](int v, Site& s) { return moves(mesh, v, s); });
     removal.run();
     has_moved_ = removal.number_of_moves() > 0;
     return removal.number_of_surface_moves() > 0;
@@ -51,16 +51,27 @@ public:
     double best = deficit(mesh);
     std::vector<Site> best_sites = mesh.sites;
     bool is_best = true;
+    std::vector<Site> target;
+    barred_.assign(mesh.number_of_movable_vertices, 0);
+    std::vector<double> edge;
+    mesh.shortest_edges(edge);
     for(int round = 0, in_vain = 0; round < most_rounds && in_vain < most_rounds_in_vain && best > 0 && may_go_on(); ++round)
     {
       const bool surface_moves = remove_from(mesh);
       if(!has_moved_)
         break;
+      target = mesh.sites;
       const bool is_stored = store(mesh, surface_moves);
       bridge_.reload(mesh);
+      // Where a vertex was sent back, others have to move.
+      for(int v = 0; v < mesh.number_of_movable_vertices; ++v)
+        if(mesh.squared_distance(target[v], mesh.sites[v]) > same_place * same_place * edge[v] * edge[v])
+          barred_[v] = rounds_of_rest;
+        else if(barred_[v] > 0)
+          --barred_[v];
       const double reached = deficit(mesh);
       is_best = reached < best;
-      in_vain = is_stored && is_best ? 0 : in_vain + 1;
+      in_vain = is_stored && reached < clear_gain * best ? 0 : in_vain + 1;
       if(is_best)
       {
         best = reached;
@@ -85,8 +96,10 @@ public:
 private:
   typedef typename Bridge::Update Update;
 
-  static constexpr int most_rounds = 8, most_rounds_in_vain = 2;
-  static constexpr double margin = 2;           // degrees, for what the surface takes away again
+  static constexpr int most_rounds = 12, most_rounds_in_vain = 3;
+  static constexpr int rounds_of_rest = 2;
+  static constexpr double same_place = 1e-3;    // over an edge
+  static constexpr double clear_gain = 0.7;     // the factor on the deficit
 
   double deficit(const Moving_triangulation_3& mesh) const
   {
@@ -100,11 +113,7 @@ private:
   {
     const Angle_deficit_3 angle_deficit(bound_);
     for(int c = 0; c < mesh.topology.number_of_cell_slots(); ++c)
-      if(mesh.topology.is_alive(c))
-      {
-        const int* const v = mesh.topology.cell_vertices() + 4 * c;
-        f(angle_deficit(mesh.sites[v[0]], mesh.sites[v[1]], mesh.sites[v[2]], mesh.sites[v[3]]));
-      }
+      f(mesh.deficit(c, angle_deficit));
   }
 
   bool store(const Moving_triangulation_3& mesh, bool surface_moves)
@@ -114,8 +123,13 @@ private:
   }
 
   // Displacements on a surface are tangential.
-  bool moves(int v, const Site& from, Site& s)
+  bool moves(const Moving_triangulation_3& mesh, int v, Site& s)
   {
+    if(!barred_.empty() && barred_[v] > 0)
+      return false;
+    if(v < mesh.number_of_interior_vertices)
+      return true;
+    const Site& from = mesh.sites[v];
     const auto& fan = bridge_.complex().boundary.fan(v, 0);
     if(!fan.is_smooth && !is_rough_)
       return false;
@@ -130,6 +144,7 @@ private:
   unsigned int seed_;
   bool is_rough_;
   bool has_moved_ = false;
+  std::vector<int> barred_;               // for so many rounds
 };
 
 } // namespace internal

@@ -123,13 +123,7 @@ private:
     trial_of_cell_.resize(mesh_.topology.number_of_cell_slots(), 0);
   }
 
-  double measure(int c) const
-  {
-    if(!mesh_.topology.is_alive(c))
-      return 0;
-    const int* const v = mesh_.topology.cell_vertices() + 4 * c;
-    return angle_deficit_(mesh_.sites[v[0]], mesh_.sites[v[1]], mesh_.sites[v[2]], mesh_.sites[v[3]]);
-  }
+  double measure(int c) const { return mesh_.deficit(c, angle_deficit_); }
 
   // Whether a vertex of the interior has pushed the dual point of the cell through the surface.
   bool is_beyond_wall(int c) const
