@@ -65,22 +65,28 @@ optimize(C3T3& c3t3, const MeshDomain& domain, const Odt_parameters& p, Visitor&
 /*!
 \ingroup PkgGlobalOdtMesh3Functions
 
-improves the cells of a tetrahedral mesh by moving its vertices to a
+improves the cells of a tetrahedral mesh by moving its vertices far below a nearby
 local minimum of the optimal Delaunay triangulation energy
 \f$ E^\rho_{ODT} = \sum_\tau \int_\tau \rho\,(f_I - \mathbf{x}^2) \f$,
 the \f$ L^1 \f$ error of interpolating \f$ \mathbf{x}^2 \f$ linearly in each cell,
-by the L-BFGS method of Chen, Wang, L&eacute;vy, Liu and Sun (*Revisiting Optimal Delaunay
-Triangulation for 3D Graded Mesh Generation*, SIAM J. Sci. Comput. 36, 2014, Algorithm 1).
+by a global search and the L-BFGS method of Chen, Wang, L&eacute;vy, Liu and Sun (*Revisiting Optimal Delaunay
+Triangulation for 3D Graded Mesh Generation*, SIAM J. Sci. Comput. 36, 2014), and then removes the
+slivers that are left.
 
 The function takes the place of the one of the same name of the package Mesh_3.
 The density \f$ \rho \f$ comes from the sizes of the input's cells, so that a graded mesh
 stays graded.
 
+The global search comes in rounds (see `number_of_rounds` and `annealing_schedule`). At the end, vertices of cells with
+dihedral angles below `sliver_bound` try positions around them, one by one, until no such cell is left or
+nothing improves the rest.
+
 Vertices in dimension 2 move on the surface, first toward a centroidal Voronoi tessellation of it
-(see `remesh_boundary_mesh_3()`) and then, together with the interior, to the minimum. They end on the surface:
+(see `remesh_boundary_mesh_3()`) and then together with the interior. They end on the surface:
 of polyhedral domains exactly, else within the error bound of the domain. Vertices in
 dimension 0 and 1, that is, corners and vertices on features, stay where they are, and so do vertices
-where surfaces meet or bend sharply. The result has as many vertices of each dimension and index, and
+where surfaces meet or bend sharply (on surfaces that are rough compared with the mesh, as those of images are,
+the latter may move to remove a sliver). The result has as many vertices of each dimension and index, and
 as many facets of each patch, the Euler characteristic, the components and the junctions of patches and
 subdomains are those of the input, and the centroids of facets are as close to a polyhedral surface
 as in the input at the worst. Where that cannot be had, vertices move less, or not at all.
@@ -90,8 +96,8 @@ subdomain where its dual point lies; a flat cell with all vertices on the surfac
 With `optimize_boundary` set to `false`, vertices on surfaces stay, too, and with them all facets of the
 complex, their patch indices and surface centers, and the volume of each subdomain.
 
-If the domain or the callback throws, `c3t3` is as it was before the call. For the same input
-the result is the same, bit for bit, unless `time_limit` cuts it short. Handles to vertices and
+If the domain or the callback throws, `c3t3` is as it was before the call. For the same input and
+`random_seed` the result is the same, bit for bit, unless `time_limit` shortens the schedule. Handles to vertices and
 cells of `c3t3` become invalid.
 
 Meshes in periodic triangulations are handed over to `CGAL::Mesh_3::Mesh_global_optimizer`, which
@@ -110,14 +116,16 @@ version of %CGAL in use knows: `parameters::time_limit = 10, parameters::do_free
 \cgalNamedParamsBegin
   \cgalParamNBegin{time_limit}
     \cgalParamDescription{the wall time, in seconds, after which no further iteration is begun; 0 means no limit.
+                          The schedule is shortened in advance, so that the noise of the search fades away in time.
                           From \cgal 5.6 on also called `maximum_running_time`.}
     \cgalParamType{`double`}
     \cgalParamPrecondition{`time_limit >= 0`}
     \cgalParamDefault{0}
   \cgalParamNEnd
   \cgalParamNBegin{max_iteration_number}
-    \cgalParamDescription{the number of iterations, that is, of accepted evaluations of either energy, at the most;
-                          0 means 1000. If less than 240, fewer rounds or none are spent on the CVT of the surface.
+    \cgalParamDescription{the number of iterations of all stages together, that is, of accepted evaluations of either energy, at the
+                          most; 0 means 1000 beside those of the rounds. If few, the search is shortened in advance,
+                          and less or nothing is spent on the CVT of the surface. Removing slivers does not count.
                           From \cgal 5.6 on also called `number_of_iterations`.}
     \cgalParamType{`std::size_t`}
     \cgalParamDefault{0}
@@ -146,21 +154,28 @@ version of %CGAL in use knows: `parameters::time_limit = 10, parameters::do_free
     \cgalParamType{`bool`}
     \cgalParamDefault{`true`}
   \cgalParamNEnd
+  \cgalParamNBegin{annealing_schedule}
+    \cgalParamDescription{the way of the global search, with its constants.}
+    \cgalParamType{`CGAL::Momentum_annealing_schedule` or `CGAL::Metropolis_annealing_schedule` (Algorithm 2 of the paper)}
+    \cgalParamPrecondition{that of their members}
+    \cgalParamDefault{`CGAL::Momentum_annealing_schedule()`}
+  \cgalParamNEnd
   \cgalParamNBegin{number_of_rounds}
-    \cgalParamDescription{the number of rounds of global search before the minimization, of 20 iterations each: moves to the
-                          volume-weighted mean of circumcenters with momentum and a noise that fades away.}
+    \cgalParamDescription{the length of the global search. A round of momentum annealing has 30 iterations, or 50 if no vertex
+                          moves on a surface; one of Algorithm 2 has as many as its schedule says. 0 means no
+                          search: the mesh goes to a local minimum nearby.}
     \cgalParamType{`std::size_t`}
-    \cgalParamDefault{0}
+    \cgalParamDefault{4 for momentum annealing, 20 for Algorithm 2}
   \cgalParamNEnd
   \cgalParamNBegin{sliver_bound}
-    \cgalParamDescription{the dihedral angle, in degrees, below which cells are to be treated one by one; 0 means not at all.
-                          The local minimizer is the only stage: every value acts as 0.}
+    \cgalParamDescription{the dihedral angle, in degrees, that all cells should exceed in the end; 0 switches the removal of slivers off.
+                          From \cgal 5.6 on also called `lower_sliver_bound`.}
     \cgalParamType{`double`}
     \cgalParamPrecondition{`0 <= sliver_bound < 180`}
-    \cgalParamDefault{0}
+    \cgalParamDefault{20}
   \cgalParamNEnd
   \cgalParamNBegin{random_seed}
-    \cgalParamDescription{the seed of the noise of the global search.}
+    \cgalParamDescription{the seed of all that is left to chance.}
     \cgalParamType{`unsigned int`}
     \cgalParamDefault{0}
   \cgalParamNEnd
@@ -174,7 +189,9 @@ version of %CGAL in use knows: `parameters::time_limit = 10, parameters::do_free
   \cgalParamNBegin{visitor}
     \cgalParamDescription{an object with the member functions `after_compute_moves()`, `after_move_points()` and
                           `end_of_iteration(int)`, called in each iteration in this order, and
-                          `after_rebuild_restricted_delaunay()`, called when `c3t3` is final.
+                          `after_rebuild_restricted_delaunay()`, called when `c3t3` is final. If it has a member
+                          `after_sliver_removal(std::size_t)`, that is called before, with the number of cells that are left below
+                          `sliver_bound`.
                           It is spelled `parameters::visitor(v)` and copied; pass `std::ref(v)` to keep its state.}
     \cgalParamType{a class like `CGAL::Mesh_3::Null_global_optimizer_visitor`}
     \cgalParamDefault{a visitor that does nothing}
@@ -186,8 +203,8 @@ version of %CGAL in use knows: `parameters::time_limit = 10, parameters::do_free
 - `CGAL::MAX_ITERATION_NUMBER_REACHED` when `max_iteration_number` iterations have been made;
 - `CGAL::CONVERGENCE_REACHED` when the largest displacements are below `convergence`;
 - `CGAL::ALL_VERTICES_FROZEN` when `do_freeze` is `true` and all vertices that may move are frozen, also when there are none;
-- `CGAL::CANT_IMPROVE_ANYMORE` when no step along the search direction, nor along the gradient, lowers the energy,
-  or when no valid mesh can be made, in which case `c3t3` is as before.
+- `CGAL::CANT_IMPROVE_ANYMORE` when cells below `sliver_bound` are left, when no step along the search direction, nor
+  along the gradient, lowers the energy, or when no valid mesh can be made, in which case `c3t3` is as before.
 
 \pre No vertex but those on features carries a weight, that is, `exude_mesh_3()` has not been called before.
 */

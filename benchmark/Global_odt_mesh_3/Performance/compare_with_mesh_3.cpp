@@ -98,7 +98,8 @@ void compare(const char* name, const C3t3& input, const Domain& domain)
   const double hundred_time = seconds([&]
   {
     CGAL::odt_optimize_mesh_3(hundred, domain, params::do_freeze = false, params::convergence = 0,
-                              params::max_iteration_number = 100, params::visitor(std::ref(timer)));
+                              params::max_iteration_number = 100, params::number_of_rounds = 0,
+                              params::sliver_bound = 0, params::visitor(std::ref(timer)));
   });
   print_quality("ours, 100 iterations", hundred);
 

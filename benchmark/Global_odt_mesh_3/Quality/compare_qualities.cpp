@@ -18,25 +18,32 @@
 #include <CGAL/odt_optimize_mesh_3.h>
 #include <CGAL/perturb_mesh_3.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstdio>
 #include <cstdlib>
+#include <functional>
 #include <map>
 #include <string>
 #include <vector>
 
 using namespace inputs;
 
-// The median of log(edge length) per subdomain.
+typedef std::function<double(const Point_3&)> Size;
+
+// The median of the lengths of edges over the sizes wanted, for each subdomain.
 template <class C3t3>
-std::map<int, double> median_edges(const C3t3& c3t3)
+std::map<int, double> median_edges(const C3t3& c3t3, const Size& size)
 {
   std::map<int, std::vector<double> > lengths;
   for(auto c = c3t3.cells_in_complex_begin(); c != c3t3.cells_in_complex_end(); ++c)
     for(int i = 0; i < 3; ++i)
       for(int j = i + 1; j < 4; ++j)
-        lengths[static_cast<int>(c->subdomain_index())].push_back(
-          std::sqrt(CGAL::squared_distance(c->vertex(i)->point().point(), c->vertex(j)->point().point())));
+      {
+        const Point_3 p = c->vertex(i)->point().point(), q = c->vertex(j)->point().point();
+        lengths[static_cast<int>(c->subdomain_index())].push_back(std::sqrt(CGAL::squared_distance(p, q))
+                                                                  / size(CGAL::midpoint(p, q)));
+      }
   std::map<int, double> medians;
   for(auto& l : lengths)
   {
@@ -47,12 +54,12 @@ std::map<int, double> median_edges(const C3t3& c3t3)
 }
 
 template <class C3t3>
-void print(const std::string& what, const C3t3& c3t3, const C3t3& input, double time, double reference_time)
+void print(const std::string& what, const C3t3& c3t3, const C3t3& input, const Size& size, double time, double reference_time)
 {
   const CGAL::Mesh_quality_report_3 r = CGAL::mesh_quality_report_3(c3t3, { 10, 20 });
   const double volume = CGAL::mesh_quality_report_3(input, { 10 }).total().volume;
   double change = 0;
-  const std::map<int, double> before = median_edges(input), after = median_edges(c3t3);
+  const std::map<int, double> before = median_edges(input, size), after = median_edges(c3t3, size);
   for(const auto& m : before)
     change = (std::max)(change, std::abs(after.at(m.first) / m.second - 1));
   std::printf("  %-26s %.4f  %6.2f - %6.2f  %4zu %5zu  %+.3f %%  %5.1f %%  %6.2f s  %5.2f\n", what.c_str(), r.mean_radius_ratio,
@@ -62,7 +69,8 @@ void print(const std::string& what, const C3t3& c3t3, const C3t3& input, double 
 }
 
 template <class C3t3, class Domain>
-void compare(const char* name, const C3t3& input, const Domain& domain, unsigned int seeds, std::size_t more_rounds)
+void compare(const char* name, const C3t3& input, const Domain& domain, const Size& size, unsigned int seeds,
+             std::size_t more_rounds)
 {
   typedef typename C3t3::Triangulation Triangulation;
   typedef CGAL::Mesh_3::Mesh_sizing_field<Triangulation> Sizing;
@@ -75,15 +83,15 @@ void compare(const char* name, const C3t3& input, const Domain& domain, unsigned
     C3t3 c3t3(input);
     CGAL::Mesh_3::Mesh_global_optimizer<C3t3, Domain, Move> optimizer(c3t3, domain, 0.01, true, 0.02);
     reference = seconds([&] { optimizer(1000); });
-    print("CGAL's odt", c3t3, input, reference, reference);
+    print("CGAL's odt", c3t3, input, size, reference, reference);
     const double time = seconds([&] { CGAL::perturb_mesh_3(c3t3, domain, params::sliver_bound = 20); });
-    print("CGAL's odt, perturb(20)", c3t3, input, reference + time, reference);
+    print("CGAL's odt, perturb(20)", c3t3, input, size, reference + time, reference);
   }
   for(unsigned int seed = 1; seed <= seeds; ++seed)
   {
     C3t3 c3t3(input);
     const double time = seconds([&] { CGAL::odt_optimize_mesh_3(c3t3, domain, params::random_seed(seed)); });
-    print("default, seed " + std::to_string(seed), c3t3, input, time, reference);
+    print("default, seed " + std::to_string(seed), c3t3, input, size, time, reference);
   }
   for(unsigned int seed = 1; seed <= seeds; ++seed)
   {
@@ -91,13 +99,13 @@ void compare(const char* name, const C3t3& input, const Domain& domain, unsigned
     const double time = seconds([&] { CGAL::odt_optimize_mesh_3(c3t3, domain, params::random_seed(seed),
                                                                 params::number_of_rounds = more_rounds,
                                                                 params::sliver_bound = 35); });
-    print("bound 35, seed " + std::to_string(seed), c3t3, input, time, reference);
+    print("bound 35, seed " + std::to_string(seed), c3t3, input, size, time, reference);
     if(seed > 1)
       continue;
     const double perturbing = seconds([&] { CGAL::perturb_mesh_3(c3t3, domain, params::sliver_bound = 20); });
-    print("  then perturb(20)", c3t3, input, perturbing, reference);
+    print("  then perturb(20)", c3t3, input, size, perturbing, reference);
     const double exuding = seconds([&] { CGAL::exude_mesh_3(c3t3, params::sliver_bound = 20); });
-    print("  then exude(20)", c3t3, input, exuding, reference);
+    print("  then exude(20)", c3t3, input, size, exuding, reference);
   }
 }
 
@@ -108,8 +116,11 @@ int main(int argc, char* argv[])
   const std::string only = argc > 3 ? argv[3] : "";
   for_each_input([&](const char* name, const auto& input, const auto& domain)
   {
+    Size size = [](const Point_3&) { return 1.; };
+    if(std::string(name) == "graded sphere")
+      size = [](const Point_3& p) { return Graded_sphere_size{ 1 }(p, 3, 0); };
     if(only.empty() || only == name)
-      compare(name, input, domain, seeds, more_rounds);
+      compare(name, input, domain, size, seeds, more_rounds);
   });
   return EXIT_SUCCESS;
 }

@@ -8,9 +8,10 @@
 //   - the boundary fixed,
 //   - the boundary remeshed by restricted CVT, then the interior with the boundary fixed
 //     (the way of the paper, section 5.1),
-//   - the default call, that begins with some remeshing and goes on with all vertices together,
+//   - some remeshing, then all vertices together,
 //   - the same after the boundary has been remeshed to the end,
-//   - the default call with rounds of global search.
+//   - the same with rounds of global search.
+// Slivers are not removed.
 //
 //   move_boundary [rounds of search, default 10] [iterations of CGAL's optimizer without freezing, default 0]
 //
@@ -96,7 +97,10 @@ void compare(const char* name, const C3t3& input, const Domain& domain)
     cost.seconds = seconds([&] { optimizer(cgal_iterations); });
     print(("CGAL, " + std::to_string(cgal_iterations) + " iterations").c_str(), c3t3, volume, cost);
   }
-  odt::Odt_parameters usual, fixed, remeshing, searching;
+  odt::Odt_parameters together;
+  together.number_of_rounds = 0;
+  together.sliver_bound = 0;
+  odt::Odt_parameters fixed = together, remeshing = together, searching = together;
   fixed.optimize_boundary = false;
   remeshing.remesh_boundary = true;
   searching.number_of_rounds = search_rounds;
@@ -113,9 +117,9 @@ void compare(const char* name, const C3t3& input, const Domain& domain)
     run(remeshed, domain, remeshing, cost);
     print("remeshed", remeshed, volume, cost);
     measure("remeshed, then fixed", remeshed, fixed, cost);
-    measure("remeshed, then default", remeshed, usual, cost);
+    measure("remeshed, then together", remeshed, together, cost);
   }
-  measure("default", input, usual);
+  measure("together", input, together);
   measure("search, " + std::to_string(search_rounds) + " rounds", input, searching);
 }
 

@@ -25,6 +25,7 @@
 #include <CGAL/Global_odt_mesh_3/internal/Metropolis_annealing.h>
 #include <CGAL/Global_odt_mesh_3/internal/Momentum_annealing.h>
 #include <CGAL/Global_odt_mesh_3/internal/Odt_objective_3.h>
+#include <CGAL/Global_odt_mesh_3/internal/Sliver_removal_3.h>
 
 #include <algorithm>
 #include <array>
@@ -121,8 +122,12 @@ struct Method
   std::function<void(Moving_triangulation_3&, unsigned int seed)> run;
 };
 
-// Where removal of slivers, or whatever else has to follow a search, has its place.
-static void after_search(Moving_triangulation_3&) {}
+// The default bound of odt_optimize_mesh_3().
+static void remove_slivers(Moving_triangulation_3& mesh, unsigned int seed)
+{
+  Sliver_removal_3(mesh, 20, seed).run();
+  mesh.evaluate();
+}
 
 static std::vector<Method> methods(int factor)
 {
@@ -140,7 +145,7 @@ static std::vector<Method> methods(int factor)
         Runner runner(mesh);
         runner.search_with_momentum(seed, factor * steps_of_search);
         runner.minimize(30);
-        after_search(mesh);
+        remove_slivers(mesh, seed);
       } }
   };
 }
