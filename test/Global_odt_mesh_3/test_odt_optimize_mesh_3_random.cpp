@@ -62,13 +62,14 @@ struct Slivers
 };
 
 // The search ends where slivers are removed: below the usual bound of 20 degrees there are none in
-// the interior and, far below it, on surfaces only few, if those are rough.
+// the interior and, far below it, on surfaces only few, if those are rough. Near a boundary that is
+// fixed, there is less room.
 template <class C3t3>
-static void check_slivers(const std::string& what, const C3t3& c3t3, bool is_rough)
+static void check_slivers(const std::string& what, const C3t3& c3t3, bool surface_moves, bool is_rough)
 {
-  const Slivers slivers(c3t3, 20), bad_slivers(c3t3, 10);
+  const Slivers slivers(c3t3, surface_moves ? 20 : 10), bad_slivers(c3t3, 10);
   check::that(slivers.with_interior_vertex == 0, what, ": ", slivers.with_interior_vertex, " slivers in the interior");
-  check::that(bad_slivers.with_surface_vertex <= (is_rough ? 1 : 0), what, ": ",
+  check::that(!surface_moves || bad_slivers.with_surface_vertex <= (is_rough ? 1 : 0), what, ": ",
               bad_slivers.with_surface_vertex, " bad slivers on the surface");
 }
 
@@ -102,8 +103,8 @@ static void test(const std::string& name, const C3t3& input, const Domain& domai
     contract.check(c3t3);
   else
     contract.check_moved(c3t3, is_smooth ? 0.1 : 0.2, is_smooth ? 0.06 : 0.15, 4e-3);
-  if(seed % 5 == 0 || seed % 5 == 4)
-    check_slivers(what, c3t3, is_rough);
+  if(seed % 5 == 0 || seed % 5 >= 3)
+    check_slivers(what, c3t3, seed % 5 != 3, is_rough);
 }
 
 int main()
