@@ -3,16 +3,23 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// The call: named parameters in all styles, return codes, cancellation,
-// exceptions, degenerate meshes, and the calls from make_mesh_3().
+// The call: named parameters in all styles, return codes, cancellation, bounds on time and
+// iterations, schedules and seeds, slivers, exceptions, degenerate meshes, and the calls
+// from make_mesh_3().
 
 #include "mesh_contract.h"
 #include "mesh_domains.h"
 
+#include <CGAL/Annealing_schedules_3.h>
+#include <CGAL/Global_odt_mesh_3/internal/Cell_shape_3.h>
+#include <CGAL/Real_timer.h>
 #include <CGAL/odt_optimize_mesh_3.h>
 #include <CGAL/refine_mesh_3.h>
 #include <CGAL/version.h>
 
+#include <algorithm>
+#include <array>
+#include <cmath>
 #include <functional>
 #include <iostream>
 #include <limits>
@@ -38,16 +45,24 @@ static void parameter_styles(const Labeled_c3t3& input, const Labeled_domain& do
   Labeled_c3t3 reference(input);
   CGAL::odt_optimize_mesh_3(reference, domain, params::time_limit = 100, params::max_iteration_number = 5,
                             params::convergence = 0.001, params::freeze_bound = 0.0005, params::do_freeze = false);
-  const auto expected = Contract::points(reference);
+  Labeled_c3t3 local(input);
+  CGAL::odt_optimize_mesh_3(local, domain, params::max_iteration_number = 5, params::convergence = 0.001,
+                            params::freeze_bound = 0.0005, params::do_freeze = false,
+                            params::number_of_rounds = 0, params::sliver_bound = 0);
+  const auto expected = Contract::points(reference), expected_without_search = Contract::points(local);
   check::that(expected != Contract::points(input), "parameters: nothing moved");
-  const auto compare = [&](const Labeled_c3t3& c3t3, const char* style)
-  { check::that(Contract::points(c3t3) == expected, "parameters given as ", style, " have another effect"); };
+  check::that(expected != expected_without_search, "parameters: sliver_bound = 0 has no effect");
+  const auto compare = [&](const Labeled_c3t3& c3t3, const char* style, bool searches = true)
+  {
+    check::that(Contract::points(c3t3) == (searches ? expected : expected_without_search),
+                "parameters given as ", style, " have another effect");
+  };
   {
     Labeled_c3t3 c(input);
     CGAL::odt_optimize_mesh_3(c, domain, params::do_freeze = false, params::number_of_rounds = 0,
                               params::freeze_bound = 0.0005, params::sliver_bound = 0, params::random_seed(5),
                               params::convergence = 0.001, params::max_iteration_number = 5);
-    compare(c, "values with =, in another order, with the new ones among them");
+    compare(c, "values with =, in another order, with the new ones among them", false);
   }
   {
     Labeled_c3t3 c(input), fixed(input);
@@ -80,8 +95,8 @@ static void parameter_styles(const Labeled_c3t3& input, const Labeled_domain& do
   {
     Labeled_c3t3 c(input);
     CGAL::odt_optimize_mesh_3(c, domain, params::number_of_rounds(0).convergence(0.001).max_iteration_number(5),
-                              params::freeze_bound(0.0005).do_freeze(false).random_seed(3));
-    compare(c, "two chains");
+                              params::freeze_bound(0.0005).do_freeze(false).random_seed(3).sliver_bound(0));
+    compare(c, "two chains", false);
   }
 #endif
   {
@@ -117,6 +132,38 @@ static void bad_parameters(const Labeled_c3t3& input, const Labeled_domain& doma
   refuses("freeze_bound", [&] { CGAL::odt_optimize_mesh_3(c3t3, domain, params::freeze_bound = nan); });
   refuses("sliver_bound", [&] { CGAL::odt_optimize_mesh_3(c3t3, domain, params::sliver_bound = 200.); });
   refuses("sliver_bound", [&] { CGAL::odt_optimize_mesh_3(c3t3, domain, params::sliver_bound = nan); });
+  const auto refuses_momentum = [&](const char* name, double CGAL::Momentum_annealing_schedule::* constant, double value)
+  {
+    CGAL::Momentum_annealing_schedule schedule;
+    schedule.*constant = value;
+    refuses(name, [&] { CGAL::odt_optimize_mesh_3(c3t3, domain, params::annealing_schedule = schedule); });
+  };
+  const auto refuses_metropolis = [&](const char* name, auto constant, auto value)
+  {
+    CGAL::Metropolis_annealing_schedule schedule;
+    schedule.*constant = value;
+    refuses(name, [&] { CGAL::odt_optimize_mesh_3(c3t3, domain, params::annealing_schedule(schedule)); });
+  };
+  typedef CGAL::Momentum_annealing_schedule Momentum;
+  typedef CGAL::Metropolis_annealing_schedule Metropolis;
+  for(double bad : { -0.1, nan })
+  {
+    refuses_momentum("momentum", &Momentum::momentum, bad);
+    refuses_momentum("step_length", &Momentum::step_length, bad);
+    refuses_momentum("interior_amplitude", &Momentum::interior_amplitude, bad);
+    refuses_momentum("surface_amplitude", &Momentum::surface_amplitude, bad);
+    refuses_momentum("decay", &Momentum::decay, bad);
+    refuses_momentum("longest_step", &Momentum::longest_step, bad);
+    refuses_metropolis("perturbation", &Metropolis::perturbation, bad);
+    refuses_metropolis("temperature", &Metropolis::temperature, bad);
+    refuses_metropolis("cooling", &Metropolis::cooling, bad);
+  }
+  refuses_momentum("momentum", &Momentum::momentum, 1);
+  refuses_momentum("interior_amplitude", &Momentum::interior_amplitude, 1.1);
+  refuses_metropolis("perturbation", &Metropolis::perturbation, 1.1);
+  refuses_metropolis("iterations_in_round", &Metropolis::iterations_in_round, 0);
+  refuses_metropolis("cooling", &Metropolis::cooling, 1.1);
+  refuses_metropolis("final_iterations", &Metropolis::final_iterations, -1);
   CGAL::set_error_handler(handler);
   CGAL::set_error_behaviour(behaviour);
   contract.check_untouched(c3t3);
@@ -148,17 +195,20 @@ static void return_codes(const Labeled_c3t3& input, const Labeled_domain& domain
   }
   {
     Labeled_c3t3 c(input);
-    expect(CGAL::odt_optimize_mesh_3(c, domain, params::convergence = 0.05, params::do_freeze = false),
+    expect(CGAL::odt_optimize_mesh_3(c, domain, params::convergence = 0.05, params::do_freeze = false,
+                                     params::number_of_rounds = 0, params::sliver_bound = 0),
            CGAL::CONVERGENCE_REACHED, c, "convergence");
   }
   {
     Labeled_c3t3 c(input);
-    expect(CGAL::odt_optimize_mesh_3(c, domain, params::convergence = 0, params::freeze_bound = 0.3),
+    expect(CGAL::odt_optimize_mesh_3(c, domain, params::convergence = 0, params::freeze_bound = 0.3,
+                                     params::number_of_rounds = 0, params::sliver_bound = 0),
            CGAL::ALL_VERTICES_FROZEN, c, "freezing");
   }
   {
     Labeled_c3t3 c(input);
-    expect(CGAL::odt_optimize_mesh_3(c, domain, params::convergence = 0, params::do_freeze = false),
+    expect(CGAL::odt_optimize_mesh_3(c, domain, params::convergence = 0, params::do_freeze = false,
+                                     params::number_of_rounds = 0, params::sliver_bound = 0),
            CGAL::CANT_IMPROVE_ANYMORE, c, "exhaustion");
   }
 }
@@ -175,12 +225,194 @@ static void cancellation(const Labeled_c3t3& input, const Labeled_domain& domain
   check_moved(contract, c3t3);
   check::that(Contract::points(c3t3) != Contract::points(input), "cancellation threw the iterations away");
 
-  fractions.clear();
-  Labeled_c3t3 all(input);
-  CGAL::odt_optimize_mesh_3(all, domain, params::callback([&](double f) { fractions.push_back(f); return true; }));
-  for(std::size_t n = 0; n < fractions.size(); ++n)
-    check::that(fractions[n] >= 0 && fractions[n] <= 1 && (n == 0 || fractions[n] >= fractions[n - 1]),
-                "the fraction done goes from ", n == 0 ? 0. : fractions[n - 1], " to ", fractions[n]);
+}
+
+// The fraction done that the callback is told goes from 0 through most of the way to 1, never back and not in leaps,
+// whatever the schedule.
+static void progress(const Labeled_c3t3& input, const Labeled_domain& domain)
+{
+  const auto report = [&](const char* what, const std::function<void(Labeled_c3t3&, std::function<bool(double)>)>& call)
+  {
+    std::vector<double> fractions;
+    Labeled_c3t3 c3t3(input);
+    call(c3t3, [&](double f) { fractions.push_back(f); return true; });
+    double largest_leap = 0;
+    for(std::size_t n = 0; n < fractions.size(); ++n)
+    {
+      const double before = n == 0 ? 0. : fractions[n - 1];
+      largest_leap = (std::max)(largest_leap, fractions[n] - before);
+      check::that(fractions[n] >= before && fractions[n] <= 1, what, ": the fraction done goes from ", before, " to ", fractions[n]);
+    }
+    const double last = fractions.empty() ? 0. : fractions.back();
+    std::cout << what << ": " << fractions.size() << " iterations, the last fraction is " << last << ", the largest leap "
+              << largest_leap << std::endl;
+    check::that(last >= 0.75, what, ": the last fraction is ", last);
+    check::that(largest_leap <= 0.35, what, ": the fraction leaps by ", largest_leap);
+  };
+  report("progress of the default call", [&](Labeled_c3t3& c3t3, const std::function<bool(double)>& f)
+  { CGAL::odt_optimize_mesh_3(c3t3, domain, params::callback(f)); });
+  report("progress of Metropolis", [&](Labeled_c3t3& c3t3, const std::function<bool(double)>& f)
+  {
+    CGAL::odt_optimize_mesh_3(c3t3, domain, params::callback(f),
+                              params::annealing_schedule = CGAL::Metropolis_annealing_schedule());
+  });
+  report("progress without search", [&](Labeled_c3t3& c3t3, const std::function<bool(double)>& f)
+  { CGAL::odt_optimize_mesh_3(c3t3, domain, params::callback(f), params::number_of_rounds = 0); });
+  report("progress with the boundary fixed", [&](Labeled_c3t3& c3t3, const std::function<bool(double)>& f)
+  { CGAL::odt_optimize_mesh_3(c3t3, domain, params::callback(f), params::optimize_boundary = false); });
+}
+
+// The bound is for the iterations of all stages together, and the search takes place within it.
+static void iteration_bound(const Labeled_c3t3& input, const Labeled_domain& domain)
+{
+  const Contract contract(input, domain, "70 iterations");
+  int iterations = 0;
+  const auto count = [&](double) { ++iterations; return true; };
+  const auto bounded = [&](std::size_t rounds)
+  {
+    Labeled_c3t3 c(input);
+    iterations = 0;
+    const auto code = CGAL::odt_optimize_mesh_3(c, domain, params::max_iteration_number = 70, params::number_of_rounds = rounds,
+                                                params::convergence = 0, params::do_freeze = false, params::callback(count));
+    check::that(iterations <= 70, iterations, " iterations instead of 70 at most");
+    check::that(code == (iterations == 70 ? CGAL::MAX_ITERATION_NUMBER_REACHED : CGAL::CANT_IMPROVE_ANYMORE),
+                iterations, " iterations of 70: return code ", code);
+    check_moved(contract, c);
+    return Contract::points(c);
+  };
+  check::that(bounded(4) != bounded(0), "within 70 iterations, nothing is searched");
+  for(const bool freezes : { false, true })
+  {
+    Labeled_c3t3 c(input);
+    iterations = 0;
+    CGAL::odt_optimize_mesh_3(c, domain, params::max_iteration_number = 70, params::do_freeze = freezes, params::callback(count));
+    check::that(iterations <= 70, iterations, " iterations of the usual call instead of 70 at most");
+  }
+}
+
+// The search depends on the seed and the schedule alone.
+static void schedules(const Labeled_c3t3& input, const Labeled_domain& domain)
+{
+  const Contract contract(input, domain, "schedules");
+  const auto searched = [&](const auto& schedule, unsigned int seed)
+  {
+    Labeled_c3t3 c(input);
+    CGAL::odt_optimize_mesh_3(c, domain, params::annealing_schedule = schedule, params::random_seed(seed),
+                              params::number_of_rounds = 2, params::sliver_bound = 0);
+    check_moved(contract, c);
+    return Contract::points(c);
+  };
+  const CGAL::Momentum_annealing_schedule momentum;
+  CGAL::Momentum_annealing_schedule weaker;
+  weaker.interior_amplitude = 0.05;
+  const CGAL::Metropolis_annealing_schedule metropolis;
+  CGAL::Metropolis_annealing_schedule shorter;
+  shorter.iterations_in_round = 10;
+  const auto by_momentum = searched(momentum, 1), by_metropolis = searched(metropolis, 1);
+  check::that(searched(momentum, 1) == by_momentum, "momentum annealing is not deterministic");
+  check::that(searched(metropolis, 1) == by_metropolis, "Metropolis annealing is not deterministic");
+  check::that(searched(momentum, 2) != by_momentum, "another seed has no effect on momentum annealing");
+  check::that(searched(metropolis, 2) != by_metropolis, "another seed has no effect on Metropolis annealing");
+  check::that(searched(weaker, 1) != by_momentum, "the constants of momentum annealing have no effect");
+  check::that(searched(shorter, 1) != by_metropolis, "the constants of Metropolis annealing have no effect");
+  check::that(by_momentum != by_metropolis, "the schedule has no effect");
+}
+
+static double smallest_angle(const Labeled_c3t3& c3t3, Labeled_c3t3::Cell_handle c)
+{
+  std::array<CGAL::Global_odt_mesh_3::internal::Site, 4> s;
+  for(int i = 0; i < 4; ++i)
+  {
+    const Point_3 p = c3t3.triangulation().point(c, i).point();
+    s[i] = { p.x(), p.y(), p.z(), 0 };
+  }
+  const CGAL::Global_odt_mesh_3::internal::Cell_shape_3 shape(s[0], s[1], s[2], s[3]);
+  return *std::min_element(shape.angles.begin(), shape.angles.end());
+}
+
+static std::size_t cells_below(const Labeled_c3t3& c3t3, double bound)
+{
+  std::size_t n = 0;
+  for(auto c = c3t3.cells_in_complex_begin(); c != c3t3.cells_in_complex_end(); ++c)
+    n += smallest_angle(c3t3, c) < bound;
+  return n;
+}
+
+struct Sliver_visitor
+{
+  int calls = 0;
+  bool is_before_rebuilt = false;
+  std::size_t slivers = 0;
+  void after_compute_moves() {}
+  void after_move_points() {}
+  void after_rebuild_restricted_delaunay() { is_before_rebuilt = calls == 1; }
+  void end_of_iteration(int) {}
+  void after_sliver_removal(std::size_t n) { ++calls; slivers = n; }
+};
+
+// The return code and the visitor tell how many cells stay below the bound; without a bound,
+// slivers stay.
+static void slivers()
+{
+  const Labeled_domain domain = domains::sphere();
+  const Labeled_c3t3 input = domains::mesh(domain, 0.2), coarse = domains::mesh(domain, 0.5);
+  const auto optimized = [&](const Labeled_c3t3& from, double bound, CGAL::Mesh_optimization_return_code& code,
+                             Sliver_visitor& visitor)
+  {
+    const Contract contract(from, domain, "slivers");
+    Labeled_c3t3 c(from);
+    visitor = Sliver_visitor();
+    code = CGAL::odt_optimize_mesh_3(c, domain, params::sliver_bound = bound, params::visitor(std::ref(visitor)));
+    check_moved(contract, c, 0.1);
+    check::that(visitor.calls == 1 && visitor.is_before_rebuilt, "the visitor hears of slivers ", visitor.calls, " times");
+    return c;
+  };
+  CGAL::Mesh_optimization_return_code code;
+  Sliver_visitor visitor;
+  const Labeled_c3t3 usual = optimized(input, 20, code, visitor);
+  check::that(visitor.slivers == 0 && cells_below(usual, 20) == 0, cells_below(usual, 20), " slivers remain, the visitor hears of ",
+              visitor.slivers);
+  check::that(code == CGAL::CONVERGENCE_REACHED || code == CGAL::ALL_VERTICES_FROZEN, "without slivers, the return code is ", code);
+  Labeled_c3t3 by_default(input);
+  check::that(CGAL::odt_optimize_mesh_3(by_default, domain) == code && Contract::points(by_default) == Contract::points(usual),
+              "the bound is not 20 degrees by default");
+
+  const Labeled_c3t3 out_of_reach = optimized(coarse, 69, code, visitor);
+  check::that(visitor.slivers > 0 && visitor.slivers == cells_below(out_of_reach, 69), cells_below(out_of_reach, 69),
+              " cells are below 69 degrees, the visitor hears of ", visitor.slivers);
+  check::that(code == CGAL::CANT_IMPROVE_ANYMORE, "with cells below the bound, the return code is ", code);
+
+  const Labeled_c3t3 off = optimized(input, 0, code, visitor);
+  std::cout << "slivers: " << cells_below(input, 20) << " in the input, " << cells_below(off, 20) << " after the search"
+            << std::endl;
+  check::that(visitor.slivers == 0, "without a bound, the visitor hears of ", visitor.slivers, " slivers");
+  check::that(code == CGAL::CONVERGENCE_REACHED || code == CGAL::ALL_VERTICES_FROZEN, "without a bound, the return code is ", code);
+  check::that(cells_below(off, 20) > 0 && Contract::points(off) != Contract::points(usual), "sliver_bound = 0 has no effect");
+}
+
+// A limit that is too short for the whole schedule shortens all stages: the call ends in time, give
+// or take what cannot be interrupted, and with a better mesh than the input.
+static void time_limit()
+{
+  const Labeled_domain domain = domains::sphere();
+  const Labeled_c3t3 input = domains::mesh(domain, 0.075);
+  const Contract contract(input, domain, "time limit");
+  CGAL::Real_timer timer;
+  timer.start();
+  Labeled_c3t3 unlimited(input);
+  CGAL::odt_optimize_mesh_3(unlimited, domain);
+  const double limit = timer.time() / 2;
+  timer.reset();
+  Labeled_c3t3 limited(input);
+  const auto code = CGAL::odt_optimize_mesh_3(limited, domain, params::time_limit = limit);
+  const double taken = timer.time();
+  std::cout << "time limit: " << input.triangulation().number_of_vertices() << " vertices, " << taken << " s of " << limit
+            << ", return code " << code << ", cells below 20 degrees: " << cells_below(input, 20) << " -> " << cells_below(limited, 20)
+            << std::endl;
+  check::that(taken < 1.5 * limit + 1, "the call takes ", taken, " s for a limit of ", limit);
+  check_moved(contract, limited);
+  check::that(Contract::points(limited) != Contract::points(unlimited), "the limit has no effect");
+  check::that(cells_below(limited, 20) < cells_below(input, 20) / 2, "the time is spent in vain");
 }
 
 static void exceptions(const Labeled_c3t3& input)
@@ -377,6 +609,11 @@ int main()
   bad_parameters(mesh, domain);
   return_codes(mesh, domain);
   cancellation(mesh, domain);
+  progress(mesh, domain);
+  iteration_bound(mesh, domain);
+  schedules(mesh, domain);
+  slivers();
+  time_limit();
   exceptions(mesh);
   visitor(mesh, domain);
   degenerate(mesh, domain);

@@ -81,7 +81,7 @@ public:
     if(is_best)
       return;
     mesh.sites = best_sites;
-    store(mesh, true);
+    store(mesh, mesh.number_of_movable_vertices > mesh.number_of_interior_vertices);
     bridge_.reload(mesh);
   }
 

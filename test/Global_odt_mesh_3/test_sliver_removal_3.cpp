@@ -1,0 +1,458 @@
+// Copyright (c) 2026 The Global_odt_mesh_3 authors.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+// The removal of slivers: the deficit of angles is what it says, trials leave no trace or an
+// exact regular triangulation, and in the end no cell that could be helped is a sliver.
+
+#include "check.h"
+#include "random_cube_triangulation.h"
+
+#include <CGAL/Global_odt_mesh_3/internal/Angle_deficit_3.h>
+#include <CGAL/Global_odt_mesh_3/internal/Cell_shape_3.h>
+#include <CGAL/Global_odt_mesh_3/internal/Flat_triangulation_3.h>
+#include <CGAL/Global_odt_mesh_3/internal/Limited_memory_bfgs.h>
+#include <CGAL/Global_odt_mesh_3/internal/Odt_objective_3.h>
+#include <CGAL/Global_odt_mesh_3/internal/Sliver_removal_3.h>
+#include <CGAL/Global_odt_mesh_3/internal/Vertex_trial_3.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <iostream>
+#include <limits>
+#include <random>
+#include <vector>
+
+using namespace CGAL::Global_odt_mesh_3::internal;
+
+typedef std::array<Site, 4> Tetrahedron;
+
+static double deficit(const Tetrahedron& t, double bound)
+{
+  return Angle_deficit_3(bound)(t[0], t[1], t[2], t[3]);
+}
+
+static Tetrahedron cell(const Moving_triangulation_3& mesh, int c)
+{
+  const int* const v = mesh.topology.cell_vertices() + 4 * c;
+  return {{ mesh.sites[v[0]], mesh.sites[v[1]], mesh.sites[v[2]], mesh.sites[v[3]] }};
+}
+
+static double sum_of_deficits(const Moving_triangulation_3& mesh, double bound)
+{
+  double sum = 0;
+  for(int c = 0; c < mesh.topology.number_of_cell_slots(); ++c)
+    if(mesh.topology.is_alive(c))
+      sum += deficit(cell(mesh, c), bound);
+  return sum;
+}
+
+// The deficit is the sum of the squares of what the six angles lack, a function of the shape of
+// the cell alone, and nothing where nothing is missing.
+static void angle_deficit(std::mt19937& random)
+{
+  std::uniform_real_distribution<double> u(-1, 1);
+  int with_deficit = 0, without = 0, slivers = 0;
+  for(int n = 0; n < 2000; ++n)
+  {
+    Tetrahedron t;
+    for(int i = 0; i < 4; ++i)
+      t[i] = { u(random), u(random), u(random), 0 };
+    if(n % 4 == 1)        // a sliver: a quadrangle that is not quite flat
+    {
+      const double height = std::pow(10, 4 * u(random) - 5);
+      for(int i = 0; i < 4; ++i)
+        t[i] = { std::cos(1.57 * i + 0.2 * u(random)), std::sin(1.57 * i + 0.2 * u(random)), height * u(random), 0 };
+    }
+    if(n % 4 == 2)        // a short edge
+      t[1] = { t[0].x + 1e-3 * u(random), t[0].y + 1e-3 * u(random), t[0].z + 1e-3 * u(random), 0 };
+    const Cell_shape_3 shape(t[0], t[1], t[2], t[3]);
+    for(double bound : { 20., 65., 110. })
+    {
+      double expected = 0;
+      for(double angle : shape.angles)
+        expected += angle < bound ? (bound - angle) * (bound - angle) : 0;
+      const double found = deficit(t, bound);
+      // The angle of a flat cell is as far off as the cosine rounds.
+      const double rounding = 1e-3 * bound;
+      check::that(std::abs(found - expected) <= rounding, "the deficit of a cell is ", found, ", not ", expected);
+      (found > 0 ? with_deficit : without) += 1;
+      slivers += n % 4 == 1 && found > 3 * 19 * 19;
+
+      std::array<int, 4> order = {{ 0, 1, 2, 3 }};
+      do
+      {
+        const Tetrahedron permuted = {{ t[order[0]], t[order[1]], t[order[2]], t[order[3]] }};
+        check::that(std::abs(deficit(permuted, bound) - found) <= rounding, "the order of the vertices matters");
+      }
+      while(std::next_permutation(order.begin(), order.end()));
+      Tetrahedron elsewhere = t;
+      for(Site& s : elsewhere)
+        s = { 1024 * s.x + 100, 1024 * s.y - 30, 1024 * s.z + 7, 5 };
+      check::that(std::abs(deficit(elsewhere, bound) - found) <= rounding, "position, scale or weight matters");
+    }
+  }
+  check::that(with_deficit > 1000 && without > 100 && slivers > 100, "not all kinds of cells tried: ", with_deficit, ' ',
+              without, ' ', slivers);
+  const Tetrahedron regular = {{ { 1, 1, 1, 0 }, { 1, -1, -1, 0 }, { -1, 1, -1, 0 }, { -1, -1, 1, 0 } }};
+  const double angle = std::acos(1 / 3.) * 180 / CGAL_PI;
+  check::that(deficit(regular, angle - 1e-6) == 0, "a regular cell lacks something");
+  check::that(std::abs(deficit(regular, angle + 1) - 6) < 1e-9, "a regular cell does not lack one degree six times");
+}
+
+// All that flips may change, slots that they have added apart.
+struct Snapshot
+{
+  std::vector<int> vertices, neighbors, incident_cells, wall_slots;
+  std::vector<Site> sites;
+  int number_of_cells;
+
+  explicit Snapshot(const Moving_triangulation_3& mesh)
+    : Snapshot(mesh, mesh.topology.number_of_slots())
+  {}
+
+  Snapshot(const Moving_triangulation_3& mesh, int number_of_slots)
+    : sites(mesh.sites)
+    , number_of_cells(mesh.topology.number_of_cells())
+  {
+    const Flat_triangulation_3& t = mesh.topology;
+    for(int s = 0; s < number_of_slots; ++s)
+    {
+      vertices.push_back(t.vertex(s));
+      neighbors.push_back(t.is_alive(s / 4) ? t.neighbor(s) : 0);
+    }
+    for(std::size_t v = 0; v < mesh.sites.size(); ++v)
+      incident_cells.push_back(t.incident_cell(static_cast<int>(v)));
+    for(int w = 0; w < t.number_of_walls(); ++w)
+      for(int side : { 0, 1 })
+        wall_slots.push_back(t.wall_slot(w, side));
+  }
+
+  bool describes(const Moving_triangulation_3& mesh) const
+  {
+    const Snapshot now(mesh, static_cast<int>(vertices.size()));
+    for(int s = static_cast<int>(vertices.size()); s < mesh.topology.number_of_slots(); ++s)
+      if(mesh.topology.is_alive(s / 4))
+        return false;
+    return now.vertices == vertices && now.neighbors == neighbors && now.incident_cells == incident_cells
+           && now.wall_slots == wall_slots && now.number_of_cells == number_of_cells
+           && std::equal(now.sites.begin(), now.sites.end(), sites.begin(), sites.end(), [](const Site& a, const Site& b)
+                         { return a.x == b.x && a.y == b.y && a.z == b.z && a.weight == b.weight; });
+  }
+};
+
+// Whether some cell has all of these vertices.
+static bool has_cell_with(const Flat_triangulation_3& t, const std::vector<int>& vertices)
+{
+  std::vector<int> star;
+  t.star(vertices[0], star);
+  return std::any_of(star.begin(), star.end(), [&](int slot)
+  {
+    return std::all_of(vertices.begin(), vertices.end(), [&](int v) { return t.index_in_cell(slot / 4, v) >= 0; });
+  });
+}
+
+// Flips of either kind, without regard to where the vertices are; how many of each.
+static std::array<int, 2> flip_at_random(Flat_triangulation_3& t, int attempts, std::mt19937& random)
+{
+  std::array<int, 2> number = {{ 0, 0 }};
+  for(int n = 0; n < attempts; ++n)
+  {
+    const int slot = std::uniform_int_distribution<int>(0, t.number_of_slots() - 1)(random);
+    if(!t.is_alive(slot / 4) || Flat_triangulation_3::is_wall(t.neighbor(slot)))
+      continue;
+    std::array<int, 3> ring;
+    const int i = slot % 4, j = (i + 1) % 4;
+    if(t.has_degree_3(slot / 4, i, j, ring))
+    {
+      if(has_cell_with(t, { t.vertex(ring[0]), t.vertex(ring[1]), t.vertex(ring[2]) }))
+        continue;
+      t.flip_3_2(ring);
+      ++number[1];
+    }
+    else if(!has_cell_with(t, { t.vertex(slot), t.vertex(t.neighbor(slot)) }))
+    {
+      t.flip_2_3(slot);
+      ++number[0];
+    }
+  }
+  return number;
+}
+
+// However many flips a trial makes, undone it has never been; ended it stays.
+static void undone_flips(std::mt19937& random)
+{
+  Moving_triangulation_3 mesh = random_cube(3, 60, 0, false, random);
+  Flat_triangulation_3& t = mesh.topology;
+  std::array<int, 2> number = {{ 0, 0 }};
+  for(int n = 0; n < 100; ++n)
+  {
+    const Snapshot before(mesh);
+    t.begin_trial();
+    const std::array<int, 2> made = flip_at_random(t, 1 + n, random);
+    for(int k : { 0, 1 })
+      number[k] += made[k];
+    check::that(t.is_valid(), "not valid after flips");
+    check::that(made[0] + made[1] == 0 || !before.describes(mesh), "flips change nothing");
+    if(n % 5 == 4)
+    {
+      // What has ended is not undone by the next trial.
+      t.end_trial();
+      const Snapshot ended(mesh);
+      t.begin_trial();
+      t.undo_trial();
+      check::that(ended.describes(mesh), "an empty trial changes something");
+    }
+    else
+    {
+      t.undo_trial();
+      check::that(before.describes(mesh) && t.is_valid(), "flips are not undone");
+    }
+  }
+  check::that(number[0] > 500 && number[1] > 100, "only ", number[0], " and ", number[1], " flips");
+  t.compact();
+  check::that(t.is_valid(), "not valid after compaction");
+}
+
+// Cells whose dual point a vertex of the interior holds beyond the surface.
+static int cells_beyond_walls(const Moving_triangulation_3& mesh)
+{
+  int number = 0;
+  for(int c = 0; c < mesh.topology.number_of_cell_slots(); ++c)
+    for(int i = 0; i < 4 && mesh.topology.is_alive(c); ++i)
+    {
+      const int* const v = mesh.topology.cell_vertices() + 4 * c;
+      const int across = mesh.topology.neighbor(4 * c + i);
+      number += Flat_triangulation_3::is_wall(across) && v[i] < mesh.number_of_interior_vertices
+                && mesh.is_beyond_wall(mesh.products(c), v, i, across);
+    }
+  return number;
+}
+
+// A vertex that is moved on trial takes the triangulation along: rejected, everything is as
+// before, bit by bit; accepted, it is the regular triangulation, and the deficits have changed by
+// what the trial has said.
+static void vertex_trials(bool weighted, bool has_surface, std::mt19937& random)
+{
+  const double bound = 30;
+  Moving_triangulation_3 mesh = random_cube(4, 200, 0, weighted, random);
+  if(has_surface)
+    std::fill(mesh.wall_heights.begin(), mesh.wall_heights.end(), 0.);
+  Vertex_trial_3 trial(mesh, bound);
+  std::vector<double> edge_length;
+  mesh.mean_edge_lengths(edge_length);
+  std::uniform_real_distribution<double> u(-1, 1);
+  int accepted = 0, rejected = 0, impossible = 0, held_back = 0, beyond = cells_beyond_walls(mesh);
+  double sum = sum_of_deficits(mesh, bound);
+  for(int n = 0; n < 400; ++n)
+  {
+    const int v = std::uniform_int_distribution<int>(0, mesh.number_of_movable_vertices - 1)(random);
+    const double reach = edge_length[v] * (n % 3 == 0 ? 0.8 : 0.2);
+    Site s = mesh.sites[v];
+    s = { s.x + reach * u(random), s.y + reach * u(random), s.z + reach * u(random), s.weight };
+    const Snapshot before(mesh);
+    const double change = trial.move(v, s);
+    check::that(mesh.topology.is_valid(), "not valid during a trial");
+    if(change == (std::numeric_limits<double>::infinity)() || n % 2 == 0)
+    {
+      trial.reject();
+      check::that(before.describes(mesh) && mesh.topology.is_valid(), "a rejected trial leaves a trace");
+      if(change != (std::numeric_limits<double>::infinity)())
+      {
+        // A second time, it is the same trial.
+        check::that(trial.move(v, s) == change, "a rejected trial is not repeated");
+        trial.reject();
+        ++rejected;
+        continue;
+      }
+      ++impossible;
+      if(has_surface)
+      {
+        std::vector<double> heights(mesh.wall_heights.size(), (std::numeric_limits<double>::max)());
+        heights.swap(mesh.wall_heights);
+        held_back += trial.move(v, s) != (std::numeric_limits<double>::infinity)();
+        trial.reject();
+        heights.swap(mesh.wall_heights);
+      }
+      continue;
+    }
+    trial.accept();
+    ++accepted;
+    const double sum_before = sum;
+    sum = sum_of_deficits(mesh, bound);
+    check::that(std::abs(change - (sum - sum_before)) <= 1e-9 * sum, "the deficits change by ", sum - sum_before,
+                ", the trial said ", change);
+    double kept = 0;
+    for(int c = 0; c < mesh.topology.number_of_cell_slots(); ++c)
+      kept += trial.deficit(c);
+    check::that(std::abs(kept - sum) <= 1e-9 * sum, "the deficits add up to ", sum, ", those kept to ", kept);
+    check::that(mesh.topology.is_valid() && (has_surface || mesh.is_regular()),
+                "an accepted trial leaves no regular triangulation");
+    const int beyond_before = beyond;
+    beyond = cells_beyond_walls(mesh);
+    check::that(beyond <= beyond_before, "an accepted trial pushes a dual point through the surface");
+    if(n % 5 == 0)
+      check::that(difference_to_exact(mesh) == 0, "an accepted trial leaves another triangulation than CGAL's: ",
+                  difference_to_exact(mesh), " cells");
+  }
+  std::cout << "trials" << (weighted ? " with weights" : "") << (has_surface ? " below a surface" : "") << ": " << accepted
+            << " accepted, " << rejected << " rejected, " << impossible << " impossible" << std::endl;
+  check::that(accepted > 50 && rejected > 50 && impossible > 20, "not all kinds of trials made");
+  check::that(!has_surface || held_back > 0, "the surface holds nothing back");
+  check::that(difference_to_exact(mesh) == 0, "the triangulation is not CGAL's in the end");
+}
+
+static Moving_triangulation_3 minimized_cube(int grid)
+{
+  std::mt19937 random(5);
+  Moving_triangulation_3 mesh = random_cube(grid, 700, 0, false, random);
+  Odt_objective_3 f(mesh);
+  Limited_memory_bfgs minimizer;
+  for(int n = 0; n < 300 && minimizer.iterate(f) == Limited_memory_bfgs::STEP_TAKEN; ++n)
+    ;
+  f.start();
+  return mesh;
+}
+
+// Cells with an angle below the bound that have a vertex with a number below this.
+static int slivers(const Moving_triangulation_3& mesh, double bound, int vertices)
+{
+  int number = 0;
+  for(int c = 0; c < mesh.topology.number_of_cell_slots(); ++c)
+    if(mesh.topology.is_alive(c))
+    {
+      const int* const v = mesh.topology.cell_vertices() + 4 * c;
+      number += *std::min_element(v, v + 4) < vertices && deficit(cell(mesh, c), bound) > 0;
+    }
+  return number;
+}
+
+static double energy(Moving_triangulation_3 mesh) { return Odt_objective_3(mesh).value(); }
+
+static bool is_same(const Site& a, const Site& b) { return a.x == b.x && a.y == b.y && a.z == b.z && a.weight == b.weight; }
+
+static bool has_same_sites(const Moving_triangulation_3& a, const Moving_triangulation_3& b)
+{
+  return std::equal(a.sites.begin(), a.sites.end(), b.sites.begin(), b.sites.end(), is_same);
+}
+
+// Every cell that could be helped has been, which costs no more energy than this, relatively; where
+// vertices go depends on the seed alone. As in odt_optimize_mesh_3(), somewhat more is asked for
+// than is needed.
+static void removal(const Moving_triangulation_3& cube, int least_slivers, double most_rise)
+{
+  const double bound = 20, margin = 2;
+  const auto removed = [&](unsigned int seed)
+  {
+    Moving_triangulation_3 mesh = cube;
+    Sliver_removal_3 removal(mesh, bound + margin, seed);
+    removal.run();
+    const int before = slivers(cube, bound, cube.number_of_movable_vertices);
+    const int after = slivers(mesh, bound, mesh.number_of_movable_vertices);
+    const double rise = energy(mesh) / energy(cube) - 1;
+    std::cout << "removal, seed " << seed << ": " << before << " -> " << after << " slivers by " << removal.number_of_moves()
+              << " moves, E rises by " << 100 * rise << " %" << std::endl;
+    check::that(before >= least_slivers, "only ", before, " slivers to remove");
+    check::that(after == 0, after, " slivers remain");
+    check::that(rise < most_rise, "the energy rises by ", 100 * rise, " %");
+    check::that(removal.number_of_moves() > 0 && removal.number_of_surface_moves() == 0, "moves are miscounted");
+    check::that(mesh.topology.is_valid() && mesh.is_regular() && difference_to_exact(mesh) <= 4,
+                "the triangulation without slivers is not CGAL's");
+    int fixed_moved = 0, untouched = 0;
+    for(int v = 0; v < static_cast<int>(mesh.sites.size()); ++v)
+    {
+      fixed_moved += v >= mesh.number_of_movable_vertices && !is_same(mesh.sites[v], cube.sites[v]);
+      untouched += v < mesh.number_of_movable_vertices && is_same(mesh.sites[v], cube.sites[v]);
+    }
+    check::that(fixed_moved == 0, fixed_moved, " vertices moved that may not");
+    check::that(untouched > mesh.number_of_movable_vertices / 3, "only ", untouched, " vertices are left alone");
+    return mesh;
+  };
+  const Moving_triangulation_3 first = removed(1);
+  check::that(has_same_sites(removed(1), first), "the same seed leads elsewhere");
+  check::that(!has_same_sites(removed(2), first), "another seed leads to the same mesh");
+}
+
+// Vertices on a surface move as the surface says, or not at all if there is none to ask.
+static void removal_at_surface(Moving_triangulation_3 cube)
+{
+  const double bound = 20;
+  cube.number_of_interior_vertices -= 300;
+  for(bool moves : { false, true })
+  {
+    Moving_triangulation_3 mesh = cube;
+    std::size_t questions = 0;
+    Sliver_removal_3::Surface_motion motion;
+    if(moves)
+      motion = [&](int v, Site& s)
+      {
+        ++questions;
+        s.z = cube.sites[v].z;
+        return v % 2 == 0;
+      };
+    Sliver_removal_3 removal(mesh, bound, 3, motion);
+    removal.run();
+    std::size_t moved = 0, against_rule = 0;
+    for(int v = mesh.number_of_interior_vertices; v < mesh.number_of_movable_vertices; ++v)
+    {
+      const bool has_moved = !is_same(mesh.sites[v], cube.sites[v]);
+      moved += has_moved;
+      against_rule += has_moved && (!moves || v % 2 != 0 || mesh.sites[v].z != cube.sites[v].z);
+    }
+    check::that(against_rule == 0, against_rule, " vertices move where their surface is not");
+    check::that((moved > 0) == moves && (questions > 0) == moves, moved, " vertices move on the surface");
+    check::that(moved <= removal.number_of_surface_moves() && removal.number_of_surface_moves() < removal.number_of_moves(),
+                "moves on the surface are miscounted");
+    check::that(slivers(mesh, bound, mesh.number_of_interior_vertices) <= slivers(cube, bound, mesh.number_of_interior_vertices) / 4,
+                "slivers of interior vertices remain");
+  }
+}
+
+// Where nothing may move or the bound is beyond reach, it comes to an end nonetheless.
+static void removal_in_vain(const Moving_triangulation_3& cube)
+{
+  {
+    Moving_triangulation_3 fixed = cube;
+    fixed.number_of_interior_vertices = fixed.number_of_movable_vertices = 0;
+    Sliver_removal_3 removal(fixed, 20, 4);
+    removal.run();
+    check::that(removal.number_of_moves() == 0 && has_same_sites(fixed, cube), "vertices move though none may");
+    check::that(slivers(fixed, 20, static_cast<int>(fixed.sites.size())) > 0, "there were no slivers");
+  }
+  {
+    // No triangulation has angles of 80 degrees throughout.
+    const double bound = 80;
+    Moving_triangulation_3 mesh = cube;
+    Sliver_removal_parameters parameters;
+    parameters.most_passes = 2;
+    Sliver_removal_3 removal(mesh, bound, 4, Sliver_removal_3::Surface_motion(), parameters);
+    removal.run();
+    const double before = sum_of_deficits(cube, bound), after = sum_of_deficits(mesh, bound);
+    std::cout << "out of reach: sum of deficits " << before << " -> " << after << " by " << removal.number_of_moves()
+              << " moves" << std::endl;
+    check::that(after < before, "the deficits do not fall");
+    check::that(mesh.topology.is_valid() && mesh.is_regular() && difference_to_exact(mesh) <= 4,
+                "the triangulation after many moves is not CGAL's");
+  }
+}
+
+int main()
+{
+  const unsigned int seed = 11;
+  std::cout << "seed " << seed << std::endl;
+  std::mt19937 random(seed);
+  angle_deficit(random);
+  undone_flips(random);
+  vertex_trials(false, false, random);
+  vertex_trials(true, false, random);
+  vertex_trials(false, true, random);
+  // The grid on the surface is coarse for the vertices inside, which makes slivers, or fits them.
+  const Moving_triangulation_3 cube = minimized_cube(6);
+  removal(cube, 100, 0.025);
+  removal(minimized_cube(8), 5, 0.005);
+  removal_at_surface(cube);
+  removal_in_vain(cube);
+  return check::result();
+}
