@@ -141,7 +141,7 @@ private:
       stage.remove_from_complex(mesh_, [this] { return control_.elapsed() <= 1; });
       slivers = stage.number_of_slivers(mesh_);
       if(slivers > 0 && control_.goes_on())
-        code_ = CANT_IMPROVE_ANYMORE;
+        code_ = control_.elapsed() > 1 ? TIME_LIMIT_REACHED : CANT_IMPROVE_ANYMORE;
     }
     bridge.commit();
     if constexpr (Wants_slivers<Visitor>::value)
