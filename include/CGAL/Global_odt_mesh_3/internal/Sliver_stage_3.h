@@ -11,9 +11,7 @@
 #include <CGAL/Global_odt_mesh_3/internal/Odt_parameters.h>
 #include <CGAL/Global_odt_mesh_3/internal/Sliver_removal_3.h>
 
-#include <algorithm>
 #include <cstddef>
-#include <limits>
 #include <vector>
 
 namespace CGAL {
@@ -51,24 +49,18 @@ public:
     double best = deficit(mesh);
     std::vector<Site> best_sites = mesh.sites;
     bool is_best = true;
-    std::vector<Site> target;
     barred_.assign(mesh.number_of_movable_vertices, 0);
-    std::vector<double> edge;
-    mesh.shortest_edges(edge);
-    for(int round = 0, in_vain = 0; round < most_rounds && in_vain < most_rounds_in_vain && best > 0 && may_go_on(); ++round)
+    mesh.shortest_edges(shortest_edge_);
+    int in_vain = 0;
+    for(int round = 0; round < most_rounds && in_vain < most_rounds_in_vain && best > 0 && may_go_on(); ++round)
     {
       const bool surface_moves = remove_from(mesh);
       if(!has_moved_)
         break;
-      target = mesh.sites;
+      const std::vector<Site> target = mesh.sites;
       const bool is_stored = store(mesh, surface_moves);
       bridge_.reload(mesh);
-      // Where a vertex was sent back, others have to move.
-      for(int v = 0; v < mesh.number_of_movable_vertices; ++v)
-        if(mesh.squared_distance(target[v], mesh.sites[v]) > same_place * same_place * edge[v] * edge[v])
-          barred_[v] = rounds_of_rest;
-        else if(barred_[v] > 0)
-          --barred_[v];
+      bar_returned(target, mesh);
       const double reached = deficit(mesh);
       is_best = reached < best;
       in_vain = is_stored && reached < clear_gain * best ? 0 : in_vain + 1;
@@ -122,6 +114,19 @@ private:
                                        is_rough_ ? Update::ORACLE : Update::GOOD_EVIDENCE, true });
   }
 
+  // Where a vertex was sent back, others have to move for a while.
+  void bar_returned(const std::vector<Site>& target, const Moving_triangulation_3& mesh)
+  {
+    for(int v = 0; v < mesh.number_of_movable_vertices; ++v)
+    {
+      const double tolerance = same_place * shortest_edge_[v];
+      if(mesh.squared_distance(target[v], mesh.sites[v]) > tolerance * tolerance)
+        barred_[v] = rounds_of_rest;
+      else if(barred_[v] > 0)
+        --barred_[v];
+    }
+  }
+
   // Displacements on a surface are tangential.
   bool moves(const Moving_triangulation_3& mesh, int v, Site& s)
   {
@@ -145,6 +150,7 @@ private:
   bool is_rough_;
   bool has_moved_ = false;
   std::vector<int> barred_;               // for so many rounds
+  std::vector<double> shortest_edge_;
 };
 
 } // namespace internal
