@@ -48,7 +48,7 @@ public:
       for(int j = i + 1; j < 4; ++j)
       {
         const double scale = area[i] * area[j], cosine = -dot(normal[i], normal[j]);
-        if(cosine <= cosine_ * scale)
+        if(scale > 0 && cosine <= cosine_ * scale)
           continue;
         const double angle = scale > 0 ? std::acos((std::min)(1., cosine / scale)) * 180 / CGAL_PI : 0.;
         deficit += (bound_ - angle) * (bound_ - angle);

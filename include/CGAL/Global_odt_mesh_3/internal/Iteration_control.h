@@ -55,6 +55,18 @@ public:
   // The largest fraction reported so far.
   double reported() const { return fraction_; }
 
+  bool has_time() const { return elapsed() <= 1; }
+
+  // Whether time and user permit to do more than iterations; changes goes_on() if not.
+  bool may_go_on()
+  {
+    if(has_time() && report(fraction_))
+      return true;
+    goes_on_ = false;
+    code_ = TIME_LIMIT_REACHED;
+    return false;
+  }
+
   // Before each iteration, with the fraction of the work that is done; gives goes_on().
   bool begin_iteration(double progress)
   {
@@ -63,7 +75,7 @@ public:
     if(number_of_iterations_ >= most_iterations_)
       return false;
     code_ = TIME_LIMIT_REACHED;
-    if(elapsed() > 1 || !report(progress))
+    if(!has_time() || !report(progress))
       return false;
     goes_on_ = true;
     visitor_.after_compute_moves();

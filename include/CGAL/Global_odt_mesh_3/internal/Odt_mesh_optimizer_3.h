@@ -138,10 +138,12 @@ private:
     if(removes_slivers())
     {
       Sliver_stage_3<Bridge> stage(bridge, parameters_, care == CAREFUL);
-      stage.remove_from_complex(mesh_, [this] { return control_.elapsed() <= 1; });
+      stage.remove_from_complex(mesh_, [this] { return control_.has_time(); }, [this] { return control_.may_go_on(); });
       slivers = stage.number_of_slivers(mesh_);
       if(slivers > 0 && control_.goes_on())
-        code_ = control_.elapsed() > 1 ? TIME_LIMIT_REACHED : CANT_IMPROVE_ANYMORE;
+        code_ = CANT_IMPROVE_ANYMORE;
+      if(slivers > 0 && !control_.goes_on())
+        code_ = control_.code();
     }
     bridge.commit();
     if constexpr (Wants_slivers<Visitor>::value)
@@ -291,7 +293,8 @@ private:
     if(!control_.goes_on())
       code_ = control_.code();
     if(removes_slivers())
-      Sliver_stage_3<Bridge>(bridge, parameters_, care_ == CAREFUL).remove_from(mesh_);
+      Sliver_stage_3<Bridge>(bridge, parameters_, care_ == CAREFUL)
+        .remove_from(mesh_, [this] { return control_.has_time(); });
     return true;
   }
 

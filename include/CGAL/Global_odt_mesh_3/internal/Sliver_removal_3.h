@@ -58,15 +58,20 @@ public:
   std::size_t number_of_moves() const { return number_of_moves_; }
   std::size_t number_of_surface_moves() const { return number_of_surface_moves_; }
 
-  // Until there are no such cells, or nothing improves them any more.
-  void run()
+  // Until there are no such cells, nothing improves them any more, or `may_go_on()`, asked before
+  // each of them, says no.
+  template <class Predicate>
+  void run(const Predicate& may_go_on)
   {
-    for(int n = 0; n < parameters_.most_passes && pass(); ++n) {}
+    for(int n = 0; n < parameters_.most_passes && pass(may_go_on); ++n) {}
   }
+
+  void run() { run([] { return true; }); }
 
 private:
   // Whether something has been improved. The worst cells come first.
-  bool pass()
+  template <class Predicate>
+  bool pass(const Predicate& may_go_on)
   {
     std::vector<std::pair<double, int> > slivers;
     for(int c = 0; c < mesh_.topology.number_of_cell_slots(); ++c)
@@ -75,8 +80,12 @@ private:
     std::sort(slivers.begin(), slivers.end());
     bool improved = false;
     for(const auto& s : slivers)
+    {
+      if(!may_go_on())
+        return false;
       if(trial_.deficit(s.second) > 0 && improve(s.second))
         improved = true;
+    }
     return improved;
   }
 

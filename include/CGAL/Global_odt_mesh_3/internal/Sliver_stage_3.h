@@ -32,19 +32,20 @@ public:
     , is_rough_(is_rough)
   {}
 
-  // Whether vertices on surfaces have moved.
-  bool remove_from(Moving_triangulation_3& mesh)
+  // As long as there is time. Whether vertices on surfaces have moved.
+  template <class Predicate>
+  bool remove_from(Moving_triangulation_3& mesh, const Predicate& has_time)
   {
     Sliver_removal_3 removal(mesh, bound_, seed_++, [&](int v, Site& s) { return moves(mesh, v, s); });
-    removal.run();
+    removal.run(has_time);
     has_moved_ = removal.number_of_moves() > 0;
     return removal.number_of_surface_moves() > 0;
   }
 
   // Takes the complex, from which the mesh has been loaded, through as many rounds as improve it and
   // as `may_go_on()` permits.
-  template <class Predicate>
-  void remove_from_complex(Moving_triangulation_3& mesh, const Predicate& may_go_on)
+  template <class Has_time, class May_go_on>
+  void remove_from_complex(Moving_triangulation_3& mesh, const Has_time& has_time, const May_go_on& may_go_on)
   {
     double best = deficit(mesh);
     std::vector<Site> best_sites = mesh.sites;
@@ -54,7 +55,7 @@ public:
     int in_vain = 0;
     for(int round = 0; round < most_rounds && in_vain < most_rounds_in_vain && best > 0 && may_go_on(); ++round)
     {
-      const bool surface_moves = remove_from(mesh);
+      const bool surface_moves = remove_from(mesh, has_time);
       if(!has_moved_)
         break;
       const std::vector<Site> target = mesh.sites;
