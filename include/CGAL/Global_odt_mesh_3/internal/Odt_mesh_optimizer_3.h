@@ -6,7 +6,6 @@
 #ifndef CGAL_GLOBAL_ODT_MESH_3_INTERNAL_ODT_MESH_OPTIMIZER_3_H
 #define CGAL_GLOBAL_ODT_MESH_3_INTERNAL_ODT_MESH_OPTIMIZER_3_H
 
-#include <CGAL/Global_odt_mesh_3/internal/Angle_deficit_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/C3t3_bridge_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/Cell_order.h>
 #include <CGAL/Global_odt_mesh_3/internal/Convergence_monitor.h>
@@ -197,6 +196,7 @@ private:
         return true;
       if(care_ != SWIFT || !control_.goes_on() || --tries == 0)
         return false;
+      // One on the way, and another last one.
       plan.add(Round_plan::MINIMIZE);
       plan.add(Round_plan::MINIMIZE);
     }

@@ -11,7 +11,7 @@
 
 #include <algorithm>
 #include <array>
-#include <numeric>
+#include <cstddef>
 
 namespace CGAL {
 namespace Global_odt_mesh_3 {
@@ -29,7 +29,8 @@ public:
 
   Round_plan(const Odt_parameters& p, bool boundary_moves, bool is_careful)
     : Round_plan(p, p.number_of_rounds == Odt_parameters::usual_number_of_rounds
-                      ? Global_search::usual_rounds(p.annealing_schedule) : static_cast<int>(p.number_of_rounds),
+                      ? Global_search::usual_rounds(p.annealing_schedule)
+                      : static_cast<int>((std::min)(p.number_of_rounds, most_rounds)),
                  boundary_moves, is_careful)
   {}
 
@@ -55,6 +56,7 @@ public:
   int usual_most_iterations() const { return 1000 + planned_iterations_; }
 
 private:
+  static constexpr std::size_t most_rounds = 1000000;
   static constexpr int rounds_of_remeshing = 4, rounds_of_remeshing_before_search = 2;
   static constexpr int iterations_inside_while_remeshing = 10;
   static constexpr int most_rounds_of_minimizer = 12, careful_rounds_of_minimizer = 2;
@@ -65,7 +67,8 @@ private:
 
   Round_plan(const Odt_parameters& p, int number_of_rounds, bool boundary_moves, bool is_careful)
     : stops_without_gain_{{ p.remesh_boundary, false, !is_careful }}
-    , iterations_{{ iterations_inside_while_remeshing, Global_search::iterations_in_round(p.annealing_schedule, boundary_moves),
+    , iterations_{{ iterations_inside_while_remeshing,
+                    Global_search::iterations_in_round(p.annealing_schedule, boundary_moves),
                     !boundary_moves ? 0 : number_of_rounds > 0 ? Global_search::final_iterations(p.annealing_schedule)
                                                                  : iterations_of_minimizer }}
   {
