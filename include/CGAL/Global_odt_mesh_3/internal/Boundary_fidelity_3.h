@@ -14,6 +14,7 @@
 #include <CGAL/Global_odt_mesh_3/internal/Vertex_tuples.h>
 
 #include <algorithm>
+#include <array>
 #include <cstddef>
 #include <unordered_map>
 
@@ -69,6 +70,12 @@ public:
       if(!draft_.centers[n].is_faithful)
         guilty_.blame(t);
     }
+  }
+
+  // Whether a boundary facet may have its centroid there.
+  bool is_close(const std::array<double, 3>& point)
+  {
+    return !Has_aabb_tree<Mesh_domain>::value || oracle_.distance_to_surface(point) <= farthest_centroid_;
   }
 
   // Whether these vertices may be those of a boundary facet.

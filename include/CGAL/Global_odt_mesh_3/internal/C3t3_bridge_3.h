@@ -108,6 +108,12 @@ public:
   // Moves a site for a surface vertex to the surface; false if that cannot be done.
   bool put_on_surface(int v, Site& s) { return restricted_triangulation_.put_on_surface(v, s); }
 
+  // Whether that is close enough to a polyhedral surface for the centroid of a boundary facet.
+  bool is_close_to_surface(const std::array<double, 3>& point)
+  {
+    return restricted_triangulation_.is_close_to_surface(point);
+  }
+
   bool is_rough() { return restricted_triangulation_.is_rough(); }
 
   // Takes the complex to the positions of the movable vertices; false if no valid

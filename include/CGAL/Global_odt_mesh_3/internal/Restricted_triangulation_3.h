@@ -21,6 +21,7 @@
 #include <CGAL/Global_odt_mesh_3/internal/Surface_centers_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/Surface_projection_3.h>
 
+#include <array>
 #include <cstddef>
 #include <vector>
 
@@ -67,6 +68,7 @@ public:
 
   bool is_rough() { return projection_.is_rough(); }
   bool put_on_surface(int v, Site& s) { return projection_.put_on_surface(v, s); }
+  bool is_close_to_surface(const std::array<double, 3>& point) { return fidelity_.is_close(point); }
   void measure_fidelity() { fidelity_.measure_input(); }
 
   // Goes to new positions of the movable vertices, as far as possible. False if

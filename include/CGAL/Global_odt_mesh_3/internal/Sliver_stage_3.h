@@ -7,10 +7,12 @@
 #define CGAL_GLOBAL_ODT_MESH_3_INTERNAL_SLIVER_STAGE_3_H
 
 #include <CGAL/Global_odt_mesh_3/internal/Angle_deficit_3.h>
+#include <CGAL/Global_odt_mesh_3/internal/Flat_triangulation_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/Moving_triangulation_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/Odt_parameters.h>
 #include <CGAL/Global_odt_mesh_3/internal/Sliver_removal_3.h>
 
+#include <array>
 #include <cstddef>
 #include <vector>
 
@@ -142,7 +144,30 @@ private:
     const auto& n = fan.normal;
     const double h = n[0] * (s.x - from.x) + n[1] * (s.y - from.y) + n[2] * (s.z - from.z);
     s = { s.x - h * n[0], s.y - h * n[1], s.z - h * n[2], s.weight };
-    return bridge_.put_on_surface(v, s);
+    return bridge_.put_on_surface(v, s) && keeps_facets_close(mesh, v, s);
+  }
+
+  // Or else the vertex would be sent back.
+  bool keeps_facets_close(const Moving_triangulation_3& mesh, int v, const Site& s)
+  {
+    mesh.topology.star(v, star_);
+    for(int slot : star_)
+      for(int i : Flat_triangulation_3::facet_vertices(slot % 4))
+      {
+        const int facet = slot - slot % 4 + i;
+        if(!Flat_triangulation_3::is_wall(mesh.topology.neighbor(facet)))
+          continue;
+        std::array<double, 3> centroid = {{ 0, 0, 0 }};
+        for(int j : Flat_triangulation_3::facet_vertices(i))
+        {
+          const int w = mesh.topology.vertex(facet - i + j);
+          const Site& t = w == v ? s : mesh.sites[w];
+          centroid = {{ centroid[0] + t.x / 3, centroid[1] + t.y / 3, centroid[2] + t.z / 3 }};
+        }
+        if(!bridge_.is_close_to_surface(centroid))
+          return false;
+      }
+    return true;
   }
 
   Bridge& bridge_;
@@ -152,6 +177,7 @@ private:
   bool has_moved_ = false;
   std::vector<int> barred_;               // for so many rounds
   std::vector<double> shortest_edge_;
+  std::vector<int> star_;
 };
 
 } // namespace internal
