@@ -127,7 +127,7 @@ private:
                                 * (n % 2 == 0 ? parameters_.far : parameters_.near) * random_.direction();
       s = { s.x + d[0], s.y + d[1], s.z + d[2], s.weight };
       if(motion_ ? !motion_(v, s) : is_on_surface(v))
-        continue;
+        return false;
       const double change = trial_.move(v, s);
       if(change < -least_improvement && trial_.deficit_after() == 0)
       {

@@ -144,7 +144,12 @@ private:
     const auto& n = fan.normal;
     const double h = n[0] * (s.x - from.x) + n[1] * (s.y - from.y) + n[2] * (s.z - from.z);
     s = { s.x - h * n[0], s.y - h * n[1], s.z - h * n[2], s.weight };
-    return bridge_.put_on_surface(v, s) && keeps_facets_close(mesh, v, s);
+    if(!bridge_.put_on_surface(v, s))
+      return false;
+    // Staying is a try that changes nothing.
+    if(!keeps_facets_close(mesh, v, s))
+      s = from;
+    return true;
   }
 
   // Or else the vertex would be sent back.
