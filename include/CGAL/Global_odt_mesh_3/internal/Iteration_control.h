@@ -41,8 +41,6 @@ public:
     goes_on_ = true;
   }
 
-  bool has_bound_on_iterations() const { return parameters_.max_iteration_number > 0; }
-  int most_iterations() const { return most_iterations_; }
   int number_of_iterations() const { return number_of_iterations_; }
 
   // False once time or iterations are used up, or the user has said so; then code() says why.

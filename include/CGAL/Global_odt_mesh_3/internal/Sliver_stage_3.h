@@ -159,8 +159,12 @@ private:
     for(int slot : star_)
       for(int i : Flat_triangulation_3::facet_vertices(slot % 4))
       {
-        const int facet = slot - slot % 4 + i;
-        if(!Flat_triangulation_3::is_wall(mesh.topology.neighbor(facet)))
+        const int facet = slot - slot % 4 + i, across = mesh.topology.neighbor(facet);
+        if(!Flat_triangulation_3::is_wall(across))
+          continue;
+        // A wall with cells on both sides is looked at from the first.
+        const int first = mesh.topology.wall_slot(Flat_triangulation_3::wall(across), 0);
+        if(first >= 0 && first != facet)
           continue;
         std::array<double, 3> centroid = {{ 0, 0, 0 }};
         for(int j : Flat_triangulation_3::facet_vertices(i))
