@@ -304,6 +304,89 @@ static void vertex_trials(bool weighted, bool has_surface, std::mt19937& random)
   check::that(difference_to_exact(mesh) == 0, "the triangulation is not CGAL's in the end");
 }
 
+// What has been accepted since a mark is taken back as a whole, or stays.
+static void marked_trials(std::mt19937& random)
+{
+  const double bound = 30;
+  Moving_triangulation_3 mesh = random_cube(4, 200, 0, false, random);
+  Vertex_trial_3 trial(mesh, bound);
+  std::vector<double> edge_length;
+  mesh.mean_edge_lengths(edge_length);
+  std::uniform_real_distribution<double> u(-1, 1);
+  const auto kept = [&]
+  {
+    double sum = 0;
+    for(int c = 0; c < mesh.topology.number_of_cell_slots(); ++c)
+      sum += trial.deficit(c);
+    return sum;
+  };
+  for(int n = 0; n < 40; ++n)
+  {
+    const Snapshot before(mesh);
+    const double sum_before = kept();
+    double change = 0;
+    int accepted = 0;
+    trial.set_mark();
+    for(int m = 0; m < 12; ++m)
+    {
+      const int v = std::uniform_int_distribution<int>(0, mesh.number_of_movable_vertices - 1)(random);
+      Site s = mesh.sites[v];
+      const double reach = 0.2 * edge_length[v];
+      s = { s.x + reach * u(random), s.y + reach * u(random), s.z + reach * u(random), s.weight };
+      const double c = trial.move(v, s);
+      if(std::isfinite(c) && m % 3 != 0)
+      {
+        trial.accept();
+        change += c;
+        ++accepted;
+      }
+      else
+      {
+        const Snapshot now(mesh);
+        trial.reject();
+        check::that(!now.describes(mesh) && mesh.topology.is_valid(), "a rejected trial after a mark leaves a trace");
+      }
+    }
+    check::that(accepted > 0 && !trial.cells_since_mark().empty(), "nothing is accepted after a mark");
+    check::that(std::abs(kept() - sum_before - change) <= 1e-9 * sum_before, "deficits after a mark are not those kept");
+    if(n % 2 == 0)
+    {
+      trial.reject_since_mark();
+      check::that(before.describes(mesh) && mesh.topology.is_valid(), "trials since a mark leave a trace");
+      check::that(kept() == sum_before, "deficits since a mark are not taken back");
+    }
+    else
+    {
+      const Snapshot now(mesh);
+      trial.accept_since_mark();
+      check::that(now.describes(mesh) && std::abs(sum_of_deficits(mesh, bound) - kept()) <= 1e-9 * sum_before,
+                  "accepting what there is changes it");
+    }
+    check::that(trial.cells_since_mark().empty(), "cells are remembered without a mark");
+  }
+  check::that(difference_to_exact(mesh) == 0, "the triangulation after marked trials is not CGAL's");
+}
+
+// Displacing all vertices of a cell at once leads to less deficit than single vertices do.
+static void kicks(const Moving_triangulation_3& cube)
+{
+  const double bound = 38;
+  std::array<double, 2> sum;
+  for(bool kicks : { false, true })
+  {
+    Moving_triangulation_3 mesh = cube;
+    Sliver_removal_parameters parameters;
+    if(!kicks)
+      parameters.most_kicks = 0;
+    Sliver_removal_3(mesh, bound, 5, nullptr, parameters).run();
+    sum[kicks] = sum_of_deficits(mesh, bound);
+    check::that(mesh.topology.is_valid() && mesh.is_regular() && difference_to_exact(mesh) <= 4,
+                "the triangulation after kicks is not CGAL's");
+  }
+  std::cout << "sum of deficits without kicks " << sum[0] << ", with them " << sum[1] << std::endl;
+  check::that(sum[1] < 0.9 * sum[0], "kicks improve little");
+}
+
 static Moving_triangulation_3 minimized_cube(int grid)
 {
   std::mt19937 random(5);
@@ -374,6 +457,33 @@ static void removal(const Moving_triangulation_3& cube, int least_slivers, doubl
   check::that(!has_same_sites(removed(2), first), "another seed leads to the same mesh");
 }
 
+// A third of the vertices inside and half of those on the surface stay; the others on the surface
+// keep their z, which they lose on approach.
+struct Motion_in_layers
+  : public Vertex_motion_3
+{
+  explicit Motion_in_layers(const Moving_triangulation_3& from) : from(from) {}
+
+  bool is_inside(int v) const { return v < from.number_of_interior_vertices; }
+
+  bool approach(int v, Site&) override
+  {
+    approached += !is_inside(v);
+    return is_inside(v) ? v % 3 != 0 : v % 2 == 0;
+  }
+
+  bool settle(int v, Site& s) override
+  {
+    check::that(!is_inside(v), "a vertex of the interior is asked to settle");
+    ++settled;
+    s.z = from.sites[v].z;
+    return true;
+  }
+
+  const Moving_triangulation_3& from;
+  std::size_t approached = 0, settled = 0;
+};
+
 // Vertices move as they are told; without a word, those on a surface stay.
 static void removal_at_surface(Moving_triangulation_3 cube)
 {
@@ -382,18 +492,8 @@ static void removal_at_surface(Moving_triangulation_3 cube)
   for(bool moves : { false, true })
   {
     Moving_triangulation_3 mesh = cube;
-    std::size_t questions = 0;
-    Sliver_removal_3::Motion motion;
-    if(moves)
-      motion = [&](int v, Site& s)
-      {
-        if(v < mesh.number_of_interior_vertices)
-          return v % 3 != 0;
-        ++questions;
-        s.z = cube.sites[v].z;
-        return v % 2 == 0;
-      };
-    Sliver_removal_3 removal(mesh, bound, 3, motion);
+    Motion_in_layers motion(cube);
+    Sliver_removal_3 removal(mesh, bound, 3, moves ? &motion : nullptr);
     removal.run();
     std::size_t moved = 0, against_rule = 0;
     for(int v = 0; v < mesh.number_of_interior_vertices; ++v)
@@ -405,9 +505,10 @@ static void removal_at_surface(Moving_triangulation_3 cube)
       against_rule += has_moved && (!moves || v % 2 != 0 || mesh.sites[v].z != cube.sites[v].z);
     }
     check::that(against_rule == 0, against_rule, " vertices move where they may not");
-    check::that((moved > 0) == moves && (questions > 0) == moves, moved, " vertices move on the surface");
+    check::that((moved > 0) == moves && (motion.settled > 0) == moves, moved, " vertices move on the surface");
     check::that(moved <= removal.number_of_surface_moves() && removal.number_of_surface_moves() < removal.number_of_moves(),
                 "moves on the surface are miscounted");
+    check::that(!moves || 2 * motion.settled < motion.approached, "every place is settled, not the promising ones alone");
     check::that(slivers(mesh, bound, mesh.number_of_interior_vertices) <= slivers(cube, bound, mesh.number_of_interior_vertices) / 4,
                 "slivers of interior vertices remain");
   }
@@ -430,7 +531,8 @@ static void removal_in_vain(const Moving_triangulation_3& cube)
     Moving_triangulation_3 mesh = cube;
     Sliver_removal_parameters parameters;
     parameters.most_passes = 2;
-    Sliver_removal_3 removal(mesh, bound, 4, Sliver_removal_3::Motion(), parameters);
+    parameters.most_kicks = 10;
+    Sliver_removal_3 removal(mesh, bound, 4, nullptr, parameters);
     removal.run();
     const double before = sum_of_deficits(cube, bound), after = sum_of_deficits(mesh, bound);
     std::cout << "out of reach: sum of deficits " << before << " -> " << after << " by " << removal.number_of_moves()
@@ -451,11 +553,13 @@ int main()
   vertex_trials(false, false, random);
   vertex_trials(true, false, random);
   vertex_trials(false, true, random);
+  marked_trials(random);
   // The grid on the surface is coarse for the vertices inside, which makes slivers, or fits them.
   const Moving_triangulation_3 cube = minimized_cube(6);
   removal(cube, 100, 0.025);
   removal(minimized_cube(8), 5, 0.005);
   removal_at_surface(cube);
   removal_in_vain(cube);
+  kicks(minimized_cube(8));
   return check::result();
 }

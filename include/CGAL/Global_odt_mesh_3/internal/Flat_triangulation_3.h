@@ -78,20 +78,24 @@ public:
 
   void set_neighbors(int slot, int other)
   {
-    write(neighbors_, slot, other);
+    write(&Flat_triangulation_3::neighbors_, slot, other);
     if(!is_wall(other))
-      write(neighbors_, other, slot);
+      write(&Flat_triangulation_3::neighbors_, other, slot);
     else
     {
       if(static_cast<std::size_t>(~other) >= wall_slots_.size())
         wall_slots_.resize((~other | 1) + 1, -1);
-      write(wall_slots_, ~other, slot);
+      write(&Flat_triangulation_3::wall_slots_, ~other, slot);
     }
   }
 
-  // From begin_trial() to end_trial(), what flips overwrite is remembered; undo_trial() brings
-  // it back and ends the trial.
-  void begin_trial() { is_on_trial_ = true; }
+  // From begin_trial() to end_trial(), what flips overwrite is remembered, and undo_trial() brings
+  // back what was there when the trial had a certain length. Another beginning ends the trial before.
+  void begin_trial()
+  {
+    overwritten_.clear();
+    is_on_trial_ = true;
+  }
 
   void end_trial()
   {
@@ -99,16 +103,20 @@ public:
     overwritten_.clear();
   }
 
-  void undo_trial()
+  std::size_t trial_length() const { return overwritten_.size(); }
+
+  void undo_trial(std::size_t length = 0)
   {
-    for(auto w = overwritten_.rbegin(); w != overwritten_.rend(); ++w)
-      if(w->index >= 0)
-        (*w->array)[w->index] = w->value;
-      else if(w->index == pushed)
-        w->array->pop_back();
+    for( ; overwritten_.size() > length; overwritten_.pop_back())
+    {
+      const Overwritten& w = overwritten_.back();
+      if(w.index == pushed)
+        free_cells_.pop_back();
+      else if(w.index == popped)
+        free_cells_.push_back(w.value);
       else
-        w->array->push_back(w->value);
-    end_trial();
+        (this->*w.array)[w.index] = w.value;
+    }
   }
 
   // Replaces the two cells at facet `slot` by the three around the edge between
@@ -249,31 +257,33 @@ public:
         vertex_cell_[cell_vertices_[s]] = s / 4;
   }
 
-  // Closes the gaps and lays the cells out in the order of their vertices, which
-  // are numbered along a space filling curve.
+  // Closes the gaps and lays the cells out in the order of their first vertices, which
+  // are numbered along a space filling curve. Ends a trial.
   void compact()
   {
-    std::vector<std::pair<int, int> > order;
-    order.reserve(number_of_cells());
+    end_trial();
+    const auto first_vertex = [this](int c)
+    {
+      const int* const v = &cell_vertices_[4 * c];
+      return *std::min_element(v, v + 4);
+    };
+    std::vector<int> next(vertex_cell_.size() + 1, 0), place(number_of_cell_slots(), -1);
     for(int c = 0; c < number_of_cell_slots(); ++c)
       if(is_alive(c))
-      {
-        const int* v = &cell_vertices_[4 * c];
-        order.emplace_back((std::min)((std::min)(v[0], v[1]), (std::min)(v[2], v[3])), c);
-      }
-    std::sort(order.begin(), order.end());
-    std::vector<int> place(number_of_cell_slots(), -1);
-    for(std::size_t n = 0; n < order.size(); ++n)
-      place[order[n].second] = static_cast<int>(n);
+        ++next[first_vertex(c) + 1];
+    std::partial_sum(next.begin(), next.end(), next.begin());
+    const int number_of_cells = next.back();
+    for(int c = 0; c < number_of_cell_slots(); ++c)
+      if(is_alive(c))
+        place[c] = next[first_vertex(c)]++;
 
-    std::vector<int> vertices(4 * order.size()), neighbors(4 * order.size());
-    for(std::size_t n = 0; n < order.size(); ++n)
-      for(int i = 0; i < 4; ++i)
+    std::vector<int> vertices(4 * number_of_cells), neighbors(4 * number_of_cells);
+    for(int c = 0; c < number_of_cell_slots(); ++c)
+      for(int i = 0; i < 4 && place[c] >= 0; ++i)
       {
-        const int from = 4 * order[n].second + i;
-        const int across = neighbors_[from];
-        vertices[4 * n + i] = cell_vertices_[from];
-        neighbors[4 * n + i] = is_wall(across) ? across : 4 * place[across / 4] + across % 4;
+        const int across = neighbors_[4 * c + i];
+        vertices[4 * place[c] + i] = cell_vertices_[4 * c + i];
+        neighbors[4 * place[c] + i] = is_wall(across) ? across : 4 * place[across / 4] + across % 4;
       }
     cell_vertices_.swap(vertices);
     neighbors_.swap(neighbors);
@@ -326,19 +336,22 @@ private:
     return v == a[0] ? 0 : v == a[1] ? 1 : 2;
   }
 
-  // What has been overwritten, pushed at the end of an array, or popped from there.
+  typedef std::vector<int> Flat_triangulation_3::* Array;
+
+  // What has been overwritten, pushed at the end of the free cells, or popped from there.
   struct Overwritten
   {
-    std::vector<int>* array;
+    Array array;
     int index, value;
   };
   static constexpr int pushed = -1, popped = -2;
 
-  void write(std::vector<int>& array, int index, int value)
+  void write(Array array, int index, int value)
   {
+    int& place = (this->*array)[index];
     if(is_on_trial_)
-      overwritten_.push_back({ &array, index, array[index] });
-    array[index] = value;
+      overwritten_.push_back({ array, index, place });
+    place = value;
   }
 
   int allocate_cell()
@@ -352,17 +365,17 @@ private:
     const int c = free_cells_.back();
     free_cells_.pop_back();
     if(is_on_trial_)
-      overwritten_.push_back({ &free_cells_, popped, c });
+      overwritten_.push_back({ &Flat_triangulation_3::free_cells_, popped, c });
     return c;
   }
 
   void release_cell(int c)
   {
     for(int i = 0; i < 4; ++i)
-      write(cell_vertices_, 4 * c + i, no_vertex);
+      write(&Flat_triangulation_3::cell_vertices_, 4 * c + i, no_vertex);
     free_cells_.push_back(c);
     if(is_on_trial_)
-      overwritten_.push_back({ &free_cells_, pushed, c });
+      overwritten_.push_back({ &Flat_triangulation_3::free_cells_, pushed, c });
   }
 
   void set_cell(int c, int v0, int v1, int v2, int v3)
@@ -370,8 +383,8 @@ private:
     const std::array<int, 4> v = {{ v0, v1, v2, v3 }};
     for(int i = 0; i < 4; ++i)
     {
-      write(cell_vertices_, 4 * c + i, v[i]);
-      write(vertex_cell_, v[i], c);
+      write(&Flat_triangulation_3::cell_vertices_, 4 * c + i, v[i]);
+      write(&Flat_triangulation_3::vertex_cell_, v[i], c);
     }
   }
 

@@ -46,15 +46,13 @@ public:
   void keep()
   {
     kept_sites_ = sites;
-    topology_is_kept_ = false;
+    topology.begin_trial();
   }
 
   void restore()
   {
     sites = kept_sites_;
-    if(topology_is_kept_)
-      topology = kept_topology_;
-    topology_is_kept_ = false;
+    topology.undo_trial();
     ++statistics_.restorations;
   }
 
@@ -174,17 +172,8 @@ private:
     }
   }
 
-  void keep_topology()
-  {
-    if(topology_is_kept_)
-      return;
-    kept_topology_ = topology;
-    topology_is_kept_ = true;
-  }
-
   std::array<int, 3> flip_2_3(int slot)
   {
-    keep_topology();
     ++statistics_.flips;
     add_cell(slot / 4, -1);
     add_cell(topology.neighbor(slot) / 4, -1);
@@ -196,7 +185,6 @@ private:
 
   std::array<int, 2> flip_3_2(const std::array<int, 3>& ring)
   {
-    keep_topology();
     ++statistics_.flips;
     for(int s : ring)
       add_cell(s / 4, -1);
@@ -213,7 +201,6 @@ private:
   // of their star. The cells for which this fails are left in stuck_.
   bool untangle()
   {
-    keep_topology();
     statistics_.untangled_cells += inverted_.size();
     std::size_t budget = 100 + 8 * inverted_.size();
     stuck_.clear();
@@ -258,7 +245,7 @@ private:
         const int* const v = topology.cell_vertices() + 4 * c;
         held.insert(held.end(), v, v + 4);
       }
-      topology = kept_topology_;
+      topology.undo_trial();
       for(int ring = 0; ring < round / standstill; ++ring)
         add_neighbors(held);
       std::sort(held.begin(), held.end());
@@ -465,8 +452,6 @@ private:
   double energy_ = 0;
   std::vector<int> inverted_, irregular_, intruders_, stuck_, star_, retreated_;
   std::vector<Site> kept_sites_, trial_sites_;
-  Flat_triangulation_3 kept_topology_;
-  bool topology_is_kept_ = false;
   Statistics statistics_;
 };
 

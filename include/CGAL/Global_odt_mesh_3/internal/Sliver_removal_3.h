@@ -14,9 +14,9 @@
 #include <Eigen/Core>
 
 #include <algorithm>
-#include <array>
+#include <cmath>
 #include <cstddef>
-#include <functional>
+#include <numeric>
 #include <utility>
 #include <vector>
 
@@ -31,25 +31,40 @@ struct Sliver_removal_parameters
   double far = 0.35, near = 0.12;   // the longest tries, over the mean incident edge length, in turn
   int most_failures = 3;            // for the same cell
   int most_passes = 12;
+  double kick = 0.2;                // the longest of a vertex, over the same
+  int kicks_per_sliver = 4, most_kicks = 100, passes_after_kick = 5;
+};
+
+// Where the vertices of slivers may go.
+class Vertex_motion_3
+{
+public:
+  virtual ~Vertex_motion_3() {}
+
+  // Changes a place for the vertex to one as good as allowed, quickly; false if the vertex has to
+  // stay.
+  virtual bool approach(int v, Site& s) = 0;
+
+  // Changes a place that has been approached, and has turned out to be promising, to one that is
+  // allowed, perhaps where it is; false if the vertex has to stay.
+  virtual bool settle(int v, Site& s) = 0;
 };
 
 // Removes the cells with dihedral angles below a bound by moving single vertices: each vertex of
 // such a cell tries random positions around it, and the one that lowers the deficit of the angles
-// most is taken. That disturbs few vertices, so that the energy hardly rises.
+// most is taken. That disturbs few vertices, so that the energy hardly rises. Where no vertex
+// helps alone, all those of a cell are displaced at once, and stay so if that leads to less deficit.
 class Sliver_removal_3
 {
 public:
-  // Moves a site for a vertex to where that vertex may be; false if it has to stay.
-  typedef std::function<bool(int, Site&)> Motion;
-
   // Without a motion, vertices of the interior go anywhere, and those on surfaces stay.
   Sliver_removal_3(Constrained_triangulation_3& mesh, double bound, unsigned int seed,
-                   Motion motion = Motion(),
+                   Vertex_motion_3* motion = nullptr,
                    const Sliver_removal_parameters& parameters = Sliver_removal_parameters())
     : mesh_(mesh)
     , parameters_(parameters)
     , trial_(mesh, bound + parameters.margin)
-    , motion_(std::move(motion))
+    , motion_(motion)
     , random_(seed)
   {
     mesh.mean_edge_lengths(edge_length_);
@@ -63,31 +78,115 @@ public:
   template <class Predicate>
   void run(const Predicate& may_go_on)
   {
-    for(int n = 0; n < parameters_.most_passes && pass(may_go_on); ++n) {}
+    int kicks = parameters_.most_kicks;
+    do
+      for(int n = 0; n < parameters_.most_passes && improve(all_slivers(), may_go_on); ++n) {}
+    while(kick(kicks, may_go_on));
   }
 
   void run() { run([] { return true; }); }
 
 private:
-  // Whether something has been improved. The worst cells come first.
-  template <class Predicate>
-  bool pass(const Predicate& may_go_on)
+  // The worst come first.
+  std::vector<int> sort(std::vector<int> cells) const
   {
     std::vector<std::pair<double, int> > slivers;
-    for(int c = 0; c < mesh_.topology.number_of_cell_slots(); ++c)
+    for(int c : cells)
       if(trial_.deficit(c) > 0)
         slivers.emplace_back(-trial_.deficit(c), c);
     std::sort(slivers.begin(), slivers.end());
-    bool improved = false;
+    slivers.erase(std::unique(slivers.begin(), slivers.end()), slivers.end());
+    cells.clear();
     for(const auto& s : slivers)
+      cells.push_back(s.second);
+    return cells;
+  }
+
+  std::vector<int> all_slivers() const
+  {
+    std::vector<int> cells(mesh_.topology.number_of_cell_slots());
+    std::iota(cells.begin(), cells.end(), 0);
+    return sort(std::move(cells));
+  }
+
+  // Whether something has been improved.
+  template <class Predicate>
+  bool improve(const std::vector<int>& slivers, const Predicate& may_go_on)
+  {
+    bool improved = false;
+    for(int c : slivers)
     {
       if(!may_go_on())
         return false;
-      if(trial_.deficit(s.second) > 0 && improve(s.second))
+      if(trial_.deficit(c) > 0 && improve(c))
         improved = true;
     }
     return improved;
   }
+
+  // Whether something has been improved, within a number of kicks.
+  template <class Predicate>
+  bool kick(int& kicks, const Predicate& may_go_on)
+  {
+    bool improved = false;
+    for(int c : all_slivers())
+      for(int n = 0; n < parameters_.kicks_per_sliver && trial_.deficit(c) > parameters_.margin * parameters_.margin; ++n)
+      {
+        if(--kicks < 0 || !may_go_on())
+          return false;
+        if(kick(c))
+          improved = true;
+      }
+    return improved;
+  }
+
+  bool kick(int cell)
+  {
+    const std::size_t moves = number_of_moves_, surface_moves = number_of_surface_moves_;
+    change_ = 0;
+    trial_.set_mark();
+    for(int v : movable_vertices(cell))
+    {
+      Site s = displaced(v, parameters_.kick);
+      if(!approach(v, s) || (is_on_surface(v) && motion_ != nullptr && !motion_->settle(v, s)))
+        continue;
+      const double change = trial_.move(v, s);
+      if(std::isfinite(change))
+        accept(v, change);
+      else
+        trial_.reject();
+    }
+    for(int n = 0; n < parameters_.passes_after_kick && improve(sort(trial_.cells_since_mark()), [] { return true; }); ++n) {}
+    if(change_ < -least_improvement)
+    {
+      trial_.accept_since_mark();
+      return true;
+    }
+    trial_.reject_since_mark();
+    number_of_moves_ = moves;
+    number_of_surface_moves_ = surface_moves;
+    return false;
+  }
+
+  // Those of the interior come first: that needs no question to the domain.
+  std::vector<int> movable_vertices(int cell) const
+  {
+    const int* const v = mesh_.topology.cell_vertices() + 4 * cell;
+    std::vector<int> vertices(v, v + 4);
+    std::sort(vertices.begin(), vertices.end());
+    while(!vertices.empty() && vertices.back() >= mesh_.number_of_movable_vertices)
+      vertices.pop_back();
+    return vertices;
+  }
+
+  Site displaced(int v, double farthest)
+  {
+    const Site& s = mesh_.sites[v];
+    const Eigen::Vector3d d = edge_length_[v] * random_.uniform() * farthest * random_.direction();
+    return { s.x + d[0], s.y + d[1], s.z + d[2], s.weight };
+  }
+
+  bool approach(int v, Site& s) { return motion_ != nullptr ? motion_->approach(v, s) : !is_on_surface(v); }
 
   bool improve(int cell)
   {
@@ -98,22 +197,17 @@ private:
       failures = { trial_.deficit(cell), 0 };
     if(failures.number == parameters_.most_failures)
       return false;
-    std::array<int, 4> vertices;
-    std::copy_n(mesh_.topology.cell_vertices() + 4 * cell, 4, vertices.begin());
-    // Those of the interior come first: that needs no question to the domain.
-    std::sort(vertices.begin(), vertices.end());
     best_change_ = -least_improvement;
     best_vertex_ = -1;
-    for(int v : vertices)
-      if(v < mesh_.number_of_movable_vertices && try_positions(v))
+    for(int v : movable_vertices(cell))
+      if(try_positions(v))
         return true;
     if(best_vertex_ < 0)
     {
       ++failures.number;
       return false;
     }
-    trial_.move(best_vertex_, best_site_);
-    accept(best_vertex_);
+    accept(best_vertex_, trial_.move(best_vertex_, best_site_));
     return true;
   }
 
@@ -122,16 +216,20 @@ private:
   {
     for(int n = 0; n < parameters_.tries_per_vertex; ++n)
     {
-      Site s = mesh_.sites[v];
-      const Eigen::Vector3d d = edge_length_[v] * random_.uniform()
-                                * (n % 2 == 0 ? parameters_.far : parameters_.near) * random_.direction();
-      s = { s.x + d[0], s.y + d[1], s.z + d[2], s.weight };
-      if(motion_ ? !motion_(v, s) : is_on_surface(v))
+      Site s = displaced(v, n % 2 == 0 ? parameters_.far : parameters_.near);
+      if(!approach(v, s))
         return false;
-      const double change = trial_.move(v, s);
+      double change = trial_.move(v, s, best_change_);
+      if(is_on_surface(v) && change < best_change_)
+      {
+        trial_.reject();
+        if(!motion_->settle(v, s))
+          return false;
+        change = trial_.move(v, s, best_change_);
+      }
       if(change < -least_improvement && trial_.deficit_after() == 0)
       {
-        accept(v);
+        accept(v, change);
         return true;
       }
       trial_.reject();
@@ -145,9 +243,10 @@ private:
     return false;
   }
 
-  void accept(int v)
+  void accept(int v, double change)
   {
     trial_.accept();
+    change_ += change;
     ++number_of_moves_;
     number_of_surface_moves_ += is_on_surface(v);
   }
@@ -166,10 +265,11 @@ private:
   Constrained_triangulation_3& mesh_;
   Sliver_removal_parameters parameters_;
   Vertex_trial_3 trial_;
-  Motion motion_;
+  Vertex_motion_3* motion_;
   Random_source random_;
   std::vector<double> edge_length_;
   std::vector<Failures> failures_;
+  double change_ = 0;             // of the deficit by all that has been accepted
   double best_change_ = 0;
   int best_vertex_ = -1;
   Site best_site_ = { 0, 0, 0, 0 };

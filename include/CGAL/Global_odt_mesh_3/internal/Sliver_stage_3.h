@@ -12,6 +12,7 @@
 #include <CGAL/Global_odt_mesh_3/internal/Odt_parameters.h>
 #include <CGAL/Global_odt_mesh_3/internal/Sliver_removal_3.h>
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <vector>
@@ -24,9 +25,11 @@ namespace internal {
 // complex is made anew, which may bring other slivers, so that several rounds are needed.
 template <class Bridge>
 class Sliver_stage_3
+  : private Vertex_motion_3
 {
 public:
-  // On rough surfaces, vertices move even where the facets around them bend sharply.
+  // On rough surfaces, vertices move even where the facets around them bend sharply, and never
+  // several at once.
   Sliver_stage_3(Bridge& bridge, const Odt_parameters& parameters, bool is_rough)
     : bridge_(bridge)
     , bound_(parameters.sliver_bound)
@@ -34,14 +37,11 @@ public:
     , is_rough_(is_rough)
   {}
 
-  // As long as there is time. Whether vertices on surfaces have moved.
+  // Before the complex is made anew, as long as there is time.
   template <class Predicate>
-  bool remove_from(Moving_triangulation_3& mesh, const Predicate& has_time)
+  void remove_from(Moving_triangulation_3& mesh, const Predicate& has_time)
   {
-    Sliver_removal_3 removal(mesh, bound_, seed_++, [&](int v, Site& s) { return moves(mesh, v, s); });
-    removal.run(has_time);
-    has_moved_ = removal.number_of_moves() > 0;
-    return removal.number_of_surface_moves() > 0;
+    run(mesh, has_time, 0);
   }
 
   // Takes the complex, from which the mesh has been loaded, through as many rounds as improve it and
@@ -57,11 +57,11 @@ public:
     int in_vain = 0;
     for(int round = 0; round < most_rounds && in_vain < most_rounds_in_vain && best > 0 && may_go_on(); ++round)
     {
-      const bool surface_moves = remove_from(mesh, has_time);
+      run(mesh, has_time, is_rough_ ? 0 : Sliver_removal_parameters().most_kicks);
       if(!has_moved_)
         break;
       const std::vector<Site> target = mesh.sites;
-      const bool is_stored = store(mesh, surface_moves);
+      const bool is_stored = store(mesh);
       bridge_.reload(mesh);
       bar_returned(target, mesh);
       const double reached = deficit(mesh);
@@ -76,7 +76,7 @@ public:
     if(is_best)
       return;
     mesh.sites = best_sites;
-    store(mesh, mesh.number_of_movable_vertices > mesh.number_of_interior_vertices);
+    store(mesh);
     bridge_.reload(mesh);
   }
 
@@ -84,7 +84,7 @@ public:
   std::size_t number_of_slivers(const Moving_triangulation_3& mesh) const
   {
     std::size_t n = 0;
-    for_each_deficit(mesh, [&n](double d) { n += d > 0; });
+    for_each_deficit(mesh, [&n](int, double d) { n += d > 0; });
     return n;
   }
 
@@ -96,11 +96,28 @@ private:
   static constexpr double same_place = 1e-3;    // over an edge
   static constexpr double clear_gain = 0.7;     // the factor on the deficit
 
+  // Of the cells that moving a vertex may improve.
   double deficit(const Moving_triangulation_3& mesh) const
   {
     double sum = 0;
-    for_each_deficit(mesh, [&sum](double d) { sum += d; });
+    for_each_deficit(mesh, [&](int c, double d)
+    {
+      const int* const v = mesh.topology.cell_vertices() + 4 * c;
+      if(d > 0 && *std::min_element(v, v + 4) < mesh.number_of_movable_vertices)
+        sum += d;
+    });
     return sum;
+  }
+
+  template <class Predicate>
+  void run(Moving_triangulation_3& mesh, const Predicate& has_time, int most_kicks)
+  {
+    Sliver_removal_parameters parameters;
+    parameters.most_kicks = most_kicks;
+    mesh_ = &mesh;
+    Sliver_removal_3 removal(mesh, bound_, seed_++, this, parameters);
+    removal.run(has_time);
+    has_moved_ = removal.number_of_moves() > 0;
   }
 
   template <class F>
@@ -108,11 +125,12 @@ private:
   {
     const Angle_deficit_3 angle_deficit(bound_);
     for(int c = 0; c < mesh.topology.number_of_cell_slots(); ++c)
-      f(mesh.deficit(c, angle_deficit));
+      f(c, mesh.deficit(c, angle_deficit));
   }
 
-  bool store(const Moving_triangulation_3& mesh, bool surface_moves)
+  bool store(const Moving_triangulation_3& mesh)
   {
+    const bool surface_moves = mesh.number_of_movable_vertices > mesh.number_of_interior_vertices;
     return bridge_.store(mesh, Update{ surface_moves, surface_moves,
                                        is_rough_ ? Update::ORACLE : Update::GOOD_EVIDENCE, true });
   }
@@ -131,24 +149,29 @@ private:
   }
 
   // Displacements on a surface are tangential.
-  bool moves(const Moving_triangulation_3& mesh, int v, Site& s)
+  bool approach(int v, Site& s) override
   {
     if(!barred_.empty() && barred_[v] > 0)
       return false;
-    if(v < mesh.number_of_interior_vertices)
+    if(v < mesh_->number_of_interior_vertices)
       return true;
-    const Site& from = mesh.sites[v];
     const auto& fan = bridge_.complex().boundary.fan(v, 0);
     if(!fan.is_smooth && !is_rough_)
       return false;
+    const Site& from = mesh_->sites[v];
     const auto& n = fan.normal;
     const double h = n[0] * (s.x - from.x) + n[1] * (s.y - from.y) + n[2] * (s.z - from.z);
     s = { s.x - h * n[0], s.y - h * n[1], s.z - h * n[2], s.weight };
-    if(!bridge_.put_on_surface(v, s))
+    // On a rough surface, the tangential plane says little of where that will be.
+    return !is_rough_ || bridge_.put_on_surface(v, s);
+  }
+
+  bool settle(int v, Site& s) override
+  {
+    if(!is_rough_ && !bridge_.put_on_surface(v, s))
       return false;
-    // Staying is a try that changes nothing.
-    if(!keeps_facets_close(mesh, v, s))
-      s = from;
+    if(!keeps_facets_close(*mesh_, v, s))
+      s = mesh_->sites[v];
     return true;
   }
 
@@ -180,6 +203,7 @@ private:
   }
 
   Bridge& bridge_;
+  Moving_triangulation_3* mesh_ = nullptr;
   double bound_;
   unsigned int seed_;
   bool is_rough_;

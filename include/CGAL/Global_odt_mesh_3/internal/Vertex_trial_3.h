@@ -15,6 +15,7 @@
 #include <array>
 #include <cstddef>
 #include <limits>
+#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -22,7 +23,8 @@ namespace Global_odt_mesh_3 {
 namespace internal {
 
 // What moving one vertex of a constrained regular triangulation does to the angles of the
-// cells, after the flips that it entails; to be accepted or taken back.
+// cells, after the flips that it entails; to be accepted or taken back. So may be all that
+// has been accepted since a mark was set.
 class Vertex_trial_3
 {
 public:
@@ -39,16 +41,18 @@ public:
   // Zero for cells that are not alive.
   double deficit(int cell) const { return deficit_[cell]; }
 
-  // The change of the sum of the deficits if the vertex goes to `s`, or infinity if it cannot.
-  // The mesh stays as tried until accept() or reject().
-  double move(int v, const Site& s)
+  // The change of the sum of the deficits if the vertex goes to `s`, or infinity if it cannot
+  // or if that would be more than `most`. The mesh stays as tried until accept() or reject().
+  double move(int v, const Site& s, double most = (std::numeric_limits<double>::infinity)())
   {
     ++trial_;
     touched_.clear();
     vertex_ = v;
     from_ = mesh_.sites[v];
     before_ = after_ = 0;
-    mesh_.topology.begin_trial();
+    if(!has_mark_)
+      mesh_.topology.begin_trial();
+    begin_ = mesh_.topology.trial_length();
     mesh_.topology.star(v, star_);
     mesh_.sites[v] = s;
     irregular_.clear();
@@ -66,6 +70,8 @@ public:
         if(is_beyond_wall(c))
           return (std::numeric_limits<double>::infinity)();
         after_ += measure(c);
+        if(after_ - before_ > most)
+          return (std::numeric_limits<double>::infinity)();
       }
     return after_ - before_;
   }
@@ -75,15 +81,55 @@ public:
 
   void accept()
   {
-    mesh_.topology.end_trial();
+    if(has_mark_)
+      sites_since_mark_.emplace_back(vertex_, from_);
+    else
+      mesh_.topology.end_trial();
     for(int c : touched_)
+    {
+      if(has_mark_)
+        deficits_since_mark_.emplace_back(c, deficit_[c]);
       deficit_[c] = measure(c);
+    }
   }
 
   void reject()
   {
-    mesh_.topology.undo_trial();
+    mesh_.topology.undo_trial(begin_);
     mesh_.sites[vertex_] = from_;
+    if(!has_mark_)
+      mesh_.topology.end_trial();
+  }
+
+  void set_mark()
+  {
+    has_mark_ = true;
+    mesh_.topology.begin_trial();
+  }
+
+  // The cells that may have got other deficits since the mark, some more than once.
+  std::vector<int> cells_since_mark() const
+  {
+    std::vector<int> cells;
+    for(const auto& d : deficits_since_mark_)
+      cells.push_back(d.first);
+    return cells;
+  }
+
+  void accept_since_mark()
+  {
+    mesh_.topology.end_trial();
+    forget_mark();
+  }
+
+  void reject_since_mark()
+  {
+    mesh_.topology.undo_trial();
+    for(auto s = sites_since_mark_.rbegin(); s != sites_since_mark_.rend(); ++s)
+      mesh_.sites[s->first] = s->second;
+    for(auto d = deficits_since_mark_.rbegin(); d != deficits_since_mark_.rend(); ++d)
+      deficit_[d->first] = d->second;
+    accept_since_mark();
   }
 
 private:
@@ -117,6 +163,13 @@ private:
     before_ += deficit_[c];
   }
 
+  void forget_mark()
+  {
+    has_mark_ = false;
+    sites_since_mark_.clear();
+    deficits_since_mark_.clear();
+  }
+
   void make_room()
   {
     deficit_.resize(mesh_.topology.number_of_cell_slots(), 0);
@@ -148,6 +201,10 @@ private:
   Site from_;
   double before_ = 0, after_ = 0;
   std::vector<int> touched_, star_, irregular_;
+  std::size_t begin_ = 0;                   // of the trial, in the history since the mark
+  bool has_mark_ = false;
+  std::vector<std::pair<int, Site> > sites_since_mark_;         // and where they were
+  std::vector<std::pair<int, double> > deficits_since_mark_;    // and what they were
 };
 
 } // namespace internal
