@@ -75,7 +75,7 @@ public:
   Boundary_complex_3(std::vector<Facet> facets, std::size_t number_of_vertices)
     : facets_(std::move(facets))
   {
-    find_junctions();
+    find_junctions(number_of_vertices);
     find_fans(number_of_vertices);
     count_components();
   }
@@ -305,17 +305,29 @@ private:
   }
 
   // Also finds, for each edge of a facet, the facet beyond, unless it is a junction.
-  void find_junctions()
+  void find_junctions(std::size_t number_of_vertices)
   {
-    std::vector<Edge_of_facet> edges;
-    edges.reserve(3 * facets_.size());
-    for(std::size_t n = 0; n < facets_.size(); ++n)
-      for(int k = 0; k < 3; ++k)
-      {
-        const int u = facets_[n].vertices[(k + 1) % 3], v = facets_[n].vertices[(k + 2) % 3];
-        edges.push_back({ { (std::min)(u, v), (std::max)(u, v) }, static_cast<int>(3 * n) + k });
-      }
-    std::sort(edges.begin(), edges.end());
+    // Sorted by the first vertex, whose edges are few, and then by the second.
+    const auto edge = [this](int corner)
+    {
+      const Triple& t = facets_[corner / 3].vertices;
+      const int u = t[(corner + 1) % 3], v = t[(corner + 2) % 3];
+      return Edge((std::min)(u, v), (std::max)(u, v));
+    };
+    std::vector<int> first(number_of_vertices + 1, 0);
+    const int corners = 3 * static_cast<int>(facets_.size());
+    for(int corner = 0; corner < corners; ++corner)
+      ++first[edge(corner).first + 1];
+    std::partial_sum(first.begin(), first.end(), first.begin());
+    std::vector<Edge_of_facet> edges(corners);
+    std::vector<int> next(first.begin(), first.end() - 1);
+    for(int corner = 0; corner < corners; ++corner)
+    {
+      const Edge e = edge(corner);
+      edges[next[e.first]++] = { e, corner };
+    }
+    for(std::size_t v = 0; v < number_of_vertices; ++v)
+      std::sort(edges.begin() + first[v], edges.begin() + first[v + 1]);
     beyond_.assign(edges.size(), -1);
     for(std::size_t n = 0, m; n < edges.size(); n = m)
     {

@@ -224,6 +224,14 @@ private:
     return stuck_.empty();
   }
 
+  void find_inverted_cells()
+  {
+    inverted_.clear();
+    for(int c = 0; c < topology.number_of_cell_slots(); ++c)
+      if(is_inverted(c))
+        inverted_.push_back(c);
+  }
+
   bool is_inverted(int c) const
   {
     return topology.is_alive(c) && !(products(c).determinant > 0);
@@ -265,9 +273,10 @@ private:
                        from.z + t * (to.z - from.z), to.weight };
       }
       ++statistics_.holds;
-      pass();
+      find_inverted_cells();
       if(inverted_.empty() || untangle())
       {
+        pass();
         for(int v = 0; v < number_of_movable_vertices; ++v)
           if(level[v] == standstill)
             retreated_.push_back(v);

@@ -41,50 +41,25 @@ public:
   template <class Predicate>
   void remove_from(Moving_triangulation_3& mesh, const Predicate& has_time)
   {
-    run(mesh, has_time, 0);
+    run(mesh, bound_, has_time, 0);
   }
 
   // Takes the complex, from which the mesh has been loaded, through as many rounds as improve it and
-  // as `may_go_on()` permits.
+  // as `may_go_on()` permits. Where the bound is beyond reach, lower ones follow: striving for a high
+  // bound may leave cells that are worse than need be.
   template <class Has_time, class May_go_on>
   void remove_from_complex(Moving_triangulation_3& mesh, const Has_time& has_time, const May_go_on& may_go_on)
   {
-    double best = deficit(mesh);
-    std::vector<Site> best_sites = mesh.sites;
-    bool is_best = true;
     barred_.assign(mesh.number_of_movable_vertices, 0);
     mesh.shortest_edges(shortest_edge_);
-    int in_vain = 0;
-    for(int round = 0; round < most_rounds && in_vain < most_rounds_in_vain && best > 0 && may_go_on(); ++round)
-    {
-      run(mesh, has_time, is_rough_ ? 0 : Sliver_removal_parameters().most_kicks);
-      if(!has_moved_)
-        break;
-      const std::vector<Site> target = mesh.sites;
-      const bool is_stored = store(mesh);
-      bridge_.reload(mesh);
-      bar_returned(target, mesh);
-      const double reached = deficit(mesh);
-      is_best = reached < best;
-      in_vain = is_stored && reached < clear_gain * best ? 0 : in_vain + 1;
-      if(is_best)
-      {
-        best = reached;
-        best_sites = mesh.sites;
-      }
-    }
-    if(is_best)
-      return;
-    mesh.sites = best_sites;
-    store(mesh);
-    bridge_.reload(mesh);
+    for(double bound = bound_; bound > lowest_bound && make_rounds(mesh, bound, has_time, may_go_on); bound *= next_bound) {}
   }
 
   // The number of cells with an angle below the bound.
   std::size_t number_of_slivers(const Moving_triangulation_3& mesh) const
   {
     std::size_t n = 0;
-    for_each_deficit(mesh, [&n](int, double d) { n += d > 0; });
+    for_each_deficit(mesh, bound_, [&n](int, double d) { n += d > 0; });
     return n;
   }
 
@@ -95,12 +70,51 @@ private:
   static constexpr int rounds_of_rest = 2;
   static constexpr double same_place = 1e-3;    // over an edge
   static constexpr double clear_gain = 0.7;     // the factor on the deficit
+  static constexpr double lowest_bound = 10, next_bound = 0.75;
+
+  // Whether cells below the bound that moving a vertex may improve are left, and may be improved yet.
+  template <class Has_time, class May_go_on>
+  bool make_rounds(Moving_triangulation_3& mesh, double bound, const Has_time& has_time, const May_go_on& may_go_on)
+  {
+    double best = deficit(mesh, bound);
+    std::vector<Site> best_sites = mesh.sites;
+    bool is_best = true, goes_on = true;
+    int in_vain = 0;
+    for(int round = 0; round < most_rounds && in_vain < most_rounds_in_vain && best > 0; ++round)
+    {
+      goes_on = may_go_on();
+      if(!goes_on)
+        break;
+      run(mesh, bound, has_time, is_rough_ ? 0 : Sliver_removal_parameters().most_kicks);
+      if(!has_moved_)
+        break;
+      const std::vector<Site> target = mesh.sites;
+      const bool is_stored = store(mesh);
+      bridge_.reload(mesh);
+      bar_returned(target, mesh);
+      const double reached = deficit(mesh, bound);
+      is_best = reached < best;
+      in_vain = is_stored && reached < clear_gain * best ? 0 : in_vain + 1;
+      if(is_best)
+      {
+        best = reached;
+        best_sites = mesh.sites;
+      }
+    }
+    if(!is_best)
+    {
+      mesh.sites = best_sites;
+      store(mesh);
+      bridge_.reload(mesh);
+    }
+    return best > 0 && goes_on;
+  }
 
   // Of the cells that moving a vertex may improve.
-  double deficit(const Moving_triangulation_3& mesh) const
+  double deficit(const Moving_triangulation_3& mesh, double bound) const
   {
     double sum = 0;
-    for_each_deficit(mesh, [&](int c, double d)
+    for_each_deficit(mesh, bound, [&](int c, double d)
     {
       const int* const v = mesh.topology.cell_vertices() + 4 * c;
       if(d > 0 && *std::min_element(v, v + 4) < mesh.number_of_movable_vertices)
@@ -110,20 +124,20 @@ private:
   }
 
   template <class Predicate>
-  void run(Moving_triangulation_3& mesh, const Predicate& has_time, int most_kicks)
+  void run(Moving_triangulation_3& mesh, double bound, const Predicate& has_time, int most_kicks)
   {
     Sliver_removal_parameters parameters;
     parameters.most_kicks = most_kicks;
     mesh_ = &mesh;
-    Sliver_removal_3 removal(mesh, bound_, seed_++, this, parameters);
+    Sliver_removal_3 removal(mesh, bound, seed_++, this, parameters);
     removal.run(has_time);
     has_moved_ = removal.number_of_moves() > 0;
   }
 
   template <class F>
-  void for_each_deficit(const Moving_triangulation_3& mesh, const F& f) const
+  void for_each_deficit(const Moving_triangulation_3& mesh, double bound, const F& f) const
   {
-    const Angle_deficit_3 angle_deficit(bound_);
+    const Angle_deficit_3 angle_deficit(bound);
     for(int c = 0; c < mesh.topology.number_of_cell_slots(); ++c)
       f(c, mesh.deficit(c, angle_deficit));
   }
