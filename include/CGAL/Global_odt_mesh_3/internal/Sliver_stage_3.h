@@ -28,8 +28,8 @@ class Sliver_stage_3
   : private Vertex_motion_3
 {
 public:
-  // On rough surfaces, vertices move even where the facets around them bend sharply, and never
-  // several at once.
+  // On rough surfaces, vertices move even where the facets around them bend sharply, but several at
+  // once only as a last resort.
   Sliver_stage_3(Bridge& bridge, const Odt_parameters& parameters, bool is_rough)
     : bridge_(bridge)
     , bound_(parameters.sliver_bound)
@@ -50,7 +50,6 @@ public:
   template <class Has_time, class May_go_on>
   void remove_from_complex(Moving_triangulation_3& mesh, const Has_time& has_time, const May_go_on& may_go_on)
   {
-    barred_.assign(mesh.number_of_movable_vertices, 0);
     mesh.shortest_edges(shortest_edge_);
     for(double bound = bound_; bound > lowest_bound && make_rounds(mesh, bound, has_time, may_go_on); bound *= next_bound) {}
   }
@@ -76,25 +75,27 @@ private:
   template <class Has_time, class May_go_on>
   bool make_rounds(Moving_triangulation_3& mesh, double bound, const Has_time& has_time, const May_go_on& may_go_on)
   {
-    double best = deficit(mesh, bound);
+    barred_.assign(mesh.number_of_movable_vertices, 0);
+    is_patient_ = bound < bound_;
+    Deficit best = deficit(mesh, bound);
     std::vector<Site> best_sites = mesh.sites;
     bool is_best = true, goes_on = true;
     int in_vain = 0;
-    for(int round = 0; round < most_rounds && in_vain < most_rounds_in_vain && best > 0; ++round)
+    for(int round = 0; round < most_rounds && in_vain < most_rounds_in_vain && best.improvable > 0; ++round)
     {
       goes_on = may_go_on();
       if(!goes_on)
         break;
-      run(mesh, bound, has_time, is_rough_ ? 0 : Sliver_removal_parameters().most_kicks);
+      run(mesh, bound, has_time, !is_rough_ || is_patient_ ? Sliver_removal_parameters().most_kicks : 0);
       if(!has_moved_)
         break;
       const std::vector<Site> target = mesh.sites;
       const bool is_stored = store(mesh);
       bridge_.reload(mesh);
       bar_returned(target, mesh);
-      const double reached = deficit(mesh, bound);
-      is_best = reached < best;
-      in_vain = is_stored && reached < clear_gain * best ? 0 : in_vain + 1;
+      const Deficit reached = deficit(mesh, bound);
+      is_best = reached.all < best.all;
+      in_vain = is_stored && reached.improvable < clear_gain * best.improvable ? 0 : in_vain + 1;
       if(is_best)
       {
         best = reached;
@@ -107,18 +108,24 @@ private:
       store(mesh);
       bridge_.reload(mesh);
     }
-    return best > 0 && goes_on;
+    return best.improvable > 0 && goes_on;
   }
 
-  // Of the cells that moving a vertex may improve.
-  double deficit(const Moving_triangulation_3& mesh, double bound) const
+  // Of all cells, and of those that moving a vertex may improve.
+  struct Deficit
   {
-    double sum = 0;
+    double all = 0, improvable = 0;
+  };
+
+  Deficit deficit(const Moving_triangulation_3& mesh, double bound) const
+  {
+    Deficit sum;
     for_each_deficit(mesh, bound, [&](int c, double d)
     {
       const int* const v = mesh.topology.cell_vertices() + 4 * c;
+      sum.all += d;
       if(d > 0 && *std::min_element(v, v + 4) < mesh.number_of_movable_vertices)
-        sum += d;
+        sum.improvable += d;
     });
     return sum;
   }
@@ -172,12 +179,16 @@ private:
     const auto& fan = bridge_.complex().boundary.fan(v, 0);
     if(!fan.is_smooth && !is_rough_)
       return false;
-    const Site& from = mesh_->sites[v];
+    const Site from = mesh_->sites[v];
     const auto& n = fan.normal;
     const double h = n[0] * (s.x - from.x) + n[1] * (s.y - from.y) + n[2] * (s.z - from.z);
     s = { s.x - h * n[0], s.y - h * n[1], s.z - h * n[2], s.weight };
-    // On a rough surface, the tangential plane says little of where that will be.
-    return !is_rough_ || bridge_.put_on_surface(v, s);
+    // On a rough surface, the tangential plane says little of where that will be; and where the surface
+    // cannot be found everywhere, vertices are better left alone, unless bad cells remain.
+    if(!is_rough_ || bridge_.put_on_surface(v, s))
+      return true;
+    s = from;
+    return is_patient_;
   }
 
   bool settle(int v, Site& s) override
@@ -222,6 +233,7 @@ private:
   unsigned int seed_;
   bool is_rough_;
   bool has_moved_ = false;
+  bool is_patient_ = false;               // with a bound below the one wanted
   std::vector<int> barred_;               // for so many rounds
   std::vector<double> shortest_edge_;
   std::vector<int> star_;
