@@ -17,6 +17,7 @@
 
 #include <CGAL/Global_odt_mesh_3/internal/Named_parameters.h>
 #include <CGAL/Global_odt_mesh_3/internal/Odt_mesh_optimizer_3.h>
+#include <CGAL/Global_odt_mesh_3/internal/User_fields_3.h>
 #include <CGAL/Mesh_3/Mesh_global_optimizer.h>
 #include <CGAL/Mesh_3/Mesh_sizing_field.h>
 #include <CGAL/Mesh_3/Null_global_optimizer_visitor.h>
@@ -49,14 +50,16 @@ optimize_periodic(C3T3& c3t3, const MeshDomain& domain, const Odt_parameters& p)
 
 template <class C3T3, class MeshDomain, class Visitor>
 Mesh_optimization_return_code
-optimize(C3T3& c3t3, const MeshDomain& domain, const Odt_parameters& p, Visitor& visitor)
+optimize(C3T3& c3t3, const MeshDomain& domain, const Odt_parameters& p, Visitor& visitor,
+         const User_fields_3<C3T3>& fields = User_fields_3<C3T3>())
 {
   p.check();
+  fields.check();
   CGAL_precondition(!Mesh_3::internal::has_non_protecting_weights(c3t3.triangulation(), domain));
   if constexpr (std::is_same<typename C3T3::Triangulation::Periodic_tag, Tag_true>::value)
     return optimize_periodic(c3t3, domain, p);
   else
-    return Odt_mesh_optimizer_3<C3T3, MeshDomain, Visitor>(c3t3, domain, p, visitor)();
+    return Odt_mesh_optimizer_3<C3T3, MeshDomain, Visitor>(c3t3, domain, p, visitor, fields)();
 }
 
 } // namespace internal
@@ -74,8 +77,10 @@ Triangulation for 3D Graded Mesh Generation*, SIAM J. Sci. Comput. 36, 2014), an
 slivers that are left.
 
 The function takes the place of the one of the same name of the package Mesh_3.
-The density \f$ \rho \f$ comes from the sizes of the input's cells, so that a graded mesh
-stays graded.
+The density \f$ \rho \f$ is \f$ 1/\mu^5 \f$, \f$ \mu \f$ being the size of the cells, since the minimizer
+of \f$ E^\rho_{ODT} \f$ equidistributes the integral of \f$ \rho^{3/5} \f$. Without a word of the user, the sizes are
+those of the input's cells, so that a graded mesh stays graded; see `sizing_field` and `density`. As the number of vertices is that of the
+input, only the ratios of sizes or densities matter.
 
 The global search comes in rounds (see `number_of_rounds` and `annealing_schedule`). At the end, vertices of cells with
 dihedral angles below `sliver_bound` try positions around them, one by one, until no such cell is left or
@@ -96,7 +101,7 @@ subdomain where its dual point lies; a flat cell with all vertices on the surfac
 With `optimize_boundary` set to `false`, vertices on surfaces stay, too, and with them all facets of the
 complex, their patch indices and surface centers, and the volume of each subdomain.
 
-If the domain or the callback throws, `c3t3` is as it was before the call. For the same input and
+If the domain, a field or the callback throws, `c3t3` is as it was before the call. For the same input and
 `random_seed` the result is the same, bit for bit, unless `time_limit` shortens the schedule. Handles to vertices and
 cells of `c3t3` become invalid.
 
@@ -153,6 +158,21 @@ version of %CGAL in use knows: `parameters::time_limit = 10, parameters::do_free
     \cgalParamDescription{whether vertices in dimension 2 move on the surface.}
     \cgalParamType{`bool`}
     \cgalParamDefault{`true`}
+  \cgalParamNEnd
+  \cgalParamNBegin{sizing_field}
+    \cgalParamDescription{the size \f$ \mu \f$ of the cells, which goes into the densities \f$ 1/\mu^5 \f$ of the volume and
+                          \f$ 1/\mu^4 \f$ of surfaces. It is asked at vertices, with their dimension and index, on the way also near the surface
+                          outside of the domain, and never from two threads at once. It is copied; pass `std::cref(field)`
+                          to avoid that.}
+    \cgalParamType{a model of `MeshDomainField_3`, such as the `cell_size` of the criteria with which the mesh was made, or a number}
+    \cgalParamPrecondition{all sizes are positive and finite; not together with `density`}
+    \cgalParamDefault{the sizes of the input's cells}
+  \cgalParamNEnd
+  \cgalParamNBegin{density}
+    \cgalParamDescription{the density \f$ \rho \f$ of the volume; that of surfaces is \f$ \rho^{4/5} \f$. It is asked and copied like `sizing_field`.}
+    \cgalParamType{a model of `FT(Point_3)`}
+    \cgalParamPrecondition{all densities are positive and finite; not together with `sizing_field`}
+    \cgalParamDefault{that of the input's cells}
   \cgalParamNEnd
   \cgalParamNBegin{annealing_schedule}
     \cgalParamDescription{the way of the global search, with its constants.}
@@ -216,7 +236,7 @@ odt_optimize_mesh_3(C3T3& c3t3, const MeshDomain& domain, const NamedParameters&
   odt::Odt_parameters parameters;
   odt::read_arguments(parameters, 0, np...);
   auto visitor = odt::find_visitor(Mesh_3::Null_global_optimizer_visitor<C3T3>(), np...);
-  return odt::optimize(c3t3, domain, parameters, odt::unwrap(visitor));
+  return odt::optimize(c3t3, domain, parameters, odt::unwrap(visitor), odt::read_fields<C3T3>(np...));
 }
 
 #ifndef DOXYGEN_RUNNING

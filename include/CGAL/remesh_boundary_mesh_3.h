@@ -26,7 +26,7 @@ and Sun, *Revisiting Optimal Delaunay Triangulation for 3D Graded Mesh Generatio
 \f$ \sum_i \int_{V_i} \rho\,(\|\mathbf{x} - \mathbf{x}_i\|^2 - w_i) \f$, by L-BFGS in the tangential planes.
 The Voronoi cells \f$ V_i \f$ are taken on the surfaces of the complex, which are made anew from
 the domain after each round of iterations. The density is \f$ \rho = 1/\mu^4 \f$, \f$ \mu \f$ being the
-size of the cells of the input, so that a graded mesh stays graded.
+size of the cells of the input, so that a graded mesh stays graded, or what `sizing_field` says.
 Vertices of the interior follow by some iterations of `odt_optimize_mesh_3()` in each round.
 
 That function, with `optimize_boundary` set to `false`, completes the way that the paper goes. By default it
@@ -53,6 +53,16 @@ What is kept is what `odt_optimize_mesh_3()` keeps, also if the domain or the ca
     \cgalParamDescription{the number of iterations, on surfaces and inside, at the most; 0 means 1000}
     \cgalParamType{`std::size_t`}
     \cgalParamDefault{0}
+  \cgalParamNEnd
+  \cgalParamNBegin{sizing_field}
+    \cgalParamDescription{as for `odt_optimize_mesh_3()`}
+    \cgalParamType{a model of `MeshDomainField_3`, or a number}
+    \cgalParamDefault{the sizes of the input's cells}
+  \cgalParamNEnd
+  \cgalParamNBegin{density}
+    \cgalParamDescription{as for `odt_optimize_mesh_3()`}
+    \cgalParamType{a model of `FT(Point_3)`}
+    \cgalParamDefault{that of the input's cells}
   \cgalParamNEnd
   \cgalParamNBegin{callback}
     \cgalParamDescription{a functor called before every iteration with the fraction done; when it returns `false`
@@ -86,7 +96,7 @@ remesh_boundary_mesh_3(C3T3& c3t3, const MeshDomain& domain, const NamedParamete
   odt::read_arguments(parameters, 0, np...);
   parameters.optimize_boundary = parameters.remesh_boundary = true;
   auto visitor = odt::find_visitor(Mesh_3::Null_global_optimizer_visitor<C3T3>(), np...);
-  return odt::optimize(c3t3, domain, parameters, odt::unwrap(visitor));
+  return odt::optimize(c3t3, domain, parameters, odt::unwrap(visitor), odt::read_fields<C3T3>(np...));
 }
 
 } // namespace CGAL

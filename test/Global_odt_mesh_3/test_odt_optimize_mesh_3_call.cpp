@@ -132,6 +132,23 @@ static void bad_parameters(const Labeled_c3t3& input, const Labeled_domain& doma
   refuses("freeze_bound", [&] { CGAL::odt_optimize_mesh_3(c3t3, domain, params::freeze_bound = nan); });
   refuses("sliver_bound", [&] { CGAL::odt_optimize_mesh_3(c3t3, domain, params::sliver_bound = 200.); });
   refuses("sliver_bound", [&] { CGAL::odt_optimize_mesh_3(c3t3, domain, params::sliver_bound = nan); });
+  typedef Labeled_domain::Index Index;
+  for(double bad : { 0., -1., nan, std::numeric_limits<double>::infinity() })
+  {
+    // On the way, too.
+    for(int n : { 0, 5000 })
+    {
+      int questions = 0;
+      refuses("sizing_field", [&] { CGAL::odt_optimize_mesh_3(c3t3, domain, params::sizing_field(
+        [&](const Point_3& p, int, const Index&) { return questions++ < n ? 2 + p.z() : bad; })); });
+      questions = 0;
+      refuses("density", [&] { CGAL::odt_optimize_mesh_3(c3t3, domain, params::density(
+        [&](const Point_3& p) { return questions++ < n ? 2 + p.z() : bad; })); });
+    }
+    refuses("sizing_field", [&] { CGAL::odt_optimize_mesh_3(c3t3, domain, params::sizing_field = bad); });
+  }
+  refuses("density", [&] { CGAL::odt_optimize_mesh_3(c3t3, domain, params::sizing_field = 1., params::density(
+    [](const Point_3&) { return 1.; })); });
   const auto refuses_momentum = [&](const char* name, double CGAL::Momentum_annealing_schedule::* constant, double value)
   {
     CGAL::Momentum_annealing_schedule schedule;
@@ -457,6 +474,29 @@ static void exceptions(const Labeled_c3t3& input)
   }
 }
 
+static void throwing_fields(const Labeled_c3t3& input, const Labeled_domain& domain)
+{
+  const Contract contract(input, domain, "throwing fields");
+  Labeled_c3t3 c3t3(input);
+  for(int n : { 0, 5000 })
+  {
+    int questions = 0;
+    bool thrown = false;
+    try
+    {
+      CGAL::odt_optimize_mesh_3(c3t3, domain, params::density([&](const Point_3& p) -> double
+      {
+        if(questions++ == n)
+          throw std::runtime_error("the density fails");
+        return 2 + p.z();
+      }));
+    }
+    catch(const std::runtime_error&) { thrown = true; }
+    check::that(thrown, "the density did not throw");
+    contract.check_untouched(c3t3);
+  }
+}
+
 struct Counting_visitor
 {
   int moves = 0, moved = 0, rebuilt = 0, iterations = 0;
@@ -617,6 +657,7 @@ int main()
   schedules(mesh, domain);
   slivers();
   time_limit();
+  throwing_fields(mesh, domain);
   exceptions(mesh);
   visitor(mesh, domain);
   degenerate(mesh, domain);

@@ -12,8 +12,11 @@
 #include <CGAL/odt_optimize_mesh_3.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <functional>
 #include <iostream>
+#include <map>
 #include <string>
 #include <utility>
 #include <vector>
@@ -139,6 +142,87 @@ static void grading(const domains::Labeled_domain& domain)
   }
 }
 
+// Small at the south pole, three times as large at the north pole.
+struct Size_by_latitude
+{
+  typedef domains::FT FT;
+  typedef domains::Point_3 Point_3;
+  typedef domains::Labeled_domain::Index Index;
+
+  FT operator()(const Point_3& p, int dimension, const Index&) const
+  {
+    check::that(dimension == 2 || dimension == 3, "the field is asked for a vertex in dimension ", dimension);
+    return (std::max)(0.5, 2 + p.z());
+  }
+};
+
+// The slope of log mean edge length over log wanted size at the vertices: one if the sizes are those wanted.
+template <class Field>
+static double slope_of_sizes(const domains::Labeled_c3t3& c3t3, const Field& field)
+{
+  const auto& tr = c3t3.triangulation();
+  std::map<domains::Labeled_triangulation::Vertex_handle, std::array<double, 2> > edges;
+  for(auto e = tr.finite_edges_begin(); e != tr.finite_edges_end(); ++e)
+  {
+    const auto u = e->first->vertex(e->second), v = e->first->vertex(e->third);
+    for(const auto& w : { u, v })
+    {
+      edges[w][0] += std::sqrt(CGAL::squared_distance(u->point().point(), v->point().point()));
+      ++edges[w][1];
+    }
+  }
+  double n = 0, x = 0, y = 0, xx = 0, xy = 0;
+  for(const auto& e : edges)
+  {
+    if(e.first->in_dimension() != 3)
+      continue;
+    const double lx = std::log(field(e.first->point().point(), 3, e.first->index()));
+    const double ly = std::log(e.second[0] / e.second[1]);
+    ++n;
+    x += lx;
+    y += ly;
+    xx += lx * lx;
+    xy += lx * ly;
+  }
+  return (n * xy - x * y) / (n * xx - x * x);
+}
+
+// From a uniform mesh, vertices go where the sizes want them, or the density that amounts to the
+// same; a number asks for a uniform mesh.
+static void wanted_sizes(const domains::Labeled_domain& domain)
+{
+  using namespace domains;
+  typedef Mesh_contract<Labeled_c3t3, Labeled_domain> Contract;
+  const Labeled_c3t3 input = mesh(domain, 0.16);
+  const Contract contract(input, domain, "wanted sizes");
+  const Size_by_latitude size;
+  const auto optimized = [&](const auto& np)
+  {
+    Labeled_c3t3 c3t3(input);
+    CGAL::odt_optimize_mesh_3(c3t3, domain, np);
+    contract.check_moved(c3t3, 0.05, 0.05, 0.02);
+    return c3t3;
+  };
+  const Labeled_c3t3 usual = optimized(params::random_seed(0));
+  const Labeled_c3t3 sized = optimized(params::sizing_field = size);
+  const Labeled_c3t3 dense = optimized(params::density([&](const Point_3& p)
+                                       { return std::pow(size(p, 3, Labeled_domain::Index()), -5) / 1000; }));
+  const double before = slope_of_sizes(usual, size), after = slope_of_sizes(sized, size);
+  const double by_density = slope_of_sizes(dense, size);
+  std::cout << "  slope of sizes: " << before << " -> " << after << ", by density " << by_density << std::endl;
+  check::that(std::abs(before) < 0.1, "a uniform mesh is graded");
+  check::that(after > 0.5 && after < 1.2, "the sizes are not those wanted");
+  check::that(std::abs(after - by_density) < 0.05, "a density leads to other sizes than the sizes that it stands for");
+  check::that(Contract::points(optimized(params::sizing_field = 0.3)) == Contract::points(usual),
+              "a number leads elsewhere than a uniform mesh");
+
+  // A field that is passed by reference is not copied.
+  int questions = 0;
+  const auto counting = [&questions](const Point_3&, int, const Labeled_domain::Index&) { ++questions; return 1.; };
+  optimized(params::sizing_field = std::cref(counting));
+  check::that(questions > 0, "a field passed by reference is not asked");
+}
+
 int main()
 {
   using namespace domains;
@@ -149,6 +233,7 @@ int main()
     test("sphere", mesh(domain, 0.2), domain, smooth);
     test("graded sphere", graded_mesh(domain, 0.1), domain, smooth);
     grading(domain);
+    wanted_sizes(domain);
   }
   {
     const Labeled_domain domain = torus();

@@ -6,6 +6,7 @@
 #ifndef CGAL_GLOBAL_ODT_MESH_3_INTERNAL_INPUT_DENSITY_3_H
 #define CGAL_GLOBAL_ODT_MESH_3_INTERNAL_INPUT_DENSITY_3_H
 
+#include <CGAL/Global_odt_mesh_3/internal/Density_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/Moving_triangulation_3.h>
 
 #include <algorithm>
@@ -23,17 +24,9 @@ namespace internal {
 // linearly on a copy of the input, in which each vertex is found by walking from
 // the cell where it was last.
 class Input_density_3
+  : public Density_3
 {
 public:
-  // The minimizer of E^rho equidistributes the integral of rho^(3/5), that is,
-  // rho = 1/size^5 (section 5.2 of the paper). The sizes come out right as long as
-  // they are not smoothed further: on a 5:1 sphere the slope of log realized over
-  // log wanted size is 1.00, as against 1.04 in the input; 0.98, 0.95 and 0.90
-  // with one, two and four sweeps of smoothing.
-  static constexpr double exponent = 5;
-  // Of surfaces, in two dimensions, rho = 1/size^4.
-  static constexpr double surface_exponent = 4;
-
   // Sizes that differ less than this (largest over smallest, the outer 5 %
   // of either side left out) are taken for one size.
   static constexpr double uniform_ratio = 1.5;
@@ -48,14 +41,16 @@ public:
     compute_sizes(mesh);
   }
 
-  bool is_uniform() const { return is_uniform_; }
+  bool is_uniform() const override { return is_uniform_; }
 
   // The size at a vertex of the input.
   const std::vector<double>& sizes() const { return size_; }
 
-  // The wanted size where vertex v is now.
+  // The wanted size where vertex v is now; vertices that stay have the one of the input.
   double size(int v, const Site& s)
   {
+    if(v >= static_cast<int>(last_cell_.size()))
+      return size_[v];
     std::array<double, 4> b;
     const int c = locate(last_cell_[v], s, b);
     last_cell_[v] = c;
@@ -65,9 +60,8 @@ public:
     return size;
   }
 
-  // The density is one where the size is the median.
-  double density(double size) const { return std::pow(median_size_ / size, exponent); }
-  double surface_density(double size) const { return std::pow(median_size_ / size, surface_exponent); }
+  double in_volume(int v, const Site& s) override { return std::pow(median_size_ / size(v, s), exponent); }
+  double on_surface(int v, const Site& s) override { return std::pow(median_size_ / size(v, s), surface_exponent); }
 
 private:
   void compute_sizes(const Moving_triangulation_3& mesh)

@@ -25,8 +25,10 @@ namespace CGAL {
 namespace internal_np {
 
 enum annealing_schedule_t { annealing_schedule };
+enum density_t { density };
 enum number_of_rounds_t { number_of_rounds };
 enum optimize_boundary_t { optimize_boundary };
+enum sizing_field_t { sizing_field };
 
 } // namespace internal_np
 
@@ -51,8 +53,10 @@ struct Global_odt_parameter
 };
 
 inline constexpr Global_odt_parameter<internal_np::annealing_schedule_t> annealing_schedule{};
+inline constexpr Global_odt_parameter<internal_np::density_t> density{};
 inline constexpr Global_odt_parameter<internal_np::number_of_rounds_t> number_of_rounds{};
 inline constexpr Global_odt_parameter<internal_np::optimize_boundary_t> optimize_boundary{};
+inline constexpr Global_odt_parameter<internal_np::sizing_field_t> sizing_field{};
 
 } // namespace parameters
 

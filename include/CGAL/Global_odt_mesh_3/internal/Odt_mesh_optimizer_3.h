@@ -9,6 +9,8 @@
 #include <CGAL/Global_odt_mesh_3/internal/C3t3_bridge_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/Cell_order.h>
 #include <CGAL/Global_odt_mesh_3/internal/Convergence_monitor.h>
+#include <CGAL/Global_odt_mesh_3/internal/Density_3.h>
+#include <CGAL/Global_odt_mesh_3/internal/Field_density_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/Global_search.h>
 #include <CGAL/Global_odt_mesh_3/internal/Input_density_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/Iteration_control.h>
@@ -19,12 +21,14 @@
 #include <CGAL/Global_odt_mesh_3/internal/Sliver_stage_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/Surface_cvt_objective_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/Tangential_motion.h>
+#include <CGAL/Global_odt_mesh_3/internal/User_fields_3.h>
 
 #include <CGAL/Mesh_optimization_return_code.h>
 
 #include <algorithm>
 #include <cstddef>
 #include <limits>
+#include <memory>
 #include <type_traits>
 #include <utility>
 #include <vector>
@@ -52,12 +56,13 @@ template <class C3t3, class Mesh_domain, class Visitor>
 class Odt_mesh_optimizer_3
 {
 public:
-  Odt_mesh_optimizer_3(C3t3& c3t3, const Mesh_domain& domain,
-                       const Odt_parameters& parameters, Visitor& visitor)
+  Odt_mesh_optimizer_3(C3t3& c3t3, const Mesh_domain& domain, const Odt_parameters& parameters, Visitor& visitor,
+                       const User_fields_3<C3t3>& fields = User_fields_3<C3t3>())
     : c3t3_(c3t3)
     , domain_(domain)
     , parameters_(parameters)
     , visitor_(visitor)
+    , fields_(fields)
     , control_(parameters, visitor)
   {}
 
@@ -116,20 +121,16 @@ private:
     const Round_plan plan(parameters_, number_of_surface_vertices() > 0, care == CAREFUL);
     control_.start(plan.usual_most_iterations());
 
-    Input_density_3 input_density(mesh_);
-    is_graded_ = !input_density.is_uniform();
+    const std::unique_ptr<Density_3> density = make_density(bridge);
+    is_graded_ = !density->is_uniform();
     density_ = surface_density_ = nullptr;
     if(is_graded_)
     {
       mesh_.density.resize(mesh_.sites.size());
       for(std::size_t v = 0; v < mesh_.sites.size(); ++v)
-        mesh_.density[v] = input_density.density(input_density.sizes()[v]);
-      density_ = [&input_density](int v, const Site& s)
-                 { return input_density.density(input_density.size(v, s)); };
-      surface_density_ = [&input_density, this](int v, const Site& s)
-                         { return input_density.surface_density(v < mesh_.number_of_movable_vertices
-                                                                  ? input_density.size(v, s)
-                                                                  : input_density.sizes()[v]); };
+        mesh_.density[v] = density->in_volume(static_cast<int>(v), mesh_.sites[v]);
+      density_ = [&density](int v, const Site& s) { return density->in_volume(v, s); };
+      surface_density_ = [&density](int v, const Site& s) { return density->on_surface(v, s); };
     }
     std::size_t slivers = 0;
     if(!make_rounds(bridge, plan))
@@ -149,6 +150,19 @@ private:
       visitor_.after_sliver_removal(slivers);
     visitor_.after_rebuild_restricted_delaunay();
     return true;
+  }
+
+  std::unique_ptr<Density_3> make_density(const Bridge& bridge) const
+  {
+    const auto point = [](const Site& s) { return typename User_fields_3<C3t3>::Bare_point(s.x, s.y, s.z); };
+    if(fields_.sizing_field)
+      return std::make_unique<Field_density_3>(
+        Field_density_3::SIZE, [this, point, &bridge](int v, const Site& s)
+        { return fields_.sizing_field(point(s), bridge.in_dimension(v), bridge.index(v)); }, mesh_.sites);
+    if(fields_.density)
+      return std::make_unique<Field_density_3>(
+        Field_density_3::DENSITY, [this, point](int, const Site& s) { return fields_.density(point(s)); }, mesh_.sites);
+    return std::make_unique<Input_density_3>(mesh_);
   }
 
   // Also if the iterations are used up, but not if the time is.
@@ -379,6 +393,7 @@ private:
   const Mesh_domain& domain_;
   const Odt_parameters& parameters_;
   Visitor& visitor_;
+  User_fields_3<C3t3> fields_;
   Iteration_control<Visitor> control_;
   Moving_triangulation_3 mesh_;
   Odt_objective_3::Density density_;

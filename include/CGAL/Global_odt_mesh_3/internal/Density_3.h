@@ -1,0 +1,39 @@
+// Copyright (c) 2026 The Global_odt_mesh_3 authors.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_GLOBAL_ODT_MESH_3_INTERNAL_DENSITY_3_H
+#define CGAL_GLOBAL_ODT_MESH_3_INTERNAL_DENSITY_3_H
+
+#include <CGAL/Global_odt_mesh_3/internal/Odt_energy_3.h>
+
+namespace CGAL {
+namespace Global_odt_mesh_3 {
+namespace internal {
+
+// The density of E^rho and that of the restricted CVT of surfaces.
+//
+// The minimizer of E^rho equidistributes the integral of rho^(3/5), that is, rho = 1/size^5
+// (section 5.2 of the paper). On surfaces, in two dimensions, that is 1/size^4.
+class Density_3
+{
+public:
+  static constexpr double exponent = 5, surface_exponent = 4;
+
+  virtual ~Density_3() {}
+
+  // Whether it is one everywhere.
+  virtual bool is_uniform() const = 0;
+
+  // At the position of a vertex, given its number. The scale is such that the median of the
+  // vertices has a density of about one.
+  virtual double in_volume(int v, const Site& s) = 0;
+  virtual double on_surface(int v, const Site& s) = 0;
+};
+
+} // namespace internal
+} // namespace Global_odt_mesh_3
+} // namespace CGAL
+
+#endif // CGAL_GLOBAL_ODT_MESH_3_INTERNAL_DENSITY_3_H

@@ -1,0 +1,73 @@
+// Copyright (c) 2026 The Global_odt_mesh_3 authors.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_GLOBAL_ODT_MESH_3_INTERNAL_USER_FIELDS_3_H
+#define CGAL_GLOBAL_ODT_MESH_3_INTERNAL_USER_FIELDS_3_H
+
+#include <CGAL/Global_odt_mesh_3/internal/Named_parameters.h>
+
+#include <CGAL/assertions.h>
+#include <CGAL/number_utils.h>
+
+#include <functional>
+#include <type_traits>
+
+namespace CGAL {
+namespace Global_odt_mesh_3 {
+namespace internal {
+
+// What the caller of odt_optimize_mesh_3() says of the sizes or of the density, if anything.
+template <class C3t3>
+struct User_fields_3
+{
+  typedef typename C3t3::Triangulation::Bare_point Bare_point;
+  typedef typename C3t3::Index Index;
+
+  std::function<double(const Bare_point&, int, const Index&)> sizing_field;
+  std::function<double(const Bare_point&)> density;
+
+  void check() const
+  {
+    CGAL_precondition_msg(!sizing_field || !density, "sizing_field and density exclude each other");
+  }
+
+  template <class Argument>
+  void read(const Argument& argument)
+  {
+    if constexpr (Is_named_function_parameters<Argument>::value)
+    {
+      if constexpr (has_parameter<Argument, internal_np::sizing_field_t>)
+        set_sizing_field(parameters::get_parameter(argument, internal_np::sizing_field));
+      if constexpr (has_parameter<Argument, internal_np::density_t>)
+        density = [field = parameters::get_parameter(argument, internal_np::density)](const Bare_point& p)
+                  { return CGAL::to_double(field(p)); };
+    }
+  }
+
+private:
+  template <class Field>
+  void set_sizing_field(const Field& field)
+  {
+    if constexpr (std::is_arithmetic<Field>::value)
+      sizing_field = [field](const Bare_point&, int, const Index&) { return static_cast<double>(field); };
+    else
+      sizing_field = [field](const Bare_point& p, int dimension, const Index& index)
+                     { return CGAL::to_double(field(p, dimension, index)); };
+  }
+};
+
+template <class C3t3, class... Arguments>
+User_fields_3<C3t3> read_fields(const Arguments&... arguments)
+{
+  User_fields_3<C3t3> fields;
+  (fields.read(arguments), ...);
+  return fields;
+}
+
+} // namespace internal
+} // namespace Global_odt_mesh_3
+} // namespace CGAL
+
+#endif // CGAL_GLOBAL_ODT_MESH_3_INTERNAL_USER_FIELDS_3_H
