@@ -139,8 +139,8 @@ static void bad_parameters(const Labeled_c3t3& input, const Labeled_domain& doma
     for(int n : { 0, 5000 })
     {
       int questions = 0;
-      refuses("sizing_field", [&] { CGAL::odt_optimize_mesh_3(c3t3, domain, params::sizing_field(
-        [&](const Point_3& p, int, const Index&) { return questions++ < n ? 2 + p.z() : bad; })); });
+      refuses("sizing_field", [&] { CGAL::odt_optimize_mesh_3(c3t3, domain, params::sizing_field =
+        [&](const Point_3& p, int, const Index&) { return questions++ < n ? 2 + p.z() : bad; }); });
       questions = 0;
       refuses("density", [&] { CGAL::odt_optimize_mesh_3(c3t3, domain, params::density(
         [&](const Point_3& p) { return questions++ < n ? 2 + p.z() : bad; })); });

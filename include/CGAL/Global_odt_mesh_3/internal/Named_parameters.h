@@ -12,7 +12,9 @@
 #include <CGAL/version.h>
 
 #if CGAL_VERSION_NR < 1050600000
+// The latter has the keyword sizing_field.
 #  include <CGAL/boost/parameter.h>
+#  include <CGAL/Mesh_criteria_3.h>
 #  include <boost/parameter.hpp>
 #endif
 
@@ -28,7 +30,9 @@ enum annealing_schedule_t { annealing_schedule };
 enum density_t { density };
 enum number_of_rounds_t { number_of_rounds };
 enum optimize_boundary_t { optimize_boundary };
+#if CGAL_VERSION_NR >= 1050600000
 enum sizing_field_t { sizing_field };
+#endif
 
 } // namespace internal_np
 
@@ -56,7 +60,9 @@ inline constexpr Global_odt_parameter<internal_np::annealing_schedule_t> anneali
 inline constexpr Global_odt_parameter<internal_np::density_t> density{};
 inline constexpr Global_odt_parameter<internal_np::number_of_rounds_t> number_of_rounds{};
 inline constexpr Global_odt_parameter<internal_np::optimize_boundary_t> optimize_boundary{};
+#if CGAL_VERSION_NR >= 1050600000
 inline constexpr Global_odt_parameter<internal_np::sizing_field_t> sizing_field{};
+#endif
 
 } // namespace parameters
 

@@ -13,6 +13,7 @@
 
 #include <functional>
 #include <type_traits>
+#include <utility>
 
 namespace CGAL {
 namespace Global_odt_mesh_3 {
@@ -38,15 +39,27 @@ struct User_fields_3
   {
     if constexpr (Is_named_function_parameters<Argument>::value)
     {
+#if CGAL_VERSION_NR >= 1050600000
       if constexpr (has_parameter<Argument, internal_np::sizing_field_t>)
         set_sizing_field(parameters::get_parameter(argument, internal_np::sizing_field));
+#endif
       if constexpr (has_parameter<Argument, internal_np::density_t>)
         density = [field = parameters::get_parameter(argument, internal_np::density)](const Bare_point& p)
                   { return CGAL::to_double(field(p)); };
     }
+#if CGAL_VERSION_NR < 1050600000
+    else if constexpr (!std::is_arithmetic<Argument>::value)
+    {
+      typedef std::decay_t<decltype(argument[parameters::sizing_field | std::declval<const No_field&>()])> Field;
+      if constexpr (!std::is_same<Field, No_field>::value)
+        set_sizing_field<Field>(argument[parameters::sizing_field]);
+    }
+#endif
   }
 
 private:
+  struct No_field {};
+
   template <class Field>
   void set_sizing_field(const Field& field)
   {
