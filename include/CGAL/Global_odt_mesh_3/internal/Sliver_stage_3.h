@@ -45,18 +45,13 @@ public:
   }
 
   // Takes the complex, from which the mesh has been loaded, through as many rounds as improve it and
-  // as `may_go_on()` permits. Where the bound is beyond reach, lower ones follow, since striving for a
-  // high bound may leave cells that are worse than need be, and then the high one again.
+  // as `may_go_on()` permits. Where the bound is beyond reach, lower ones follow: striving for a high
+  // bound may leave cells that are worse than need be. (To return to the high one brings them back.)
   template <class Has_time, class May_go_on>
   void remove_from_complex(Moving_triangulation_3& mesh, const Has_time& has_time, const May_go_on& may_go_on)
   {
     mesh.shortest_edges(shortest_edge_);
-    if(!make_rounds(mesh, bound_, has_time, may_go_on))
-      return;
-    for(double bound = next_bound * bound_; bound > lowest_bound && make_rounds(mesh, bound, has_time, may_go_on); )
-      bound *= next_bound;
-    if(has_stored_patiently_)
-      make_rounds(mesh, bound_, has_time, may_go_on);
+    for(double bound = bound_; bound > lowest_bound && make_rounds(mesh, bound, has_time, may_go_on); bound *= next_bound) {}
   }
 
   // The number of cells with an angle below the bound.
@@ -96,7 +91,6 @@ private:
         break;
       const std::vector<Site> target = mesh.sites;
       const bool is_stored = store(mesh);
-      has_stored_patiently_ = has_stored_patiently_ || is_patient_;
       bridge_.reload(mesh);
       bar_returned(target, mesh);
       const Deficit reached = deficit(mesh, bound);
@@ -240,7 +234,6 @@ private:
   bool is_rough_;
   bool has_moved_ = false;
   bool is_patient_ = false;               // with a bound below the one wanted
-  bool has_stored_patiently_ = false;
   std::vector<int> barred_;               // for so many rounds
   std::vector<double> shortest_edge_;
   std::vector<int> star_;
