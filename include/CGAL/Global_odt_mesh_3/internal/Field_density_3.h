@@ -66,8 +66,8 @@ private:
   double value(int v, const Site& s) const
   {
     const double x = field_(v, s);
-    CGAL_precondition_msg(meaning_ != SIZE || (x > 0 && std::isfinite(x)), "sizing_field must be positive and finite");
-    CGAL_precondition_msg(meaning_ != DENSITY || (x > 0 && std::isfinite(x)), "density must be positive and finite");
+    CGAL_precondition_msg(x > 0 && std::isfinite(x), meaning_ == SIZE ? "sizing_field must be positive and finite"
+                                                                      : "density must be positive and finite");
     return x;
   }
 

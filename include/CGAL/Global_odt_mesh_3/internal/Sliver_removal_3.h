@@ -148,7 +148,7 @@ private:
     for(int v : movable_vertices(cell))
     {
       Site s = displaced(v, parameters_.kick);
-      if(!approach(v, s) || (is_on_surface(v) && motion_ != nullptr && !motion_->settle(v, s)))
+      if(!approach(v, s) || (is_on_surface(v) && !motion_->settle(v, s)))
         continue;
       const double change = trial_.move(v, s);
       if(std::isfinite(change))
@@ -186,6 +186,7 @@ private:
     return { s.x + d[0], s.y + d[1], s.z + d[2], s.weight };
   }
 
+  // Without a motion, no vertex on a surface gets beyond this.
   bool approach(int v, Site& s) { return motion_ != nullptr ? motion_->approach(v, s) : !is_on_surface(v); }
 
   bool improve(int cell)

@@ -41,7 +41,7 @@ public:
   template <class Predicate>
   void remove_from(Moving_triangulation_3& mesh, const Predicate& has_time)
   {
-    run(mesh, bound_, has_time, 0);
+    run(mesh, bound_, has_time, false);
   }
 
   // Takes the complex, from which the mesh has been loaded, through as many rounds as improve it and
@@ -86,8 +86,7 @@ private:
       goes_on = may_go_on();
       if(!goes_on)
         break;
-      run(mesh, bound, has_time, !is_rough_ || is_patient_ ? Sliver_removal_parameters().most_kicks : 0);
-      if(!has_moved_)
+      if(!run(mesh, bound, has_time, !is_rough_ || is_patient_))
         break;
       const std::vector<Site> target = mesh.sites;
       const bool is_stored = store(mesh);
@@ -130,15 +129,17 @@ private:
     return sum;
   }
 
+  // Whether vertices have moved.
   template <class Predicate>
-  void run(Moving_triangulation_3& mesh, double bound, const Predicate& has_time, int most_kicks)
+  bool run(Moving_triangulation_3& mesh, double bound, const Predicate& has_time, bool kicks)
   {
     Sliver_removal_parameters parameters;
-    parameters.most_kicks = most_kicks;
+    if(!kicks)
+      parameters.most_kicks = 0;
     mesh_ = &mesh;
     Sliver_removal_3 removal(mesh, bound, seed_++, this, parameters);
     removal.run(has_time);
-    has_moved_ = removal.number_of_moves() > 0;
+    return removal.number_of_moves() > 0;
   }
 
   template <class F>
@@ -195,14 +196,15 @@ private:
   {
     if(!is_rough_ && !bridge_.put_on_surface(v, s))
       return false;
-    if(!keeps_facets_close(*mesh_, v, s))
+    if(!keeps_facets_close(v, s))
       s = mesh_->sites[v];
     return true;
   }
 
   // Or else the vertex would be sent back.
-  bool keeps_facets_close(const Moving_triangulation_3& mesh, int v, const Site& s)
+  bool keeps_facets_close(int v, const Site& s)
   {
+    const Moving_triangulation_3& mesh = *mesh_;
     mesh.topology.star(v, star_);
     for(int slot : star_)
       for(int i : Flat_triangulation_3::facet_vertices(slot % 4))
@@ -232,7 +234,6 @@ private:
   double bound_;
   unsigned int seed_;
   bool is_rough_;
-  bool has_moved_ = false;
   bool is_patient_ = false;               // with a bound below the one wanted
   std::vector<int> barred_;               // for so many rounds
   std::vector<double> shortest_edge_;
