@@ -30,7 +30,7 @@ static Cell_energy uniform(const Cell& s)
 
 static Cell_energy graded(const Cell& s, const Densities& rho)
 {
-  return graded_odt_energy(Cell_products(s[0], s[1], s[2], s[3]), s[0], s[1], s[2], s[3], rho);
+  return odt_energy(Cell_products(s[0], s[1], s[2], s[3]), s[0], s[1], s[2], s[3], linear_density_moments(rho));
 }
 
 static double squared_length(const Site& a, const Site& b)

@@ -65,9 +65,8 @@ public:
   const Complex& complex() const { return complex_; }
   const Oracle_statistics& oracle_statistics() const { return restricted_triangulation_.oracle_statistics(); }
 
-  // Of the vertex with this number.
-  int in_dimension(int v) const { return input_vertices_[v]->in_dimension(); }
-  typename C3t3::Index index(int v) const { return input_vertices_[v]->index(); }
+  // The vertex with this number, in the c3t3.
+  Vertex_handle input_vertex(int v) const { return input_vertices_[v]; }
 
   // Loads the complex. Vertices of the interior move, unless a boundary facet
   // touches them; those that surfaces run smoothly through move if `boundary_moves`.

@@ -7,6 +7,7 @@
 #define CGAL_GLOBAL_ODT_MESH_3_INTERNAL_DENSITY_3_H
 
 #include <CGAL/Global_odt_mesh_3/internal/Odt_energy_3.h>
+#include <CGAL/Global_odt_mesh_3/internal/Quadratic_polynomial_3.h>
 
 namespace CGAL {
 namespace Global_odt_mesh_3 {
@@ -30,6 +31,12 @@ public:
   // vertices has a density of about one.
   virtual double in_volume(int v, const Site& s) = 0;
   virtual double on_surface(int v, const Site& s) = 0;
+
+  // At a point of a cell around the vertex.
+  virtual double in_cell(int v, const Site& s) { return in_volume(v, s); }
+
+  // The density in the volume if it is a polynomial, which can be integrated exactly, or null.
+  virtual const Quadratic_polynomial_3* polynomial() const { return nullptr; }
 };
 
 } // namespace internal

@@ -8,6 +8,7 @@
 
 #include <CGAL/Global_odt_mesh_3/internal/Density_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/Odt_energy_3.h>
+#include <CGAL/Global_odt_mesh_3/internal/Quadratic_polynomial_3.h>
 
 #include <CGAL/assertions.h>
 
@@ -15,6 +16,7 @@
 #include <cmath>
 #include <cstddef>
 #include <functional>
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -32,10 +34,13 @@ public:
   // At the position of a vertex, given its number.
   typedef std::function<double(int, const Site&)> Field;
 
-  // `sites` are those of the vertices where the field is measured.
-  Field_density_3(Meaning meaning, Field field, const std::vector<Site>& sites)
+  // `sites` are those of the vertices where the field is measured. A density that is a
+  // polynomial may be zero at points: its integrals are not.
+  Field_density_3(Meaning meaning, Field field, const std::vector<Site>& sites,
+                  const std::optional<Quadratic_polynomial_3>& polynomial = std::nullopt)
     : meaning_(meaning)
     , field_(std::move(field))
+    , polynomial_(polynomial)
   {
     std::vector<double> values;
     values.reserve(sites.size());
@@ -46,10 +51,16 @@ public:
     const auto median = values.begin() + values.size() / 2;
     std::nth_element(values.begin(), median, values.end());
     unit_ = *median;
+    require(unit_ > 0);
+    if(polynomial_)
+      *polynomial_ *= 1 / unit_;
     is_uniform_ = std::all_of(values.begin(), values.end(), [this](double x) { return x == unit_; });
   }
 
   bool is_uniform() const override { return is_uniform_; }
+
+  // The density, as the field means it, that is called one.
+  double unit_density() const { return meaning_ == SIZE ? std::pow(unit_, -exponent) : unit_; }
 
   double in_volume(int v, const Site& s) override
   {
@@ -62,17 +73,25 @@ public:
     return std::pow(value(v, s) / unit_, meaning_ == SIZE ? -surface_exponent : surface_exponent / exponent);
   }
 
+  const Quadratic_polynomial_3* polynomial() const override { return polynomial_ ? &*polynomial_ : nullptr; }
+
 private:
   double value(int v, const Site& s) const
   {
     const double x = field_(v, s);
-    CGAL_precondition_msg(x > 0 && std::isfinite(x), meaning_ == SIZE ? "sizing_field must be positive and finite"
-                                                                      : "density must be positive and finite");
+    require((x > 0 || (polynomial_ && x == 0)) && std::isfinite(x));
     return x;
+  }
+
+  void require(bool is_good) const
+  {
+    CGAL_precondition_msg(is_good, meaning_ == SIZE ? "sizing_field must be positive and finite"
+                                                    : "density must be positive and finite");
   }
 
   Meaning meaning_;
   Field field_;
+  std::optional<Quadratic_polynomial_3> polynomial_;
   double unit_ = 1;
   bool is_uniform_ = true;
 };

@@ -34,10 +34,11 @@ public:
   explicit Input_density_3(const Moving_triangulation_3& mesh)
     : topology_(mesh.topology)
     , sites_(mesh.sites)
-    , last_cell_(mesh.number_of_movable_vertices)
+    , number_of_movable_vertices_(mesh.number_of_movable_vertices)
+    , last_cell_(mesh.sites.size())
   {
-    for(int v = 0; v < mesh.number_of_movable_vertices; ++v)
-      last_cell_[v] = topology_.incident_cell(v);
+    for(std::size_t v = 0; v < last_cell_.size(); ++v)
+      last_cell_[v] = topology_.incident_cell(static_cast<int>(v));
     compute_sizes(mesh);
   }
 
@@ -49,21 +50,30 @@ public:
   // The wanted size where vertex v is now; vertices that stay have the one of the input.
   double size(int v, const Site& s)
   {
-    if(v >= static_cast<int>(last_cell_.size()))
-      return size_[v];
+    return v < number_of_movable_vertices_ ? interpolated_size(last_cell_[v], s) : size_[v];
+  }
+
+  double in_volume(int v, const Site& s) override { return std::pow(median_size_ / size(v, s), exponent); }
+  double on_surface(int v, const Site& s) override { return std::pow(median_size_ / size(v, s), surface_exponent); }
+
+  double in_cell(int v, const Site& s) override
+  {
+    int c = last_cell_[v];
+    return std::pow(median_size_ / interpolated_size(c, s), exponent);
+  }
+
+private:
+  // Sets `c`, where the search begins, to the cell where it ends.
+  double interpolated_size(int& c, const Site& s) const
+  {
     std::array<double, 4> b;
-    const int c = locate(last_cell_[v], s, b);
-    last_cell_[v] = c;
+    c = locate(c, s, b);
     double size = 0;
     for(int i = 0; i < 4; ++i)
       size += b[i] * size_[topology_.vertex(4 * c + i)];
     return size;
   }
 
-  double in_volume(int v, const Site& s) override { return std::pow(median_size_ / size(v, s), exponent); }
-  double on_surface(int v, const Site& s) override { return std::pow(median_size_ / size(v, s), surface_exponent); }
-
-private:
   void compute_sizes(const Moving_triangulation_3& mesh)
   {
     const std::size_t n = sites_.size();
@@ -139,6 +149,7 @@ private:
 
   Flat_triangulation_3 topology_;
   std::vector<Site> sites_;
+  int number_of_movable_vertices_;
   std::vector<double> size_;
   std::vector<int> last_cell_;
   double median_size_ = 1;

@@ -7,6 +7,8 @@
 #define CGAL_GLOBAL_ODT_MESH_3_INTERNAL_MOVING_TRIANGULATION_3_H
 
 #include <CGAL/Global_odt_mesh_3/internal/Constrained_triangulation_3.h>
+#include <CGAL/Global_odt_mesh_3/internal/Density_moments_3.h>
+#include <CGAL/Global_odt_mesh_3/internal/Density_quadrature_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/Flat_triangulation_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/Lawson_flips_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/Odt_energy_3.h>
@@ -31,7 +33,12 @@ class Moving_triangulation_3
   : public Constrained_triangulation_3
 {
 public:
-  std::vector<double> density;          // one value a vertex, or empty: uniform
+  std::vector<double> density;                      // one value a vertex, or empty: uniform
+  Density_quadrature_3* quadrature = nullptr;       // if any, takes the place of these values
+
+  enum Density_mode { UNIFORM, LINEAR, QUADRATURE };
+
+  Density_mode density_mode() const { return quadrature != nullptr ? QUADRATURE : density.empty() ? UNIFORM : LINEAR; }
 
   struct Statistics
   {
@@ -92,15 +99,16 @@ public:
 private:
   friend class Lawson_flips_3<Moving_triangulation_3>;
 
-  template <bool graded>
-  static Cell_energy cell_energy(const Cell_products& t, const int* v,
-                                 const Site* s, const double* rho)
+  template <Density_mode mode>
+  Cell_energy cell_energy(const Cell_products& t, int cell, const int* v, const Site* s, const double* rho) const
   {
-    if constexpr (graded)
-      return graded_odt_energy(t, s[v[0]], s[v[1]], s[v[2]], s[v[3]],
-                               {{ rho[v[0]], rho[v[1]], rho[v[2]], rho[v[3]] }});
-    else
+    if constexpr (mode == UNIFORM)
       return uniform_odt_energy(t, s[v[0]], s[v[1]], s[v[2]], s[v[3]]);
+    else if constexpr (mode == LINEAR)
+      return odt_energy(t, s[v[0]], s[v[1]], s[v[2]], s[v[3]],
+                        linear_density_moments({{ rho[v[0]], rho[v[1]], rho[v[2]], rho[v[3]] }}));
+    else
+      return odt_energy(t, s[v[0]], s[v[1]], s[v[2]], s[v[3]], quadrature->moments(cell, v, s));
   }
 
   void pass()
@@ -109,12 +117,17 @@ private:
     inverted_.clear();
     irregular_.clear();
     intruders_.clear();
-    energy_ = density.empty() ? fused_pass<false>() : fused_pass<true>();
+    switch(density_mode())
+    {
+    case UNIFORM: energy_ = fused_pass<UNIFORM>(); break;
+    case LINEAR: energy_ = fused_pass<LINEAR>(); break;
+    case QUADRATURE: energy_ = fused_pass<QUADRATURE>(); break;
+    }
   }
 
   // Energy, gradient, orientation and regularity of everything at once; each
   // facet is tested from its first slot.
-  template <bool graded>
+  template <Density_mode mode>
   double fused_pass()
   {
     const int* const vertices = topology.cell_vertices();
@@ -130,7 +143,7 @@ private:
         continue;
       const Site& origin = s[v[0]];
       const Cell_products t(origin, s[v[1]], s[v[2]], s[v[3]]);
-      const Cell_energy e = cell_energy<graded>(t, v, s, rho);
+      const Cell_energy e = cell_energy<mode>(t, slot / 4, v, s, rho);
       energy += e.energy;
       for(int i = 0; i < 4; ++i)
         g[v[i]] += e.gradient[i];
@@ -162,8 +175,10 @@ private:
   {
     const int* const v = topology.cell_vertices() + 4 * cell;
     const Cell_products t = products(cell);
-    const Cell_energy e = density.empty() ? cell_energy<false>(t, v, sites.data(), density.data())
-                                          : cell_energy<true>(t, v, sites.data(), density.data());
+    const Density_mode mode = density_mode();
+    const Cell_energy e = mode == UNIFORM ? cell_energy<UNIFORM>(t, cell, v, sites.data(), density.data())
+                        : mode == LINEAR  ? cell_energy<LINEAR>(t, cell, v, sites.data(), density.data())
+                                          : cell_energy<QUADRATURE>(t, cell, v, sites.data(), density.data());
     energy_ += sign * e.energy;
     for(int i = 0; i < 4; ++i)
     {

@@ -30,6 +30,7 @@ enum annealing_schedule_t { annealing_schedule };
 enum density_t { density };
 enum number_of_rounds_t { number_of_rounds };
 enum optimize_boundary_t { optimize_boundary };
+enum quadrature_t { quadrature };
 #if CGAL_VERSION_NR >= 1050600000
 enum sizing_field_t { sizing_field };
 #endif
@@ -60,6 +61,7 @@ inline constexpr Global_odt_parameter<internal_np::annealing_schedule_t> anneali
 inline constexpr Global_odt_parameter<internal_np::density_t> density{};
 inline constexpr Global_odt_parameter<internal_np::number_of_rounds_t> number_of_rounds{};
 inline constexpr Global_odt_parameter<internal_np::optimize_boundary_t> optimize_boundary{};
+inline constexpr Global_odt_parameter<internal_np::quadrature_t> quadrature{};
 #if CGAL_VERSION_NR >= 1050600000
 inline constexpr Global_odt_parameter<internal_np::sizing_field_t> sizing_field{};
 #endif
@@ -97,6 +99,7 @@ void read_argument(const Argument& argument, Odt_parameters& p)
     read_parameter(argument, internal_np::annealing_schedule, p.annealing_schedule);
     read_parameter(argument, internal_np::number_of_rounds, p.number_of_rounds);
     read_parameter(argument, internal_np::optimize_boundary, p.optimize_boundary);
+    read_parameter(argument, internal_np::quadrature, p.quadrature);
     read_parameter(argument, internal_np::random_seed, p.random_seed);
     read_parameter(argument, internal_np::callback, p.callback);
 #if CGAL_VERSION_NR >= 1050600000

@@ -6,6 +6,8 @@
 #ifndef CGAL_GLOBAL_ODT_MESH_3_INTERNAL_ODT_ENERGY_3_H
 #define CGAL_GLOBAL_ODT_MESH_3_INTERNAL_ODT_ENERGY_3_H
 
+#include <CGAL/Global_odt_mesh_3/internal/Density_moments_3.h>
+
 #include <array>
 
 namespace CGAL {
@@ -86,7 +88,7 @@ struct Cell_energy
   std::array<Site_gradient, 4> gradient;
 };
 
-// Energy (4.1) and gradient (4.6) of a cell for uniform density 1:
+// Energy (4.1) and gradient (4.6) of a cell for uniform density 1, without the moments:
 //   E   = |t|/20 sum_{i<j} l_ij^2 - |t|/4 sum_i w_i,
 //   g_i = |t|/2 (x_i - c_t).
 inline Cell_energy uniform_odt_energy(const Cell_products& t,
@@ -110,34 +112,30 @@ inline Cell_energy uniform_odt_energy(const Cell_products& t,
   return r;
 }
 
-// The same for a density interpolated linearly between the values `rho` at the
-// vertices, R being their sum (Theorems 4.1 and 4.2):
-//   E   = |t|/120 sum_{i<j} l_ij^2 (R + rho_i + rho_j) - |t|/20 sum_i w_i (R + rho_i),
-//   g_i = |t|/10 (x_i - c_t) (R + rho_i).
-// The gradient approximates that of the continuous energy (3.1); it is not the
-// derivative of the interpolated one, whose minimizers shun high density.
-inline Cell_energy graded_odt_energy(const Cell_products& t,
-                                     const Site& s0, const Site& s1,
-                                     const Site& s2, const Site& s3,
-                                     const std::array<double, 4>& rho)
+// The same for the density of which the moments are given:
+//   E   = |t| (sum_{i<j} l_ij^2 m_ij - sum_i w_i m_i),
+//   g_i = 2 |t| (x_i - c_t) m_i,   that is, (3.1).
+// If the moments are those of an approximate density, the gradient is not the derivative of the energy, but
+// approximates that of the energy of the true density: minimizers of an interpolated energy shun high density.
+inline Cell_energy odt_energy(const Cell_products& t,
+                              const Site& s0, const Site& s1,
+                              const Site& s2, const Site& s3,
+                              const Density_moments_3& m)
 {
   Cell_energy r;
-  const double R = rho[0] + rho[1] + rho[2] + rho[3];
   const double abx = t.ax - t.bx, aby = t.ay - t.by, abz = t.az - t.bz;
   const double bcx = t.bx - t.cx, bcy = t.by - t.cy, bcz = t.bz - t.cz;
   const double cax = t.cx - t.ax, cay = t.cy - t.ay, caz = t.cz - t.az;
-  const double edges =
-      t.aa * (R + rho[0] + rho[1]) + t.bb * (R + rho[0] + rho[2]) + t.cc * (R + rho[0] + rho[3])
-    + (abx * abx + aby * aby + abz * abz) * (R + rho[1] + rho[2])
-    + (bcx * bcx + bcy * bcy + bcz * bcz) * (R + rho[2] + rho[3])
-    + (cax * cax + cay * cay + caz * caz) * (R + rho[3] + rho[1]);
-  const double weights = s0.weight * (R + rho[0]) + s1.weight * (R + rho[1])
-                       + s2.weight * (R + rho[2]) + s3.weight * (R + rho[3]);
-  r.energy = t.determinant * (edges / 720 - weights / 120);
+  const double edges = t.aa * m.mixed[0] + t.bb * m.mixed[1] + t.cc * m.mixed[2]
+                     + (abx * abx + aby * aby + abz * abz) * m.mixed[3]
+                     + (bcx * bcx + bcy * bcy + bcz * bcz) * m.mixed[4]
+                     + (cax * cax + cay * cay + caz * caz) * m.mixed[5];
+  const double weights = s0.weight * m.first[0] + s1.weight * m.first[1]
+                       + s2.weight * m.first[2] + s3.weight * m.first[3];
+  r.energy = t.determinant / 6 * (edges - weights);
 
   const double d = 2 * t.determinant;
-  const std::array<double, 4> f = { (R + rho[0]) / 120, (R + rho[1]) / 120,
-                                    (R + rho[2]) / 120, (R + rho[3]) / 120 };
+  const std::array<double, 4> f = { m.first[0] / 6, m.first[1] / 6, m.first[2] / 6, m.first[3] / 6 };
   r.gradient[0] = { -f[0] * t.nx, -f[0] * t.ny, -f[0] * t.nz, f[0] * d };
   r.gradient[1] = { f[1] * (d * t.ax - t.nx), f[1] * (d * t.ay - t.ny), f[1] * (d * t.az - t.nz), f[1] * d };
   r.gradient[2] = { f[2] * (d * t.bx - t.nx), f[2] * (d * t.by - t.ny), f[2] * (d * t.bz - t.nz), f[2] * d };

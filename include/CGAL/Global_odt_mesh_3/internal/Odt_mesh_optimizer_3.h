@@ -10,11 +10,12 @@
 #include <CGAL/Global_odt_mesh_3/internal/Cell_order.h>
 #include <CGAL/Global_odt_mesh_3/internal/Convergence_monitor.h>
 #include <CGAL/Global_odt_mesh_3/internal/Density_3.h>
-#include <CGAL/Global_odt_mesh_3/internal/Field_density_3.h>
+#include <CGAL/Global_odt_mesh_3/internal/Density_quadrature_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/Global_search.h>
 #include <CGAL/Global_odt_mesh_3/internal/Input_density_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/Iteration_control.h>
 #include <CGAL/Global_odt_mesh_3/internal/Limited_memory_bfgs.h>
+#include <CGAL/Global_odt_mesh_3/internal/Make_density_quadrature_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/Odt_objective_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/Odt_parameters.h>
 #include <CGAL/Global_odt_mesh_3/internal/Round_plan.h>
@@ -31,6 +32,7 @@
 #include <memory>
 #include <type_traits>
 #include <utility>
+#include <variant>
 #include <vector>
 
 namespace CGAL {
@@ -122,15 +124,16 @@ private:
     control_.start(plan.usual_most_iterations());
 
     const std::unique_ptr<Density_3> density = make_density(bridge);
-    is_graded_ = !density->is_uniform();
+    const std::unique_ptr<Density_quadrature_3> quadrature = make_quadrature(*density);
     density_ = surface_density_ = nullptr;
-    if(is_graded_)
-    {
-      mesh_.density.resize(mesh_.sites.size());
-      for(std::size_t v = 0; v < mesh_.sites.size(); ++v)
-        mesh_.density[v] = density->in_volume(static_cast<int>(v), mesh_.sites[v]);
-      density_ = [&density](int v, const Site& s) { return density->in_volume(v, s); };
+    mesh_.quadrature = quadrature.get();
+    if(!density->is_uniform())
       surface_density_ = [&density](int v, const Site& s) { return density->on_surface(v, s); };
+    if(!density->is_uniform() && quadrature == nullptr)
+    {
+      density_ = [&density](int v, const Site& s) { return density->in_volume(v, s); };
+      for(std::size_t v = 0; v < mesh_.sites.size(); ++v)
+        mesh_.density.push_back(density_(static_cast<int>(v), mesh_.sites[v]));
     }
     std::size_t slivers = 0;
     if(!make_rounds(bridge, plan))
@@ -154,15 +157,16 @@ private:
 
   std::unique_ptr<Density_3> make_density(const Bridge& bridge) const
   {
-    const auto point = [](const Site& s) { return typename User_fields_3<C3t3>::Bare_point(s.x, s.y, s.z); };
-    if(fields_.sizing_field)
-      return std::make_unique<Field_density_3>(
-        Field_density_3::SIZE, [this, point, &bridge](int v, const Site& s)
-        { return fields_.sizing_field(point(s), bridge.in_dimension(v), bridge.index(v)); }, mesh_.sites);
-    if(fields_.density)
-      return std::make_unique<Field_density_3>(
-        Field_density_3::DENSITY, [this, point](int, const Site& s) { return fields_.density(point(s)); }, mesh_.sites);
+    if(fields_)
+      return fields_.make_density(mesh_.sites, [&bridge](int v) { return bridge.input_vertex(v); });
     return std::make_unique<Input_density_3>(mesh_);
+  }
+
+  // Null for the linear one, which the triangulation knows itself. The density of the input is what it is
+  // at vertices, but a field may vary between them.
+  std::unique_ptr<Density_quadrature_3> make_quadrature(Density_3& density) const
+  {
+    return density.is_uniform() && !fields_ ? nullptr : make_density_quadrature_3(parameters_.quadrature, density);
   }
 
   // Also if the iterations are used up, but not if the time is.
@@ -367,13 +371,13 @@ private:
   Limited_memory_bfgs_parameters minimizer_parameters() const
   {
     Limited_memory_bfgs_parameters p;
-    if(is_graded_)
-    {
-      // (4.6) is not the derivative of the interpolated energy (4.1), so that
-      // (4.1) cannot be asked to fall.
+    if(mesh_.density_mode() != Moving_triangulation_3::UNIFORM)
       p.memory = 15;
+    // (4.6) is not the derivative of the interpolated energy (4.1), so that (4.1) cannot be asked
+    // to fall. The same is true of the rule of four points.
+    if(mesh_.density_mode() == Moving_triangulation_3::LINEAR
+       || std::holds_alternative<Four_point_rule_3>(parameters_.quadrature))
       p.energy_tolerance = 1e-3;
-    }
     return p;
   }
 
@@ -398,7 +402,6 @@ private:
   Moving_triangulation_3 mesh_;
   Odt_objective_3::Density density_;
   Surface_cvt_objective_3::Density surface_density_;
-  bool is_graded_ = false;
   Care care_ = SWIFT;
   Mesh_optimization_return_code code_ = CANT_IMPROVE_ANYMORE;
   Oracle_statistics oracle_statistics_;

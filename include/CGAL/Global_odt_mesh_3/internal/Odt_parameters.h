@@ -7,6 +7,7 @@
 #define CGAL_GLOBAL_ODT_MESH_3_INTERNAL_ODT_PARAMETERS_H
 
 #include <CGAL/Annealing_schedules_3.h>
+#include <CGAL/Density_quadratures_3.h>
 
 #include <CGAL/Mesh_3/parameters_defaults.h>
 #include <CGAL/Named_function_parameters.h>
@@ -23,6 +24,16 @@ namespace internal {
 
 typedef std::variant<Momentum_annealing_schedule, Metropolis_annealing_schedule> Annealing_schedule;
 
+// Without a word of the caller, the linear rule, or exact integrals where the density allows them.
+typedef std::variant<std::monostate, Linear_density_rule_3, Four_point_rule_3, Fifteen_point_rule_3, Adaptive_cubature_3>
+  Quadrature_choice;
+
+inline void check(const Quadrature_choice& choice)
+{
+  if(const auto* cubature = std::get_if<Adaptive_cubature_3>(&choice))
+    cubature->check();
+}
+
 // What the caller of odt_optimize_mesh_3() may say.
 struct Odt_parameters
 {
@@ -35,6 +46,7 @@ struct Odt_parameters
   bool do_freeze = true;
   bool optimize_boundary = true;
   bool remesh_boundary = false;         // by the restricted CVT, instead of with the interior
+  Quadrature_choice quadrature;
   Annealing_schedule annealing_schedule;
   std::size_t number_of_rounds = usual_number_of_rounds;    // of the schedule
   double sliver_bound = 20;
@@ -46,6 +58,7 @@ struct Odt_parameters
     CGAL_precondition_msg(time_limit >= 0, "time_limit must be a number of seconds, not negative");
     CGAL_precondition_msg(convergence >= 0 && convergence <= 1, "convergence must be in [0, 1]");
     CGAL_precondition_msg(freeze_bound >= 0 && freeze_bound <= 1, "freeze_bound must be in [0, 1]");
+    internal::check(quadrature);
     std::visit([](const auto& schedule) { schedule.check(); }, annealing_schedule);
     CGAL_precondition_msg(sliver_bound >= 0 && sliver_bound < 180, "sliver_bound must be in [0, 180) degrees");
   }

@@ -6,14 +6,21 @@
 #ifndef CGAL_GLOBAL_ODT_MESH_3_INTERNAL_USER_FIELDS_3_H
 #define CGAL_GLOBAL_ODT_MESH_3_INTERNAL_USER_FIELDS_3_H
 
+#include <CGAL/Global_odt_mesh_3/internal/Field_density_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/Named_parameters.h>
+#include <CGAL/Global_odt_mesh_3/internal/Odt_energy_3.h>
+#include <CGAL/Global_odt_mesh_3/internal/Quadratic_polynomial_3.h>
+#include <CGAL/Quadratic_density_3.h>
 
 #include <CGAL/assertions.h>
 #include <CGAL/number_utils.h>
 
 #include <functional>
+#include <memory>
+#include <optional>
 #include <type_traits>
 #include <utility>
+#include <vector>
 
 namespace CGAL {
 namespace Global_odt_mesh_3 {
@@ -28,6 +35,24 @@ struct User_fields_3
 
   std::function<double(const Bare_point&, int, const Index&)> sizing_field;
   std::function<double(const Bare_point&)> density;
+  std::optional<Quadratic_polynomial_3> quadratic_density;    // if `density` is one
+
+  // Whether there is any.
+  explicit operator bool() const { return sizing_field || density; }
+
+  // The density that they stand for, measured at the vertices, of which `vertex` gives in_dimension() and index().
+  // It refers to the fields.
+  template <class Vertices>
+  std::unique_ptr<Field_density_3> make_density(const std::vector<Site>& sites, const Vertices& vertex) const
+  {
+    const auto point = [](const Site& s) { return Bare_point(s.x, s.y, s.z); };
+    if(sizing_field)
+      return std::make_unique<Field_density_3>(
+        Field_density_3::SIZE, [this, point, vertex](int v, const Site& s)
+        { return sizing_field(point(s), vertex(v)->in_dimension(), vertex(v)->index()); }, sites);
+    return std::make_unique<Field_density_3>(
+      Field_density_3::DENSITY, [this, point](int, const Site& s) { return density(point(s)); }, sites, quadratic_density);
+  }
 
   void check() const
   {
@@ -44,8 +69,7 @@ struct User_fields_3
         set_sizing_field(parameters::get_parameter(argument, internal_np::sizing_field));
 #endif
       if constexpr (has_parameter<Argument, internal_np::density_t>)
-        density = [field = parameters::get_parameter(argument, internal_np::density)](const Bare_point& p)
-                  { return CGAL::to_double(field(p)); };
+        set_density(parameters::get_parameter(argument, internal_np::density));
     }
 #if CGAL_VERSION_NR < 1050600000
     else if constexpr (!std::is_arithmetic<Argument>::value)
@@ -59,6 +83,19 @@ struct User_fields_3
 
 private:
   struct No_field {};
+
+  template <class Field>
+  void set_density(const Field& field)
+  {
+    density = [field](const Bare_point& p) { return CGAL::to_double(field(p)); };
+  }
+
+  template <class Kernel>
+  void set_density(const Quadratic_density_3<Kernel>& field)
+  {
+    quadratic_density = field.polynomial();
+    density = [field](const Bare_point& p) { return CGAL::to_double(field(p)); };
+  }
 
   template <class Field>
   void set_sizing_field(const Field& field)

@@ -1,0 +1,68 @@
+// Copyright (c) 2026 The Global_odt_mesh_3 authors.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_DENSITY_QUADRATURES_3_H
+#define CGAL_DENSITY_QUADRATURES_3_H
+
+#include <CGAL/license/Mesh_3.h>
+
+#include <CGAL/assertions.h>
+
+namespace CGAL {
+
+/*!
+\ingroup PkgGlobalOdtMesh3Functions
+
+is a value of the named parameter `quadrature`: the density is interpolated linearly between the vertices of a cell
+(Theorems 4.1 and 4.2 of the paper). It is asked once for each vertex. The error of the gradient falls with the square of the
+cell size.
+*/
+struct Linear_density_rule_3
+{};
+
+/*!
+\ingroup PkgGlobalOdtMesh3Functions
+
+is a value of the named parameter `quadrature`: integrals over a cell are weighted sums of the integrand at four points, exact up to degree 2
+(Stroud's rule T3:2-1). The density is asked about 20 times for each vertex.
+*/
+struct Four_point_rule_3
+{};
+
+/*!
+\ingroup PkgGlobalOdtMesh3Functions
+
+is a value of the named parameter `quadrature`: the same with fifteen points, exact up to degree 5 (Stroud's rule T3:5-1).
+Energy and gradient are exact for densities of degree 2 and 3. The density is asked about 80 times for each vertex.
+*/
+struct Fifteen_point_rule_3
+{};
+
+/*!
+\ingroup PkgGlobalOdtMesh3Functions
+
+is a value of the named parameter `quadrature`: integrals over a cell are computed to a tolerance, by
+rules of degree 7, 5 and 3 and adaptive bisection of the cell, in the way of Genz and Cools (*An adaptive numerical cubature
+algorithm for simplices*, ACM TOMS 29, 2003), as the paper does for Figure 8. It is the reference for the other ones. The density is asked at least
+190 times for each vertex.
+*/
+struct Adaptive_cubature_3
+{
+  /// the error of the integrals over a cell, relative to the mass of the cell, that is, the integral of the density; positive
+  double tolerance = 1e-6;
+  /// the number of parts into which a cell is divided at the most; positive
+  int most_regions = 500;
+
+  /// refuses values that make no sense, by a precondition that says which.
+  void check() const
+  {
+    CGAL_precondition_msg(tolerance > 0, "quadrature: tolerance must be positive");
+    CGAL_precondition_msg(most_regions > 0, "quadrature: most_regions must be positive");
+  }
+};
+
+} // namespace CGAL
+
+#endif // CGAL_DENSITY_QUADRATURES_3_H

@@ -1,0 +1,76 @@
+// Copyright (c) 2026 The Global_odt_mesh_3 authors.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_QUADRATIC_DENSITY_3_H
+#define CGAL_QUADRATIC_DENSITY_3_H
+
+#include <CGAL/license/Mesh_3.h>
+
+#include <CGAL/Global_odt_mesh_3/internal/Point_coordinates.h>
+#include <CGAL/Global_odt_mesh_3/internal/Quadratic_polynomial_3.h>
+
+#include <CGAL/Origin.h>
+#include <CGAL/number_utils.h>
+
+#include <array>
+#include <cstddef>
+
+namespace CGAL {
+
+/*!
+\ingroup PkgGlobalOdtMesh3Classes
+
+The class `Quadratic_density_3` is a polynomial of degree two or less. Given as `density` to `odt_optimize_mesh_3()` or `odt_energy_3()`,
+it is integrated over cells exactly, up to rounding, so that the energy is that of the paper's equation (2.5) and the gradient that of
+equation (3.1), unless the named parameter `quadrature` says otherwise. Unlike other densities, it may be zero at points.
+
+With \f$ \mathbf d = \mathbf x - \mathbf c \f$, it is \f$ \rho(\mathbf x) = a + \mathbf b \cdot \mathbf d + q_{xx} d_x^2 + q_{yy} d_y^2 + q_{zz} d_z^2
++ q_{yz} d_y d_z + q_{zx} d_z d_x + q_{xy} d_x d_y \f$.
+
+\tparam Kernel a model of `Kernel`
+*/
+template <class Kernel>
+class Quadratic_density_3
+{
+public:
+  typedef typename Kernel::FT FT;               ///< number type
+  typedef typename Kernel::Point_3 Point_3;     ///< point type
+  typedef typename Kernel::Vector_3 Vector_3;   ///< vector type
+
+  /// the polynomial with the given `quadratic` coefficients, of xx, yy, zz, yz, zx and xy.
+  explicit Quadratic_density_3(const std::array<FT, 6>& quadratic, const Vector_3& linear = Vector_3(0, 0, 0),
+                               const FT& constant = FT(0), const Point_3& center = Point_3(CGAL::ORIGIN))
+  {
+    polynomial_.center = Global_odt_mesh_3::internal::coordinates(center);
+    polynomial_.constant = to_double(constant);
+    polynomial_.linear = Global_odt_mesh_3::internal::coordinates(linear);
+    for(std::size_t n = 0; n < quadratic.size(); ++n)
+      polynomial_.quadratic[n] = to_double(quadratic[n]);
+  }
+
+  /// the squared distance from `center`, as in Figure 9 of the paper.
+  static Quadratic_density_3 squared_distance(const Point_3& center = Point_3(CGAL::ORIGIN))
+  {
+    return Quadratic_density_3({{ 1, 1, 1, 0, 0, 0 }}, Vector_3(0, 0, 0), 0, center);
+  }
+
+  /// the density at a point.
+  FT operator()(const Point_3& p) const
+  {
+    const std::array<double, 3> x = Global_odt_mesh_3::internal::coordinates(p);
+    return polynomial_({ x[0], x[1], x[2], 0 });
+  }
+
+#ifndef DOXYGEN_RUNNING
+  const Global_odt_mesh_3::internal::Quadratic_polynomial_3& polynomial() const { return polynomial_; }
+#endif
+
+private:
+  Global_odt_mesh_3::internal::Quadratic_polynomial_3 polynomial_;
+};
+
+} // namespace CGAL
+
+#endif // CGAL_QUADRATIC_DENSITY_3_H

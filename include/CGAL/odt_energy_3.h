@@ -1,0 +1,145 @@
+// Copyright (c) 2026 The Global_odt_mesh_3 authors.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_ODT_ENERGY_3_H
+#define CGAL_ODT_ENERGY_3_H
+
+#include <CGAL/license/Mesh_3.h>
+
+#include <CGAL/disable_warnings.h>
+
+#include <CGAL/Density_quadratures_3.h>
+#include <CGAL/Global_odt_mesh_3/internal/Density_3.h>
+#include <CGAL/Global_odt_mesh_3/internal/Density_moments_3.h>
+#include <CGAL/Global_odt_mesh_3/internal/Density_quadrature_3.h>
+#include <CGAL/Global_odt_mesh_3/internal/Field_density_3.h>
+#include <CGAL/Global_odt_mesh_3/internal/Make_density_quadrature_3.h>
+#include <CGAL/Global_odt_mesh_3/internal/Named_parameters.h>
+#include <CGAL/Global_odt_mesh_3/internal/Odt_energy_3.h>
+#include <CGAL/Global_odt_mesh_3/internal/Point_coordinates.h>
+#include <CGAL/Global_odt_mesh_3/internal/User_fields_3.h>
+
+#include <algorithm>
+#include <array>
+#include <map>
+#include <memory>
+#include <utility>
+#include <variant>
+#include <vector>
+
+namespace CGAL {
+
+namespace Global_odt_mesh_3 {
+namespace internal {
+
+template <class C3t3>
+double odt_energy(const C3t3& c3t3, const User_fields_3<C3t3>& fields, Quadrature_choice choice)
+{
+  typedef typename C3t3::Vertex_handle Vertex_handle;
+  fields.check();
+  check(choice);
+  if(std::holds_alternative<std::monostate>(choice) && !fields.quadratic_density)
+    choice = Adaptive_cubature_3{ 1e-8 };
+  // The density of a cell is asked of its vertex of the lowest number, which is to be that of the highest dimension.
+  std::map<Vertex_handle, int> numbers;
+  for(auto c = c3t3.cells_in_complex_begin(); c != c3t3.cells_in_complex_end(); ++c)
+    for(int i = 0; i < 4; ++i)
+      numbers[c->vertex(i)] = 0;
+  std::vector<Vertex_handle> vertices;
+  for(const auto& n : numbers)
+    vertices.push_back(n.first);
+  std::stable_sort(vertices.begin(), vertices.end(), [](Vertex_handle u, Vertex_handle v)
+                   { return u->in_dimension() > v->in_dimension(); });
+  std::vector<Site> sites;
+  for(Vertex_handle v : vertices)
+  {
+    numbers[v] = static_cast<int>(sites.size());
+    sites.push_back(weighted_site(c3t3.triangulation().point(v)));
+  }
+
+  std::unique_ptr<Density_3> density;
+  std::unique_ptr<Density_quadrature_3> quadrature;
+  double unit = 1;
+  if(fields)
+  {
+    std::unique_ptr<Field_density_3> field = fields.make_density(sites, [&vertices](int v) { return vertices[v]; });
+    unit = field->unit_density();
+    quadrature = make_density_quadrature_3(choice, *field);
+    density = std::move(field);
+  }
+  const auto moments = [&](const std::array<int, 4>& v)
+  {
+    // Nothing need be kept of one cell for the next.
+    if(quadrature)
+      return quadrature->moments(0, v.data(), sites.data());
+    std::array<double, 4> rho = {{ 1, 1, 1, 1 }};
+    for(int i = 0; density && i < 4; ++i)
+      rho[i] = density->in_volume(v[i], sites[v[i]]);
+    return linear_density_moments(rho);
+  };
+  double energy = 0;
+  for(auto c = c3t3.cells_in_complex_begin(); c != c3t3.cells_in_complex_end(); ++c)
+  {
+    std::array<int, 4> v;
+    for(int i = 0; i < 4; ++i)
+      v[i] = numbers[c->vertex(i)];
+    const Site &s0 = sites[v[0]], &s1 = sites[v[1]], &s2 = sites[v[2]], &s3 = sites[v[3]];
+    energy += odt_energy(Cell_products(s0, s1, s2, s3), s0, s1, s2, s3, moments(v)).energy;
+  }
+  return unit * energy;
+}
+
+} // namespace internal
+} // namespace Global_odt_mesh_3
+
+/*!
+\ingroup PkgGlobalOdtMesh3Functions
+
+computes the energy \f$ E^\rho_{ODT} = \sum_\tau \int_\tau \rho\,(f_I - \mathbf{x}^2) \f$ of the cells of a mesh complex (equation (2.5) of
+the paper) for the density that the named parameters stand for, which is 1 without any. On weighted vertices, as on
+features, \f$ f_I \f$ interpolates \f$ \mathbf{x}^2 \f$ minus the weight.
+
+\tparam C3T3 a model of the concept `MeshComplex_3InTriangulation_3`
+\tparam NamedParameters a sequence of named parameters
+
+\param c3t3 the mesh
+\param np an optional sequence of named parameters among the ones listed below
+
+\cgalNamedParamsBegin
+  \cgalParamNBegin{sizing_field}
+    \cgalParamDescription{the size \f$ \mu \f$ that stands for the density \f$ 1/\mu^5 \f$; as for `odt_optimize_mesh_3()`}
+    \cgalParamType{a model of `MeshDomainField_3`, or a number}
+    \cgalParamPrecondition{all sizes are positive and finite; not together with `density`}
+    \cgalParamDefault{none}
+  \cgalParamNEnd
+  \cgalParamNBegin{density}
+    \cgalParamDescription{the density \f$ \rho \f$; as for `odt_optimize_mesh_3()`}
+    \cgalParamType{a model of `FT(Point_3)`}
+    \cgalParamPrecondition{all densities are positive and finite; not together with `sizing_field`}
+    \cgalParamDefault{1}
+  \cgalParamNEnd
+  \cgalParamNBegin{quadrature}
+    \cgalParamDescription{how the density is integrated over cells}
+    \cgalParamType{`CGAL::Linear_density_rule_3`, `CGAL::Four_point_rule_3`, `CGAL::Fifteen_point_rule_3` or `CGAL::Adaptive_cubature_3`}
+    \cgalParamDefault{`CGAL::Adaptive_cubature_3` with a tolerance of \f$ 10^{-8} \f$; exact integrals for `CGAL::Quadratic_density_3`}
+  \cgalParamNEnd
+\cgalNamedParamsEnd
+
+\return the energy, in the unit of length to the power of five times that of the density
+*/
+template <class C3T3, class... NamedParameters>
+double odt_energy_3(const C3T3& c3t3, const NamedParameters&... np)
+{
+  namespace odt = Global_odt_mesh_3::internal;
+  odt::Odt_parameters parameters;
+  odt::read_arguments(parameters, 0, np...);
+  return odt::odt_energy(c3t3, odt::read_fields<C3T3>(np...), parameters.quadrature);
+}
+
+} // namespace CGAL
+
+#include <CGAL/enable_warnings.h>
+
+#endif // CGAL_ODT_ENERGY_3_H
