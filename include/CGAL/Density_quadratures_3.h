@@ -50,7 +50,8 @@ algorithm for simplices*, ACM TOMS 29, 2003), as the paper does for Figure 8. It
 */
 struct Adaptive_cubature_3
 {
-  /// the error of the integrals over a cell, relative to the mass of the cell, that is, the integral of the density; positive
+  /// the error of the integrals over a cell, relative to the mass of the cell, that is, the integral of the density; more is
+  /// allowed in cells with less energy than the mean where only the energy of the whole mesh is wanted; positive
   double tolerance = 1e-6;
   /// the number of parts into which a cell is divided at the most; positive
   int most_regions = 500;

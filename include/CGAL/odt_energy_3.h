@@ -11,21 +11,20 @@
 #include <CGAL/disable_warnings.h>
 
 #include <CGAL/Density_quadratures_3.h>
-#include <CGAL/Global_odt_mesh_3/internal/Density_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/Density_moments_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/Density_quadrature_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/Field_density_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/Make_density_quadrature_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/Named_parameters.h>
-#include <CGAL/Global_odt_mesh_3/internal/Odt_energy_3.h>
+#include <CGAL/Global_odt_mesh_3/internal/Odt_parameters.h>
 #include <CGAL/Global_odt_mesh_3/internal/Point_coordinates.h>
+#include <CGAL/Global_odt_mesh_3/internal/Reference_energy_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/User_fields_3.h>
 
 #include <algorithm>
-#include <array>
+#include <cstddef>
 #include <map>
 #include <memory>
-#include <utility>
 #include <variant>
 #include <vector>
 
@@ -59,36 +58,31 @@ double odt_energy(const C3t3& c3t3, const User_fields_3<C3t3>& fields, Quadratur
     sites.push_back(weighted_site(c3t3.triangulation().point(v)));
   }
 
-  std::unique_ptr<Density_3> density;
-  std::unique_ptr<Density_quadrature_3> quadrature;
-  double unit = 1;
-  if(fields)
-  {
-    std::unique_ptr<Field_density_3> field = fields.make_density(sites, [&vertices](int v) { return vertices[v]; });
-    unit = field->unit_density();
-    quadrature = make_density_quadrature_3(choice, *field);
-    density = std::move(field);
-  }
-  const auto moments = [&](const std::array<int, 4>& v)
-  {
-    // Nothing need be kept of one cell for the next.
-    if(quadrature)
-      return quadrature->moments(0, v.data(), sites.data());
-    std::array<double, 4> rho = {{ 1, 1, 1, 1 }};
-    for(int i = 0; density && i < 4; ++i)
-      rho[i] = density->in_volume(v[i], sites[v[i]]);
-    return linear_density_moments(rho);
-  };
-  double energy = 0;
+  std::vector<Cell_vertices> cells;
   for(auto c = c3t3.cells_in_complex_begin(); c != c3t3.cells_in_complex_end(); ++c)
+    cells.push_back({{ numbers[c->vertex(0)], numbers[c->vertex(1)], numbers[c->vertex(2)], numbers[c->vertex(3)] }});
+
+  const auto sum = [&](const auto& moments)
   {
-    std::array<int, 4> v;
-    for(int i = 0; i < 4; ++i)
-      v[i] = numbers[c->vertex(i)];
-    const Site &s0 = sites[v[0]], &s1 = sites[v[1]], &s2 = sites[v[2]], &s3 = sites[v[3]];
-    energy += odt_energy(Cell_products(s0, s1, s2, s3), s0, s1, s2, s3, moments(v)).energy;
-  }
-  return unit * energy;
+    double energy = 0;
+    for(const Cell_vertices& v : cells)
+      energy += cell_energy(sites, v, moments(v));
+    return energy;
+  };
+  if(!fields)
+    return sum([](const Cell_vertices&) { return linear_density_moments({{ 1, 1, 1, 1 }}); });
+  const std::unique_ptr<Field_density_3> density
+    = fields.make_density(sites, [&vertices](int v) { return vertices[v]; });
+  const double unit = density->unit_density();
+  if(const auto* cubature = std::get_if<Adaptive_cubature_3>(&choice))
+    return unit * reference_energy(sites, cells, *density, *cubature);
+  if(const std::unique_ptr<Density_quadrature_3> quadrature = make_density_quadrature_3(choice, *density))
+    return unit * sum([&](const Cell_vertices& v) { return quadrature->moments(0, v.data(), sites.data()); });
+  std::vector<double> rho;
+  for(std::size_t v = 0; v < sites.size(); ++v)
+    rho.push_back(density->in_volume(static_cast<int>(v), sites[v]));
+  return unit * sum([&](const Cell_vertices& v)
+                    { return linear_density_moments({{ rho[v[0]], rho[v[1]], rho[v[2]], rho[v[3]] }}); });
 }
 
 } // namespace internal

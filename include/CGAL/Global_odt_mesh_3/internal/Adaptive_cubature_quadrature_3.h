@@ -51,6 +51,8 @@ public:
           }
   }
 
+  void set_tolerance(double tolerance) { tolerance_ = tolerance; }
+
   Density_moments_3 moments(int, const int* vertices, const Site* sites) override
   {
     const Density_samples_3 samples(density_, vertices, sites);
