@@ -11,7 +11,7 @@
 // The cube has 18,083 vertices, of which 3,752 are a grid on its surface that
 // stays.
 
-#include "random_cube.h"
+#include "random_points.h"
 
 #include <CGAL/Global_odt_mesh_3/internal/Averaging_iteration.h>
 #include <CGAL/Global_odt_mesh_3/internal/Limited_memory_bfgs.h>

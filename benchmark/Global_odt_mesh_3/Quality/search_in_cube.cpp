@@ -16,19 +16,17 @@
 // Energies are relative to the mean of those that the AVV iteration reaches over all seeds.
 
 #include "cpu_seconds.h"
-#include "random_cube.h"
+#include "flat_mesh_outcome.h"
+#include "random_points.h"
 
 #include <CGAL/Global_odt_mesh_3/internal/Averaging_iteration.h>
 #include <CGAL/Global_odt_mesh_3/internal/Cell_order.h>
-#include <CGAL/Global_odt_mesh_3/internal/Cell_shape_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/Limited_memory_bfgs.h>
 #include <CGAL/Global_odt_mesh_3/internal/Metropolis_annealing.h>
 #include <CGAL/Global_odt_mesh_3/internal/Momentum_annealing.h>
 #include <CGAL/Global_odt_mesh_3/internal/Odt_objective_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/Sliver_removal_3.h>
 
-#include <algorithm>
-#include <array>
 #include <cstddef>
 #include <cstdio>
 #include <cstdlib>
@@ -40,35 +38,6 @@ using namespace CGAL::Global_odt_mesh_3::internal;
 
 static const std::size_t vertices_of_paper = 18083;
 static const int steps_of_search = 200;
-static const std::array<double, 4> angles_counted = {{ 10, 13, 15, 20 }};
-
-struct Outcome
-{
-  double energy, time, mean_radius_ratio = 0, smallest_angle = 180, largest_angle = 0;
-  std::array<int, 4> cells_below = {{ 0, 0, 0, 0 }};
-};
-
-static Outcome outcome(const Moving_triangulation_3& mesh, double time)
-{
-  Outcome o;
-  o.energy = mesh.energy();
-  o.time = time;
-  const int* const vertices = mesh.topology.cell_vertices();
-  for(int c = 0; c < mesh.topology.number_of_cell_slots(); ++c)
-  {
-    if(!mesh.topology.is_alive(c))
-      continue;
-    const int* const v = vertices + 4 * c;
-    const Cell_shape_3 shape(mesh.sites[v[0]], mesh.sites[v[1]], mesh.sites[v[2]], mesh.sites[v[3]]);
-    const auto angles = std::minmax_element(shape.angles.begin(), shape.angles.end());
-    o.mean_radius_ratio += shape.radius_ratio / mesh.topology.number_of_cells();
-    o.smallest_angle = (std::min)(o.smallest_angle, *angles.first);
-    o.largest_angle = (std::max)(o.largest_angle, *angles.second);
-    for(std::size_t n = 0; n < angles_counted.size(); ++n)
-      o.cells_below[n] += *angles.first < angles_counted[n];
-  }
-  return o;
-}
 
 // Runs a method on the mesh and keeps the cells in memory order.
 class Runner

@@ -3,8 +3,8 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef GLOBAL_ODT_MESH_3_BENCHMARK_RANDOM_CUBE_H
-#define GLOBAL_ODT_MESH_3_BENCHMARK_RANDOM_CUBE_H
+#ifndef GLOBAL_ODT_MESH_3_BENCHMARK_RANDOM_POINTS_H
+#define GLOBAL_ODT_MESH_3_BENCHMARK_RANDOM_POINTS_H
 
 #include <CGAL/Global_odt_mesh_3/internal/Load_triangulation_3.h>
 
@@ -21,11 +21,11 @@
 // facets, or rows shifted by half a step, which give nearly equilateral ones.
 enum class Cube_surface { SQUARES, SHIFTED_ROWS };
 
-typedef std::array<double, 3> Cube_point;
+typedef std::array<double, 3> Coordinates;
 
-inline std::vector<Cube_point> squares_on_cube(int grid)
+inline std::vector<Coordinates> squares_on_cube(int grid)
 {
-  std::vector<Cube_point> points;
+  std::vector<Coordinates> points;
   for(int i = 0; i <= grid; ++i)
     for(int j = 0; j <= grid; ++j)
       for(int k = 0; k <= grid; ++k)
@@ -34,14 +34,14 @@ inline std::vector<Cube_point> squares_on_cube(int grid)
   return points;
 }
 
-inline std::vector<Cube_point> shifted_rows_on_cube(int grid)
+inline std::vector<Coordinates> shifted_rows_on_cube(int grid)
 {
-  std::vector<Cube_point> points;
+  std::vector<Coordinates> points;
   for(int axis = 0; axis < 3; ++axis)
   {
     const auto add = [&](double x, double y, double z)
     {
-      Cube_point p;
+      Coordinates p;
       p[axis] = x;
       p[(axis + 1) % 3] = y;
       p[(axis + 2) % 3] = z;
@@ -62,15 +62,41 @@ inline std::vector<Cube_point> shifted_rows_on_cube(int grid)
   return points;
 }
 
+// The Delaunay triangulation of points, of which those on the convex hull stay.
+inline CGAL::Global_odt_mesh_3::internal::Moving_triangulation_3 triangulate(const std::vector<Coordinates>& points)
+{
+  typedef CGAL::Exact_predicates_inexact_constructions_kernel Kernel;
+  typedef CGAL::Regular_triangulation_3<Kernel> Regular;
+  std::vector<Regular::Weighted_point> weighted;
+  for(const Coordinates& p : points)
+    weighted.emplace_back(Kernel::Point_3(p[0], p[1], p[2]), 0);
+  const Regular tr(weighted.begin(), weighted.end());
+  return CGAL::Global_odt_mesh_3::internal::load_triangulation_3(tr);
+}
+
+// Adds points of the cube [-1, 1]^3 with probability `density`, which is one at most, until there are so many.
+template <class Density>
+void add_random_points(unsigned int seed, std::size_t number, const Density& density, std::vector<Coordinates>& points)
+{
+  std::mt19937 random(seed);
+  std::uniform_real_distribution<double> u(-1, 1), probability(0, 1);
+  while(points.size() < number)
+  {
+    Coordinates p;
+    for(double& x : p)
+      x = u(random);
+    if(probability(random) < density(p))
+      points.push_back(p);
+  }
+}
+
 // The unit cube with this number of vertices, random in the interior. With 18,083 vertices,
 // there are 3,752 on a surface of squares, 3,782 on one of shifted rows.
 inline CGAL::Global_odt_mesh_3::internal::Moving_triangulation_3
 random_cube(unsigned int seed, std::size_t number_of_vertices = 18083, Cube_surface surface = Cube_surface::SQUARES)
 {
-  typedef CGAL::Exact_predicates_inexact_constructions_kernel Kernel;
-  typedef CGAL::Regular_triangulation_3<Kernel> Regular;
   const double growth = std::cbrt(static_cast<double>(number_of_vertices) / 18083);
-  std::vector<Cube_point> points = surface == Cube_surface::SQUARES
+  std::vector<Coordinates> points = surface == Cube_surface::SQUARES
                                    ? squares_on_cube(static_cast<int>(std::lround(25 * growth)))
                                    : shifted_rows_on_cube(static_cast<int>(std::lround(23 * growth)));
   std::mt19937 random(seed);
@@ -80,11 +106,7 @@ random_cube(unsigned int seed, std::size_t number_of_vertices = 18083, Cube_surf
     const double x = u(random), y = u(random), z = u(random);
     points.push_back({{ x, y, z }});
   }
-  std::vector<Regular::Weighted_point> weighted;
-  for(const Cube_point& p : points)
-    weighted.emplace_back(Kernel::Point_3(p[0], p[1], p[2]), 0);
-  const Regular tr(weighted.begin(), weighted.end());
-  return CGAL::Global_odt_mesh_3::internal::load_triangulation_3(tr);
+  return triangulate(points);
 }
 
-#endif // GLOBAL_ODT_MESH_3_BENCHMARK_RANDOM_CUBE_H
+#endif // GLOBAL_ODT_MESH_3_BENCHMARK_RANDOM_POINTS_H

@@ -1,0 +1,139 @@
+// Copyright (c) 2026 The Global_odt_mesh_3 authors.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+// How closely the cells follow the sizes that are wanted, beside what CGAL's odt does with the same meshes, in one run
+// and in process CPU time: a sphere graded 5:1, and an elephant graded 20:1 by its local feature size. Of each
+// result it is checked that what is promised of the complex is kept.
+//
+//   follow_sizes [number of seeds, default 3]
+//
+// The ratios are those of the mean edge length around a vertex to the size wanted there. Environment: CGAL_DATA_DIR, the
+// directory of CGAL's data.
+
+#include "benchmark_inputs.h"
+#include "cpu_seconds.h"
+#include "mesh_contract.h"
+
+#include <CGAL/Local_feature_size_field_3.h>
+#include <CGAL/Mesh_quality_report_3.h>
+#include <CGAL/odt_optimize_mesh_3.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <cstdlib>
+#include <limits>
+#include <map>
+#include <string>
+#include <vector>
+
+using namespace inputs;
+
+struct Fit
+{
+  double deviation;     // of the logarithms of the ratios
+  double slope;         // of the logarithm of the edge length over that of the size wanted
+  double spread;        // of the mean edge lengths, the largest over the smallest
+};
+
+template <class C3t3, class Size>
+Fit fit(const C3t3& c3t3, const Size& size)
+{
+  typedef typename C3t3::Vertex_handle Vertex_handle;
+  std::map<Vertex_handle, std::map<Vertex_handle, double> > lengths;
+  for(auto c = c3t3.cells_in_complex_begin(); c != c3t3.cells_in_complex_end(); ++c)
+    for(int i = 0; i < 4; ++i)
+      for(int j = 0; j < 4; ++j)
+        if(i != j)
+          lengths[c->vertex(i)][c->vertex(j)]
+            = std::sqrt(CGAL::squared_distance(c->vertex(i)->point().point(), c->vertex(j)->point().point()));
+  double x = 0, y = 0, xx = 0, xy = 0, yy = 0, smallest = (std::numeric_limits<double>::max)(), largest = 0;
+  for(const auto& v : lengths)
+  {
+    double mean = 0;
+    for(const auto& e : v.second)
+      mean += e.second / double(v.second.size());
+    smallest = (std::min)(smallest, mean);
+    largest = (std::max)(largest, mean);
+    const double wanted = std::log(size(v.first->point().point(), v.first->in_dimension(), v.first->index()));
+    const double realized = std::log(mean), weight = 1. / double(lengths.size());
+    x += weight * wanted;
+    y += weight * realized;
+    xx += weight * wanted * wanted;
+    xy += weight * wanted * realized;
+    yy += weight * realized * realized;
+  }
+  return { std::sqrt(xx - 2 * xy + yy - (x - y) * (x - y)), (xy - x * y) / (xx - x * x), largest / smallest };
+}
+
+template <class C3t3, class Size>
+void print(const std::string& what, const C3t3& c3t3, const Size& size, double time, double reference)
+{
+  const CGAL::Mesh_quality_report_3 r = CGAL::mesh_quality_report_3(c3t3, { 10, 15, 20 });
+  const Fit f = fit(c3t3, size);
+  std::printf("  %-22s %.4f  %6.2f - %6.2f  %4zu %4zu %5zu   %.4f  %6.3f  %5.1f  %7.2f s  %5.2f\n", what.c_str(),
+              r.mean_radius_ratio, r.smallest_angle, r.largest_angle, r.cells_below[0].second, r.cells_below[1].second,
+              r.cells_below[2].second, f.deviation, f.slope, f.spread, time, time / reference);
+  std::fflush(stdout);
+}
+
+template <class C3t3, class Domain, class Size>
+void compare(const char* name, const C3t3& input, const Domain& domain, const Size& size, unsigned int seeds, double tolerance)
+{
+  typedef CGAL::Mesh_3::Mesh_sizing_field<typename C3t3::Triangulation> Sizing;
+  typedef CGAL::Mesh_3::Odt_move<C3t3, Sizing> Move;
+  std::printf("\n%s: %zu vertices\n  %-22s %-7s %-16s %4s %4s %5s   %-7s %6s  %6s %9s  %s\n", name,
+              std::size_t(input.triangulation().number_of_vertices()), "", "3r/R", "dihedral", "<10", "<15", "<20", "std log",
+              "slope", "spread", "CPU", "over CGAL's odt");
+  print("input", input, size, 0, 1);
+  double reference = 1;
+  {
+    C3t3 c3t3(input);
+    CGAL::Mesh_3::Mesh_global_optimizer<C3t3, Domain, Move> optimizer(c3t3, domain, 0.01, true, 0.02);
+    reference = seconds([&] { optimizer(1000); });
+    print("CGAL's odt", c3t3, size, reference, reference);
+  }
+  const auto optimize = [&](const char* what, unsigned int seed, const auto&... parameters)
+  {
+    C3t3 c3t3(input);
+    const double time = seconds([&] { CGAL::odt_optimize_mesh_3(c3t3, domain, params::random_seed(seed), parameters...); });
+    print(std::string(what) + ", seed " + std::to_string(seed), c3t3, size, time, reference);
+    Mesh_contract<C3t3, Domain>(input, domain, std::string(name) + ", " + what).check_moved(c3t3, 0.02, 0.01, tolerance);
+  };
+  for(unsigned int seed = 1; seed <= seeds; ++seed)
+    optimize("default", seed);
+  for(unsigned int seed = 1; seed <= seeds; ++seed)
+    optimize("sizing_field", seed, params::sizing_field = size);
+}
+
+int main(int argc, char* argv[])
+{
+  const unsigned int seeds = argc > 1 ? std::atoi(argv[1]) : 3;
+  {
+    const Labeled_domain domain = sphere_domain();
+    const double smallest = 0.0392;
+    compare("graded sphere", graded_sphere(domain, smallest), domain, Graded_sphere_size{ smallest }, seeds, 4e-3);
+  }
+  {
+    typedef CGAL::Mesh_criteria_3<Polyhedral_triangulation> Criteria;
+    const Polyhedron elephant = read_polyhedron(CGAL::data_file_path("meshes/elephant.off"));
+    const Polyhedral_domain domain(elephant);
+    const CGAL::Bbox_3 b = domain.bbox();
+    const double diagonal = std::hypot(b.x_span(), b.y_span(), b.z_span());
+    CGAL::Local_feature_size_parameters_3 parameters;
+    parameters.size_factor = 0.4;
+    parameters.gradation = 0.45;
+    parameters.sample_spacing = 0.005 * diagonal;
+    parameters.smallest_size = 0.002 * diagonal;
+    parameters.largest_size = 20 * parameters.smallest_size;
+    const CGAL::Local_feature_size_field_3<Polyhedral_domain> size(domain, parameters);
+    const Criteria criteria(params::facet_angle = 25, params::facet_size = size,
+                            params::facet_distance = 0.002 * diagonal, params::cell_radius_edge_ratio = 2,
+                            params::cell_size = size);
+    compare("elephant", CGAL::make_mesh_3<Polyhedral_c3t3>(domain, criteria, params::no_exude(), params::no_perturb(),
+                                                           params::no_features()), domain, size, seeds, 4e-3);
+  }
+  return check::result();
+}

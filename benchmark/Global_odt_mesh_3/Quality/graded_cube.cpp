@@ -1,0 +1,130 @@
+// Copyright (c) 2026 The Global_odt_mesh_3 authors.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+// Figure 8 of the paper: a cube with the density exp(-20 x^2) + 0.05 sin^2(pi x) sin^2(pi y) sin^2(pi z), 4,000 vertices.
+// How low the true energy gets by the averaging iteration (AVV), by L-BFGS with different quadratures, and by the
+// global search; and whether it rises on the way. Energies are relative to the lowest that AVV comes across.
+//
+//   graded_cube [number of seeds, default 3 [number of vertices, default 4000 [steps of search, default 400]]]
+//
+// Interior vertices are random with the density as probability. On the surface, where the density is next to nothing, there
+// are 266; more make every energy higher.
+
+#include "flat_mesh_outcome.h"
+#include "graded_runs.h"
+#include "random_points.h"
+
+#include <CGAL/Density_quadratures_3.h>
+#include <CGAL/Global_odt_mesh_3/internal/Averaging_iteration.h>
+#include <CGAL/Global_odt_mesh_3/internal/Limited_memory_bfgs.h>
+#include <CGAL/Global_odt_mesh_3/internal/Momentum_annealing.h>
+#include <CGAL/Global_odt_mesh_3/internal/Sliver_removal_3.h>
+
+#include <cmath>
+#include <cstddef>
+#include <cstdio>
+#include <cstdlib>
+#include <string>
+#include <vector>
+
+using namespace CGAL::Global_odt_mesh_3::internal;
+
+static const double tolerance_of_trace = 1e-4, tolerance_of_result = 1e-8;
+static const double smallest_gradient = 1e-8;
+
+static double density_of_figure_8(double x, double y, double z)
+{
+  const auto wave = [](double t) { const double s = std::sin(3.14159265358979324 * t); return s * s; };
+  return std::exp(-20 * (x * x + y * y + z * z)) + 0.05 * wave(x) * wave(y) * wave(z);
+}
+
+struct Rule
+{
+  const char* name;
+  Quadrature_choice choice;
+  double energy_tolerance;      // of the line search, as odt_optimize_mesh_3() has it
+};
+
+static Limited_memory_bfgs_parameters minimizer_parameters(const Rule& rule)
+{
+  Limited_memory_bfgs_parameters p;
+  p.memory = 15;
+  p.energy_tolerance = rule.energy_tolerance;
+  return p;
+}
+
+static void print(unsigned int seed, const std::string& method, double energy, double reference, const Outcome& o,
+                  int iterations, double gradient)
+{
+  std::printf("%4u  %-26s %+8.3f %6d %9.1e %7.2f %7.4f  %5.1f - %5.1f %4d %4d", seed, method.c_str(),
+              100 * (energy / reference - 1), iterations, gradient, o.time, o.mean_radius_ratio, o.smallest_angle,
+              o.largest_angle, o.cells_below[0], o.cells_below[2]);
+  std::fflush(stdout);
+}
+
+int main(int argc, char* argv[])
+{
+  const unsigned int seeds = argc > 1 ? std::atoi(argv[1]) : 3;
+  const std::size_t vertices = argc > 2 ? std::atoi(argv[2]) : 4000;
+  const int steps = argc > 3 ? std::atoi(argv[3]) : 400;
+  const std::vector<Rule> rules = { { "linear", CGAL::Linear_density_rule_3(), 1e-3 },
+                                    { "4 points", CGAL::Four_point_rule_3(), 1e-3 },
+                                    { "15 points", CGAL::Fifteen_point_rule_3(), 1e-9 },
+                                    { "cubature", CGAL::Adaptive_cubature_3{ 1e-4 }, 1e-9 } };
+  Function_density_3 density([](const Site& s) { return density_of_figure_8(s.x, s.y, s.z); });
+  std::printf("seed  %-26s %8s %6s %9s %7s %7s  %-13s %4s %4s  %s\n", "method", "E %", "its", "gradient", "CPU s", "3r/R",
+              "angles", "<10", "<15", "rises of E, largest");
+  for(unsigned int seed = 1; seed <= seeds; ++seed)
+  {
+    std::vector<Coordinates> points = shifted_rows_on_cube(6);
+    for(Coordinates& p : points)
+      for(double& x : p)
+        x = 2 * x - 1;
+    add_random_points(seed, vertices, [](const Coordinates& p) { return density_of_figure_8(p[0], p[1], p[2]); }, points);
+    const Moving_triangulation_3 cube = triangulate(points);
+    double reference = 0;
+    {
+      Graded_run run(cube, density, nullptr);
+      Averaging_iteration averaging;
+      Energy_trace trace;
+      run.repeat(500, [&](int) { return averaging.iterate(run.objective()); },
+                 [&] { trace.add(true_energy(run.mesh(), density, tolerance_of_trace)); });
+      reference = trace.lowest();
+      print(seed, "AVV", trace.last(), reference, outcome(run.mesh(), run.time()), run.iterations(),
+            run.objective().gradient().norm());
+      std::printf("  %d, %.1e\n", trace.rises(), trace.largest_rise());
+    }
+    for(const Rule& rule : rules)
+    {
+      Graded_run run(cube, density, make_density_quadrature_3(rule.choice, density));
+      Limited_memory_bfgs minimizer(minimizer_parameters(rule));
+      Energy_trace trace;
+      run.repeat(1000, [&](int)
+      {
+        return run.objective().gradient().norm() > smallest_gradient
+               && minimizer.iterate(run.objective()) == Limited_memory_bfgs::STEP_TAKEN;
+      }, [&] { trace.add(true_energy(run.mesh(), density, tolerance_of_trace)); });
+      print(seed, std::string("L-BFGS, ") + rule.name, true_energy(run.mesh(), density, tolerance_of_result), reference,
+            outcome(run.mesh(), run.time()), run.iterations(), run.objective().gradient().norm());
+      std::printf("  %d, %.1e\n", trace.rises(), trace.largest_rise());
+    }
+    for(std::size_t n = 0; n < 2; ++n)
+    {
+      const Rule& rule = rules[n];
+      Graded_run run(cube, density, make_density_quadrature_3(rule.choice, density));
+      Momentum_annealing annealing(seed);
+      annealing.start(run.objective());
+      run.repeat(steps, [&](int step) { annealing.iterate(run.objective(), double(step) / steps); return true; });
+      Limited_memory_bfgs minimizer(minimizer_parameters(rule));
+      run.repeat(40, [&](int) { return minimizer.iterate(run.objective()) == Limited_memory_bfgs::STEP_TAKEN; });
+      const double time = run.time() + seconds([&] { Sliver_removal_3(run.mesh(), 20, seed).run(); });
+      run.mesh().evaluate();
+      print(seed, std::string("search, slivers, ") + rule.name, true_energy(run.mesh(), density, tolerance_of_result),
+            reference, outcome(run.mesh(), time), run.iterations(), run.objective().gradient().norm());
+      std::printf("\n");
+    }
+  }
+  return EXIT_SUCCESS;
+}

@@ -1,0 +1,139 @@
+// Copyright (c) 2026 The Global_odt_mesh_3 authors.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef GLOBAL_ODT_MESH_3_BENCHMARK_GRADED_RUNS_H
+#define GLOBAL_ODT_MESH_3_BENCHMARK_GRADED_RUNS_H
+
+#include "cpu_seconds.h"
+
+#include <CGAL/Global_odt_mesh_3/internal/Cell_order.h>
+#include <CGAL/Global_odt_mesh_3/internal/Density_3.h>
+#include <CGAL/Global_odt_mesh_3/internal/Make_density_quadrature_3.h>
+#include <CGAL/Global_odt_mesh_3/internal/Moving_triangulation_3.h>
+#include <CGAL/Global_odt_mesh_3/internal/Odt_objective_3.h>
+#include <CGAL/Global_odt_mesh_3/internal/Reference_energy_3.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <functional>
+#include <limits>
+#include <memory>
+#include <utility>
+#include <vector>
+
+// A density that is a function of the place alone.
+class Function_density_3
+  : public CGAL::Global_odt_mesh_3::internal::Density_3
+{
+public:
+  typedef CGAL::Global_odt_mesh_3::internal::Site Site;
+
+  explicit Function_density_3(std::function<double(const Site&)> function) : function_(std::move(function)) {}
+
+  bool is_uniform() const override { return false; }
+  double in_volume(int, const Site& s) override { return function_(s); }
+  double on_surface(int, const Site& s) override { return function_(s); }
+
+private:
+  std::function<double(const Site&)> function_;
+};
+
+// The energy (2.5) of a mesh, whatever the mesh believes.
+inline double true_energy(const CGAL::Global_odt_mesh_3::internal::Moving_triangulation_3& mesh,
+                          CGAL::Global_odt_mesh_3::internal::Density_3& density, double tolerance)
+{
+  std::vector<CGAL::Global_odt_mesh_3::internal::Cell_vertices> cells;
+  for(int c = 0; c < mesh.topology.number_of_cell_slots(); ++c)
+    if(mesh.topology.is_alive(c))
+      cells.push_back({{ mesh.topology.vertex(4 * c), mesh.topology.vertex(4 * c + 1), mesh.topology.vertex(4 * c + 2),
+                         mesh.topology.vertex(4 * c + 3) }});
+  return reference_energy(mesh.sites, cells, density, CGAL::Adaptive_cubature_3{ tolerance });
+}
+
+// A mesh with its density integrated by a quadrature, or linearly interpolated without one.
+class Graded_run
+{
+public:
+  typedef CGAL::Global_odt_mesh_3::internal::Moving_triangulation_3 Mesh;
+  typedef CGAL::Global_odt_mesh_3::internal::Odt_objective_3 Objective;
+  typedef CGAL::Global_odt_mesh_3::internal::Density_quadrature_3 Quadrature;
+
+  Graded_run(const Mesh& mesh, CGAL::Global_odt_mesh_3::internal::Density_3& density, std::unique_ptr<Quadrature> quadrature)
+    : mesh_(mesh)
+    , quadrature_(std::move(quadrature))
+    , order_(mesh_)
+  {
+    mesh_.quadrature = quadrature_.get();
+    Objective::Density at_vertices;
+    if(quadrature_ == nullptr)
+    {
+      at_vertices = [&density](int v, const CGAL::Global_odt_mesh_3::internal::Site& s) { return density.in_volume(v, s); };
+      for(std::size_t v = 0; v < mesh_.sites.size(); ++v)
+        mesh_.density.push_back(at_vertices(static_cast<int>(v), mesh_.sites[v]));
+    }
+    objective_ = std::make_unique<Objective>(mesh_, at_vertices);
+  }
+
+  Graded_run(const Graded_run&) = delete;
+
+  Mesh& mesh() { return mesh_; }
+  Objective& objective() { return *objective_; }
+  double time() const { return time_; }
+  int iterations() const { return iterations_; }
+
+  // `iterate()`, which says whether it has moved anything, at most so often; `after()` is not timed.
+  template <class Iterate, class After>
+  void repeat(int times, const Iterate& iterate, const After& after)
+  {
+    for(int n = 0; n < times; ++n)
+    {
+      bool moved = false;
+      time_ += seconds([&] { moved = iterate(n); order_.maintain(mesh_); });
+      if(!moved)
+        break;
+      ++iterations_;
+      after();
+    }
+    objective_->start();
+  }
+
+  template <class Iterate>
+  void repeat(int times, const Iterate& iterate) { repeat(times, iterate, [] {}); }
+
+private:
+  Mesh mesh_;
+  std::unique_ptr<Quadrature> quadrature_;
+  CGAL::Global_odt_mesh_3::internal::Cell_order order_;
+  std::unique_ptr<Objective> objective_;
+  double time_ = 0;
+  int iterations_ = 0;
+};
+
+// What becomes of the true energy from one iteration to the next.
+class Energy_trace
+{
+public:
+  void add(double energy)
+  {
+    if(energy > last_)
+    {
+      ++rises_;
+      largest_rise_ = (std::max)(largest_rise_, energy / last_ - 1);
+    }
+    last_ = energy;
+    lowest_ = (std::min)(lowest_, energy);
+  }
+
+  double last() const { return last_; }
+  double lowest() const { return lowest_; }
+  int rises() const { return rises_; }
+  double largest_rise() const { return largest_rise_; }   // relatively
+
+private:
+  double last_ = (std::numeric_limits<double>::max)(), lowest_ = last_, largest_rise_ = 0;
+  int rises_ = 0;
+};
+
+#endif // GLOBAL_ODT_MESH_3_BENCHMARK_GRADED_RUNS_H
