@@ -162,17 +162,28 @@ version of %CGAL in use knows: `parameters::time_limit = 10, parameters::do_free
   \cgalParamNBegin{sizing_field}
     \cgalParamDescription{the size \f$ \mu \f$ of the cells, which goes into the densities \f$ 1/\mu^5 \f$ of the volume and
                           \f$ 1/\mu^4 \f$ of surfaces. It is asked at vertices, with their dimension and index, on the way also near the surface
-                          outside of the domain, and never from two threads at once. It is copied; pass `std::cref(field)`
+                          outside of the domain, and never from two threads at once. A `quadrature` also asks it inside of cells, with
+                          dimension and index of the vertex of the highest dimension. It is copied; pass `std::cref(field)`
                           to avoid that.}
-    \cgalParamType{a model of `MeshDomainField_3`, such as the `cell_size` of the criteria with which the mesh was made, or a number}
+    \cgalParamType{a model of `MeshDomainField_3`, such as the `cell_size` of the criteria with which the mesh was made,
+                   `CGAL::Local_feature_size_field_3` or `CGAL::Spline_grid_field_3`, or a number}
     \cgalParamPrecondition{all sizes are positive and finite; not together with `density`}
     \cgalParamDefault{the sizes of the input's cells}
   \cgalParamNEnd
   \cgalParamNBegin{density}
     \cgalParamDescription{the density \f$ \rho \f$ of the volume; that of surfaces is \f$ \rho^{4/5} \f$. It is asked and copied like `sizing_field`.}
-    \cgalParamType{a model of `FT(Point_3)`}
-    \cgalParamPrecondition{all densities are positive and finite; not together with `sizing_field`}
+    \cgalParamType{a model of `FT(Point_3)`, such as `CGAL::Spline_grid_field_3`, or `CGAL::Quadratic_density_3`}
+    \cgalParamPrecondition{all densities are positive and finite, though a `CGAL::Quadratic_density_3` may be zero at points; not together with
+                           `sizing_field`}
     \cgalParamDefault{that of the input's cells}
+  \cgalParamNEnd
+  \cgalParamNBegin{quadrature}
+    \cgalParamDescription{how the density is integrated over cells in energy and gradient (equations (2.5) and (3.1) of the paper). Where
+                          a density varies much within a cell, more points lead to a lower energy. It is not asked again in cells
+                          whose vertices have not moved.}
+    \cgalParamType{`CGAL::Linear_density_rule_3`, `CGAL::Four_point_rule_3`, `CGAL::Fifteen_point_rule_3` or `CGAL::Adaptive_cubature_3`}
+    \cgalParamPrecondition{that of its members}
+    \cgalParamDefault{`CGAL::Linear_density_rule_3()`; exact integrals if `density` is a `CGAL::Quadratic_density_3`}
   \cgalParamNEnd
   \cgalParamNBegin{annealing_schedule}
     \cgalParamDescription{the way of the global search, with its constants.}

@@ -11,7 +11,9 @@
 #include "mesh_domains.h"
 
 #include <CGAL/Annealing_schedules_3.h>
+#include <CGAL/Density_quadratures_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/Cell_shape_3.h>
+#include <CGAL/Quadratic_density_3.h>
 #include <CGAL/Real_timer.h>
 #include <CGAL/odt_optimize_mesh_3.h>
 #include <CGAL/refine_mesh_3.h>
@@ -23,6 +25,7 @@
 #include <functional>
 #include <iostream>
 #include <limits>
+#include <set>
 #include <stdexcept>
 #include <string>
 #include <vector>
@@ -149,6 +152,21 @@ static void bad_parameters(const Labeled_c3t3& input, const Labeled_domain& doma
   }
   refuses("density", [&] { CGAL::odt_optimize_mesh_3(c3t3, domain, params::sizing_field = 1., params::density(
     [](const Point_3&) { return 1.; })); });
+  // Negative in one half, or everywhere zero.
+  typedef CGAL::Quadratic_density_3<domains::Kernel> Quadratic_density;
+  for(double slope : { 1., 0. })
+    refuses("density", [&] { CGAL::odt_optimize_mesh_3(c3t3, domain, params::density(
+      Quadratic_density({{ 0, 0, 0, 0, 0, 0 }}, domains::Kernel::Vector_3(slope, 0, 0)))); });
+  // In cells, when it is good at vertices.
+  std::set<std::array<double, 3> > places;
+  for(auto v = c3t3.triangulation().finite_vertices_begin(); v != c3t3.triangulation().finite_vertices_end(); ++v)
+    places.insert({{ v->point().x(), v->point().y(), v->point().z() }});
+  const auto bad_in_cells = [&](const Point_3& p) { return places.count({{ p.x(), p.y(), p.z() }}) != 0 ? 1. : -1.; };
+  refuses("density", [&] { CGAL::odt_optimize_mesh_3(c3t3, domain, params::density(bad_in_cells),
+                                                     params::quadrature = CGAL::Four_point_rule_3()); });
+  for(double bad : { 0., -1., nan })
+    refuses("tolerance", [&] { CGAL::odt_optimize_mesh_3(c3t3, domain, params::quadrature(CGAL::Adaptive_cubature_3{ bad })); });
+  refuses("most_regions", [&] { CGAL::odt_optimize_mesh_3(c3t3, domain, params::quadrature = CGAL::Adaptive_cubature_3{ 1e-3, 0 }); });
   const auto refuses_momentum = [&](const char* name, double CGAL::Momentum_annealing_schedule::* constant, double value)
   {
     CGAL::Momentum_annealing_schedule schedule;
@@ -478,23 +496,28 @@ static void throwing_fields(const Labeled_c3t3& input, const Labeled_domain& dom
 {
   const Contract contract(input, domain, "throwing fields");
   Labeled_c3t3 c3t3(input);
-  for(int n : { 0, 5000 })
+  const auto throws = [&](const auto& quadrature)
   {
-    int questions = 0;
-    bool thrown = false;
-    try
+    for(int n : { 0, 5000 })
     {
-      CGAL::odt_optimize_mesh_3(c3t3, domain, params::density([&](const Point_3& p) -> double
+      int questions = 0;
+      bool thrown = false;
+      try
       {
-        if(questions++ == n)
-          throw std::runtime_error("the density fails");
-        return 2 + p.z();
-      }));
+        CGAL::odt_optimize_mesh_3(c3t3, domain, params::quadrature = quadrature, params::density([&](const Point_3& p) -> double
+        {
+          if(questions++ == n)
+            throw std::runtime_error("the density fails");
+          return 2 + p.z();
+        }));
+      }
+      catch(const std::runtime_error&) { thrown = true; }
+      check::that(thrown, "the density did not throw");
+      contract.check_untouched(c3t3);
     }
-    catch(const std::runtime_error&) { thrown = true; }
-    check::that(thrown, "the density did not throw");
-    contract.check_untouched(c3t3);
-  }
+  };
+  throws(CGAL::Linear_density_rule_3());
+  throws(CGAL::Fifteen_point_rule_3());
 }
 
 struct Counting_visitor

@@ -9,6 +9,9 @@
 #include "mesh_contract.h"
 #include "mesh_domains.h"
 
+#include <CGAL/Density_quadratures_3.h>
+#include <CGAL/Quadratic_density_3.h>
+#include <CGAL/odt_energy_3.h>
 #include <CGAL/odt_optimize_mesh_3.h>
 
 #include <algorithm>
@@ -196,10 +199,10 @@ static void wanted_sizes(const domains::Labeled_domain& domain)
   const Labeled_c3t3 input = mesh(domain, 0.16);
   const Contract contract(input, domain, "wanted sizes");
   const Size_by_latitude size;
-  const auto optimized = [&](const auto& np)
+  const auto optimized = [&](const auto&... np)
   {
     Labeled_c3t3 c3t3(input);
-    CGAL::odt_optimize_mesh_3(c3t3, domain, np);
+    CGAL::odt_optimize_mesh_3(c3t3, domain, np...);
     contract.check_moved(c3t3, 0.05, 0.05, 0.02);
     return c3t3;
   };
@@ -215,6 +218,18 @@ static void wanted_sizes(const domains::Labeled_domain& domain)
   check::that(std::abs(after - by_density) < 0.05, "a density leads to other sizes than the sizes that it stands for");
   check::that(Contract::points(optimized(params::sizing_field = 0.3)) == Contract::points(usual),
               "a number leads elsewhere than a uniform mesh");
+
+  // Rules of more points lead to the same sizes, and polynomials, integrated exactly, to the energy of a rule that is exact for
+  // them. The search goes other ways each time.
+  const Labeled_c3t3 finer = optimized(params::quadrature = CGAL::Four_point_rule_3(), params::sizing_field = size);
+  check::that(std::abs(slope_of_sizes(finer, size) - after) < 0.1, "a rule of four points leads to other sizes");
+  const auto quadratic = CGAL::Quadratic_density_3<Kernel>::squared_distance(Point_3(0.3, 0, 0));
+  const double exact = CGAL::odt_energy_3(optimized(params::density(quadratic)), params::density(quadratic));
+  const double sampled = CGAL::odt_energy_3(optimized(params::quadrature(CGAL::Fifteen_point_rule_3()), params::density(quadratic)),
+                                            params::density(quadratic));
+  const double ignored = CGAL::odt_energy_3(usual, params::density(quadratic));
+  std::cout << "  energy for a quadratic density: uniform " << ignored << ", exact " << exact << ", 15 points " << sampled << std::endl;
+  check::that(exact < 0.95 * ignored && std::abs(exact / sampled - 1) < 0.01, "exact integrals lead elsewhere than good ones");
 
   // A field that is passed by reference is not copied.
   int questions = 0;

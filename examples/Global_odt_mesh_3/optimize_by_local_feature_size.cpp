@@ -1,0 +1,61 @@
+// Copyright (c) 2026 The Global_odt_mesh_3 authors.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+// The sizes are designed from the shape of the domain: fine where it is thin or bent, coarse inside. The same
+// field goes to the mesh generator and to the optimizer.
+//
+//   optimize_by_local_feature_size [surface.off]
+//
+// Without the elephant of CGAL's data package, and without a file, there is nothing to do.
+
+#include "optimize_and_report.h"
+
+#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+#include <CGAL/Local_feature_size_field_3.h>
+#include <CGAL/Mesh_complex_3_in_triangulation_3.h>
+#include <CGAL/Mesh_criteria_3.h>
+#include <CGAL/Mesh_polyhedron_3.h>
+#include <CGAL/Mesh_triangulation_3.h>
+#include <CGAL/Polyhedral_mesh_domain_3.h>
+#include <CGAL/boost/graph/helpers.h>
+#include <CGAL/make_mesh_3.h>
+
+#include <cstdlib>
+#include <fstream>
+#include <iostream>
+#include <string>
+
+typedef CGAL::Exact_predicates_inexact_constructions_kernel K;
+typedef CGAL::Mesh_polyhedron_3<K>::type Polyhedron;
+typedef CGAL::Polyhedral_mesh_domain_3<Polyhedron, K> Domain;
+typedef CGAL::Mesh_triangulation_3<Domain>::type Tr;
+typedef CGAL::Mesh_complex_3_in_triangulation_3<Tr> C3t3;
+typedef CGAL::Mesh_criteria_3<Tr> Criteria;
+namespace params = CGAL::parameters;
+
+int main(int argc, char* argv[])
+{
+  const std::string file = argc > 1 ? argv[1] : CGAL::data_file_path("meshes/elephant.off");
+  std::ifstream in(file);
+  Polyhedron polyhedron;
+  if(!in && argc <= 1)
+  {
+    std::cout << file << " is not there\n";
+    return EXIT_SUCCESS;
+  }
+  if(!(in >> polyhedron) || !CGAL::is_closed(polyhedron) || !CGAL::is_triangle_mesh(polyhedron))
+  {
+    std::cerr << file << " is not a closed surface of triangles in OFF\n";
+    return EXIT_FAILURE;
+  }
+  const Domain domain(polyhedron);
+  const CGAL::Local_feature_size_field_3<Domain> size(domain);
+  const Criteria criteria(params::facet_angle = 25, params::facet_size = size,
+                          params::facet_distance = size.parameters().smallest_size / 2,
+                          params::cell_radius_edge_ratio = 2, params::cell_size = size);
+  C3t3 c3t3 = CGAL::make_mesh_3<C3t3>(domain, criteria, params::no_perturb(), params::no_exude());
+  optimize_and_report(c3t3, domain, "by_local_feature_size", params::sizing_field = size);
+  return EXIT_SUCCESS;
+}
