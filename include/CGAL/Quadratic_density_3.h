@@ -39,9 +39,9 @@ public:
   typedef typename Kernel::Point_3 Point_3;     ///< point type
   typedef typename Kernel::Vector_3 Vector_3;   ///< vector type
 
-  /// the polynomial with the given `quadratic` coefficients, of xx, yy, zz, yz, zx and xy.
-  explicit Quadratic_density_3(const std::array<FT, 6>& quadratic, const Vector_3& linear = Vector_3(0, 0, 0),
-                               const FT& constant = FT(0), const Point_3& center = Point_3(CGAL::ORIGIN))
+  /// the polynomial \f$ a \f$ = `constant`, \f$ \mathbf b \f$ = `linear`, with the `quadratic` coefficients of xx, yy, zz, yz, zx and xy.
+  Quadratic_density_3(const FT& constant, const Vector_3& linear, const std::array<FT, 6>& quadratic,
+                      const Point_3& center = Point_3(CGAL::ORIGIN))
   {
     polynomial_.center = Global_odt_mesh_3::internal::coordinates(center);
     polynomial_.constant = to_double(constant);
@@ -53,7 +53,7 @@ public:
   /// the squared distance from `center`, as in Figure 9 of the paper.
   static Quadratic_density_3 squared_distance(const Point_3& center = Point_3(CGAL::ORIGIN))
   {
-    return Quadratic_density_3({{ 1, 1, 1, 0, 0, 0 }}, Vector_3(0, 0, 0), 0, center);
+    return Quadratic_density_3(0, Vector_3(0, 0, 0), {{ 1, 1, 1, 0, 0, 0 }}, center);
   }
 
   /// the density at a point.

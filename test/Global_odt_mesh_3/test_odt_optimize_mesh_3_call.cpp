@@ -156,7 +156,7 @@ static void bad_parameters(const Labeled_c3t3& input, const Labeled_domain& doma
   typedef CGAL::Quadratic_density_3<domains::Kernel> Quadratic_density;
   for(double slope : { 1., 0. })
     refuses("density", [&] { CGAL::odt_optimize_mesh_3(c3t3, domain, params::density(
-      Quadratic_density({{ 0, 0, 0, 0, 0, 0 }}, domains::Kernel::Vector_3(slope, 0, 0)))); });
+      Quadratic_density(0, domains::Kernel::Vector_3(slope, 0, 0), {{ 0, 0, 0, 0, 0, 0 }}))); });
   // In cells, when it is good at vertices.
   std::set<std::array<double, 3> > places;
   for(auto v = c3t3.triangulation().finite_vertices_begin(); v != c3t3.triangulation().finite_vertices_end(); ++v)

@@ -7,7 +7,7 @@
 // How low the true energy gets by the averaging iteration (AVV), by L-BFGS with different quadratures, and by the
 // global search; and whether it rises on the way. Energies are relative to the lowest that AVV comes across.
 //
-//   graded_cube [number of seeds, default 3 [number of vertices, default 4000 [steps of search, default 400]]]
+//   graded_cube [number of seeds, default 3 [number of vertices, default 4000 [steps of search, default 1200]]]
 //
 // Interior vertices are random with the density as probability. On the surface, where the density is next to nothing, there
 // are 266; more make every energy higher.
@@ -68,7 +68,7 @@ int main(int argc, char* argv[])
 {
   const unsigned int seeds = argc > 1 ? std::atoi(argv[1]) : 3;
   const std::size_t vertices = argc > 2 ? std::atoi(argv[2]) : 4000;
-  const int steps = argc > 3 ? std::atoi(argv[3]) : 400;
+  const int steps = argc > 3 ? std::atoi(argv[3]) : 1200;
   const std::vector<Rule> rules = { { "linear", CGAL::Linear_density_rule_3(), 1e-3 },
                                     { "4 points", CGAL::Four_point_rule_3(), 1e-3 },
                                     { "15 points", CGAL::Fifteen_point_rule_3(), 1e-9 },

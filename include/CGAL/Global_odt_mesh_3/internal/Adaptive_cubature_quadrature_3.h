@@ -10,6 +10,7 @@
 #include <CGAL/Global_odt_mesh_3/internal/Density_quadrature_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/Density_samples_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/Odt_energy_3.h>
+#include <CGAL/Global_odt_mesh_3/internal/Point_rule_quadrature_3.h>
 
 #include <algorithm>
 #include <array>
@@ -33,7 +34,8 @@ public:
   // The tolerance is that of the sum of all moments' errors, over the integral of the density. Regions are at
   // most so many a cell: a density that is not smooth gets no better then.
   Adaptive_cubature_quadrature_3(Density density, double tolerance, int most_regions)
-    : density_(std::move(density))
+    : density_(density)
+    , fifteen_points_(Point_rule_quadrature_3::fifteen_points(), std::move(density))
     , tolerance_(tolerance)
     , most_regions_(most_regions)
   {
@@ -53,7 +55,7 @@ public:
 
   void set_tolerance(double tolerance) { tolerance_ = tolerance; }
 
-  Density_moments_3 moments(int, const int* vertices, const Site* sites) override
+  Density_moments_3 moments(int cell, const int* vertices, const Site* sites) override
   {
     const Density_samples_3 samples(density_, vertices, sites);
     const auto is_better = [](const Region& a, const Region& b) { return a.error < b.error; };
@@ -81,7 +83,10 @@ public:
     for(const Region& r : regions_)
       for(std::size_t n = 0; n < sum.size(); ++n)
         sum[n] += r.integral[n];
-    return Density_samples_3::moments(sum);
+    const Density_moments_3 m = Density_samples_3::moments(sum);
+    // The rules have negative weights: too few regions may leave moments that no density has.
+    const bool is_positive = *std::min_element(m.first.begin(), m.first.end()) > 0;
+    return is_positive ? m : fifteen_points_.moments(cell, vertices, sites);
   }
 
 private:
@@ -208,6 +213,7 @@ private:
   }
 
   Density density_;
+  Point_rule_quadrature_3 fifteen_points_;
   double tolerance_;
   int most_regions_;
   std::vector<Point> points_;
