@@ -46,9 +46,11 @@ double odt_energy(const C3t3& c3t3, const User_fields_3<C3t3>& fields, Quadratur
   for(auto c = c3t3.cells_in_complex_begin(); c != c3t3.cells_in_complex_end(); ++c)
     for(int i = 0; i < 4; ++i)
       numbers[c->vertex(i)] = 0;
+  // The order of handles is left to chance.
   std::vector<Vertex_handle> vertices;
-  for(const auto& n : numbers)
-    vertices.push_back(n.first);
+  for(auto v = c3t3.triangulation().finite_vertices_begin(); v != c3t3.triangulation().finite_vertices_end(); ++v)
+    if(numbers.count(v) != 0)
+      vertices.push_back(v);
   std::stable_sort(vertices.begin(), vertices.end(), [](Vertex_handle u, Vertex_handle v)
                    { return u->in_dimension() > v->in_dimension(); });
   std::vector<Site> sites;

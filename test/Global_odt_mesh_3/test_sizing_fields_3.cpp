@@ -7,6 +7,7 @@
 
 #include "check.h"
 #include "mesh_domains.h"
+#include "realized_sizes.h"
 
 #include <CGAL/Local_feature_size_field_3.h>
 #include <CGAL/Spline_grid_field_3.h>
@@ -18,7 +19,6 @@
 #include <functional>
 #include <iostream>
 #include <limits>
-#include <map>
 #include <random>
 #include <string>
 #include <vector>
@@ -401,43 +401,6 @@ static void covariance(std::mt19937& random)
   }
 }
 
-// The mean length of edges at each vertex of the mesh over the wanted size there: their ratios, by size.
-struct Realized
-{
-  double spread = 0;   // the standard deviation of the logarithm
-  double slope = 0;    // of log length over log size; one if sizes are as wanted
-
-  template <class Field>
-  Realized(const Labeled_c3t3& c3t3, const Field& field)
-  {
-    std::map<Labeled_triangulation::Vertex_handle, std::array<double, 2> > edges;
-    for(auto c = c3t3.cells_in_complex_begin(); c != c3t3.cells_in_complex_end(); ++c)
-      for(int i = 0; i < 4; ++i)
-        for(int j = 0; j < 4; ++j)
-          if(i != j)
-          {
-            std::array<double, 2>& sum = edges[c->vertex(i)];
-            sum[0] += std::sqrt(CGAL::squared_distance(c->vertex(i)->point().point(), c->vertex(j)->point().point()));
-            ++sum[1];
-          }
-    double n = 0, x = 0, y = 0, xx = 0, xy = 0, d = 0, dd = 0;
-    for(const auto& e : edges)
-    {
-      const double lx = std::log(field(e.first->point().point(), 3, e.first->index()));
-      const double ly = std::log(e.second[0] / e.second[1]);
-      ++n;
-      x += lx;
-      y += ly;
-      xx += lx * lx;
-      xy += lx * ly;
-      d += ly - lx;
-      dd += (ly - lx) * (ly - lx);
-    }
-    slope = (n * xy - x * y) / (n * xx - x * x);
-    spread = std::sqrt(dd / n - d / n * d / n);
-  }
-};
-
 // A ring whose tube is thick on one side and thin on the other.
 static Labeled_domain uneven_ring()
 {
@@ -456,13 +419,13 @@ static Labeled_c3t3 realize(const char* name, const Labeled_domain& domain, cons
   const Labeled_criteria criteria(params::facet_angle = 25, params::facet_size = field, params::facet_distance = 0.02,
                                   params::cell_radius_edge_ratio = 2.5, params::cell_size = field);
   Labeled_c3t3 c3t3 = CGAL::make_mesh_3<Labeled_c3t3>(domain, criteria, params::no_exude(), params::no_perturb());
-  const Realized before(c3t3, field);
+  const Realized_sizes before(c3t3, field);
   CGAL::odt_optimize_mesh_3(c3t3, domain, params::sizing_field = field);
-  const Realized after(c3t3, field);
+  const Realized_sizes after(c3t3, field);
   std::cout << "  " << name << ": " << c3t3.triangulation().number_of_vertices() << " vertices, slope of sizes "
-            << before.slope << " -> " << after.slope << ", spread " << before.spread << " -> " << after.spread << std::endl;
+            << before.slope << " -> " << after.slope << ", deviation " << before.deviation << " -> " << after.deviation << std::endl;
   check::that(after.slope > 0.8 && after.slope < 1.2, name, ": the sizes are not those wanted");
-  check::that(after.spread < before.spread && after.spread < 0.12, name, ": the optimizer does not follow the field");
+  check::that(after.deviation < before.deviation && after.deviation < 0.12, name, ": the optimizer does not follow the field");
   return c3t3;
 }
 

@@ -9,73 +9,34 @@
 //
 //   follow_sizes [number of seeds, default 3]
 //
-// The ratios are those of the mean edge length around a vertex to the size wanted there. Environment: CGAL_DATA_DIR, the
+// Printed are the standard deviation of log(mean edge length around a vertex / size wanted there), the slope of one logarithm over
+// the other, and the ratio of the largest mean edge length to the smallest. Environment: CGAL_DATA_DIR, the
 // directory of CGAL's data.
 
 #include "benchmark_inputs.h"
 #include "cpu_seconds.h"
 #include "mesh_contract.h"
+#include "realized_sizes.h"
 
 #include <CGAL/Local_feature_size_field_3.h>
 #include <CGAL/Mesh_quality_report_3.h>
 #include <CGAL/odt_optimize_mesh_3.h>
 
-#include <algorithm>
 #include <cmath>
 #include <cstdio>
 #include <cstdlib>
-#include <limits>
-#include <map>
 #include <string>
-#include <vector>
 
 using namespace inputs;
-
-struct Fit
-{
-  double deviation;     // of the logarithms of the ratios
-  double slope;         // of the logarithm of the edge length over that of the size wanted
-  double spread;        // of the mean edge lengths, the largest over the smallest
-};
-
-template <class C3t3, class Size>
-Fit fit(const C3t3& c3t3, const Size& size)
-{
-  typedef typename C3t3::Vertex_handle Vertex_handle;
-  std::map<Vertex_handle, std::map<Vertex_handle, double> > lengths;
-  for(auto c = c3t3.cells_in_complex_begin(); c != c3t3.cells_in_complex_end(); ++c)
-    for(int i = 0; i < 4; ++i)
-      for(int j = 0; j < 4; ++j)
-        if(i != j)
-          lengths[c->vertex(i)][c->vertex(j)]
-            = std::sqrt(CGAL::squared_distance(c->vertex(i)->point().point(), c->vertex(j)->point().point()));
-  double x = 0, y = 0, xx = 0, xy = 0, yy = 0, smallest = (std::numeric_limits<double>::max)(), largest = 0;
-  for(const auto& v : lengths)
-  {
-    double mean = 0;
-    for(const auto& e : v.second)
-      mean += e.second / double(v.second.size());
-    smallest = (std::min)(smallest, mean);
-    largest = (std::max)(largest, mean);
-    const double wanted = std::log(size(v.first->point().point(), v.first->in_dimension(), v.first->index()));
-    const double realized = std::log(mean), weight = 1. / double(lengths.size());
-    x += weight * wanted;
-    y += weight * realized;
-    xx += weight * wanted * wanted;
-    xy += weight * wanted * realized;
-    yy += weight * realized * realized;
-  }
-  return { std::sqrt(xx - 2 * xy + yy - (x - y) * (x - y)), (xy - x * y) / (xx - x * x), largest / smallest };
-}
 
 template <class C3t3, class Size>
 void print(const std::string& what, const C3t3& c3t3, const Size& size, double time, double reference)
 {
   const CGAL::Mesh_quality_report_3 r = CGAL::mesh_quality_report_3(c3t3, { 10, 15, 20 });
-  const Fit f = fit(c3t3, size);
+  const Realized_sizes sizes(c3t3, size);
   std::printf("  %-22s %.4f  %6.2f - %6.2f  %4zu %4zu %5zu   %.4f  %6.3f  %5.1f  %7.2f s  %5.2f\n", what.c_str(),
               r.mean_radius_ratio, r.smallest_angle, r.largest_angle, r.cells_below[0].second, r.cells_below[1].second,
-              r.cells_below[2].second, f.deviation, f.slope, f.spread, time, time / reference);
+              r.cells_below[2].second, sizes.deviation, sizes.slope, sizes.ratio, time, time / reference);
   std::fflush(stdout);
 }
 
@@ -86,7 +47,7 @@ void compare(const char* name, const C3t3& input, const Domain& domain, const Si
   typedef CGAL::Mesh_3::Odt_move<C3t3, Sizing> Move;
   std::printf("\n%s: %zu vertices\n  %-22s %-7s %-16s %4s %4s %5s   %-7s %6s  %6s %9s  %s\n", name,
               std::size_t(input.triangulation().number_of_vertices()), "", "3r/R", "dihedral", "<10", "<15", "<20", "std log",
-              "slope", "spread", "CPU", "over CGAL's odt");
+              "slope", "ratio", "CPU", "over CGAL's odt");
   print("input", input, size, 0, 1);
   double reference = 1;
   {

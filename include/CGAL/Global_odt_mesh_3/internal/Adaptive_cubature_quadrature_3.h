@@ -58,7 +58,7 @@ public:
   Density_moments_3 moments(int cell, const int* vertices, const Site* sites) override
   {
     const Density_samples_3 samples(density_, vertices, sites);
-    const auto is_better = [](const Region& a, const Region& b) { return a.error < b.error; };
+    const auto has_smaller_error = [](const Region& a, const Region& b) { return a.error < b.error; };
     regions_.clear();
     regions_.push_back(Region());
     for(int i = 0; i < 4; ++i)
@@ -69,14 +69,14 @@ public:
     integrate(samples, regions_[0]);
     while(static_cast<int>(regions_.size()) < most_regions_ && !(total_error() <= tolerance_ * std::abs(total_mass())))
     {
-      std::pop_heap(regions_.begin(), regions_.end(), is_better);
+      std::pop_heap(regions_.begin(), regions_.end(), has_smaller_error);
       const std::array<Region, 2> halves = bisect(samples, regions_.back());
       regions_.pop_back();
       for(const Region& half : halves)
       {
         regions_.push_back(half);
         integrate(samples, regions_.back());
-        std::push_heap(regions_.begin(), regions_.end(), is_better);
+        std::push_heap(regions_.begin(), regions_.end(), has_smaller_error);
       }
     }
     Products sum = {};
