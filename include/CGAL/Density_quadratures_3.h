@@ -35,7 +35,7 @@ struct Four_point_rule_3
 \ingroup PkgGlobalOdtMesh3Functions
 
 is a value of the named parameter `quadrature`: the same with fifteen points, exact up to degree 5 (Stroud's rule T3:5-1).
-Energy and gradient are exact for densities of degree 2 and 3. The density is asked about 80 times for each vertex.
+Energy and gradient are exact for densities of degree 3 or less. The density is asked about 80 times for each vertex.
 */
 struct Fifteen_point_rule_3
 {};
