@@ -20,7 +20,8 @@ namespace internal {
 class Density_3
 {
 public:
-  static constexpr double exponent = 5, surface_exponent = 4;
+  static double volume_density(double size) { return 1 / (size * size * size * size * size); }
+  static double surface_density(double size) { return 1 / (size * size * size * size); }
 
   virtual ~Density_3() {}
 

@@ -60,17 +60,19 @@ public:
   bool is_uniform() const override { return is_uniform_; }
 
   // The density, as the field means it, that is called one.
-  double unit_density() const { return meaning_ == SIZE ? std::pow(unit_, -exponent) : unit_; }
+  double unit_density() const { return meaning_ == SIZE ? volume_density(unit_) : unit_; }
 
   double in_volume(int v, const Site& s) override
   {
     const double x = value(v, s) / unit_;
-    return meaning_ == SIZE ? std::pow(x, -exponent) : x;
+    return meaning_ == SIZE ? volume_density(x) : x;
   }
 
   double on_surface(int v, const Site& s) override
   {
-    return std::pow(value(v, s) / unit_, meaning_ == SIZE ? -surface_exponent : surface_exponent / exponent);
+    // The size that a density stands for is its power of -1/5.
+    const double x = value(v, s) / unit_;
+    return meaning_ == SIZE ? surface_density(x) : std::pow(x, 4. / 5);
   }
 
   const Quadratic_polynomial_3* polynomial() const override { return polynomial_ ? &*polynomial_ : nullptr; }

@@ -9,6 +9,8 @@
 #include <CGAL/Global_odt_mesh_3/internal/Density_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/Moving_triangulation_3.h>
 
+#include <Eigen/Dense>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -53,13 +55,13 @@ public:
     return v < number_of_movable_vertices_ ? interpolated_size(last_cell_[v], s) : size_[v];
   }
 
-  double in_volume(int v, const Site& s) override { return std::pow(median_size_ / size(v, s), exponent); }
-  double on_surface(int v, const Site& s) override { return std::pow(median_size_ / size(v, s), surface_exponent); }
+  double in_volume(int v, const Site& s) override { return volume_density(size(v, s) / median_size_); }
+  double on_surface(int v, const Site& s) override { return surface_density(size(v, s) / median_size_); }
 
   double in_cell(int v, const Site& s) override
   {
     int c = last_cell_[v];
-    return std::pow(median_size_ / interpolated_size(c, s), exponent);
+    return volume_density(interpolated_size(c, s) / median_size_);
   }
 
 private:
@@ -110,16 +112,11 @@ private:
     int previous = -1;
     for(int step = 0; step < max_steps; ++step)
     {
-      double total = 0;
+      const double total = volumes(topology_.cell_vertices() + 4 * c, s, b);
       int leave = -1;
       double lowest = 0;
       for(int i = 0; i < 4; ++i)
       {
-        const std::array<int, 3>& f = Flat_triangulation_3::facet_vertices(i);
-        b[i] = Cell_products(s, sites_[topology_.vertex(4 * c + f[0])],
-                             sites_[topology_.vertex(4 * c + f[1])],
-                             sites_[topology_.vertex(4 * c + f[2])]).determinant;
-        total += b[i];
         const int across = topology_.neighbor(4 * c + i);
         if(b[i] < lowest && !Flat_triangulation_3::is_wall(across) && across / 4 != previous)
         {
@@ -143,6 +140,21 @@ private:
       c = leave;
     }
     return c;
+  }
+
+  // The volumes of a cell's parts between its facets and a point, and of the cell, times six.
+  double volumes(const int* cell, const Site& s, std::array<double, 4>& parts) const
+  {
+    const Site& origin = sites_[cell[0]];
+    const auto edge = [&origin](const Site& p) { return Eigen::Vector3d(p.x - origin.x, p.y - origin.y, p.z - origin.z); };
+    const Eigen::Vector3d a = edge(sites_[cell[1]]), b = edge(sites_[cell[2]]), c = edge(sites_[cell[3]]), d = edge(s);
+    const Eigen::Vector3d normal = b.cross(c);
+    const double all = a.dot(normal);
+    parts[1] = d.dot(normal);
+    parts[2] = d.dot(c.cross(a));
+    parts[3] = d.dot(a.cross(b));
+    parts[0] = all - parts[1] - parts[2] - parts[3];
+    return all;
   }
 
   static constexpr int max_steps = 200;
