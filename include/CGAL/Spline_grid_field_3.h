@@ -8,6 +8,7 @@
 
 #include <CGAL/license/Mesh_3.h>
 
+#include <CGAL/Global_odt_mesh_3/internal/Point_coordinates.h>
 #include <CGAL/Global_odt_mesh_3/internal/Tricubic_spline_3.h>
 
 #include <CGAL/Bbox_3.h>
@@ -106,7 +107,7 @@ public:
   /// @{
 
   /// returns the value at a point.
-  FT operator()(const Point_3& p) const { return FT(spline_->value(coordinates(p))); }
+  FT operator()(const Point_3& p) const { return FT(spline_->value(Global_odt_mesh_3::internal::coordinates(p))); }
 
   /// returns the value at a point, whatever the dimension and the index, which may be that of any domain.
   template <class AnyIndex>
@@ -115,7 +116,7 @@ public:
   /// returns the gradient at a point. The derivative along an axis is zero where a point is beyond the box along that axis.
   Vector_3 gradient(const Point_3& p) const
   {
-    const Spline::Triple g = spline_->gradient(coordinates(p));
+    const Spline::Triple g = spline_->gradient(Global_odt_mesh_3::internal::coordinates(p));
     return Vector_3(FT(g[0]), FT(g[1]), FT(g[2]));
   }
 
@@ -125,11 +126,6 @@ public:
   /// @}
 
 private:
-  static Spline::Triple coordinates(const Point_3& p)
-  {
-    return {{ CGAL::to_double(p.x()), CGAL::to_double(p.y()), CGAL::to_double(p.z()) }};
-  }
-
   // `source` is a function or a range.
   template <class Source>
   static std::vector<double> values_at_nodes(const Spline::Grid& grid, const Source& source)

@@ -13,6 +13,7 @@
 
 #include "benchmark_inputs.h"
 #include "cpu_seconds.h"
+#include "odt_of_mesh_3.h"
 
 #include <CGAL/Mesh_quality_report_3.h>
 #include <CGAL/Timer.h>
@@ -103,11 +104,8 @@ void compare(const char* name, const C3t3& input, const Domain& domain)
   });
   print_quality("ours, 100 iterations", hundred);
 
-  typedef CGAL::Mesh_3::Mesh_sizing_field<Triangulation> Sizing;
-  typedef CGAL::Mesh_3::Odt_move<C3t3, Sizing> Move;
   C3t3 cgal(input);
-  CGAL::Mesh_3::Mesh_global_optimizer<C3t3, Domain, Move> optimizer(cgal, domain, 0., false, 0.);
-  const double cgal_time = seconds([&] { optimizer(cgal_iterations); });
+  const double cgal_time = seconds([&] { odt_of_mesh_3(cgal, domain, cgal_iterations); });
   print_quality(("CGAL, " + std::to_string(cgal_iterations) + " iterations").c_str(), cgal);
 
   const double iteration = timer.total / timer.iterations, cgal_iteration = cgal_time / cgal_iterations;

@@ -12,6 +12,7 @@
 
 #include "benchmark_inputs.h"
 #include "cpu_seconds.h"
+#include "odt_of_mesh_3.h"
 
 #include <CGAL/Mesh_quality_report_3.h>
 #include <CGAL/exude_mesh_3.h>
@@ -72,17 +73,13 @@ template <class C3t3, class Domain>
 void compare(const char* name, const C3t3& input, const Domain& domain, const Size& size, unsigned int seeds,
              std::size_t more_rounds)
 {
-  typedef typename C3t3::Triangulation Triangulation;
-  typedef CGAL::Mesh_3::Mesh_sizing_field<Triangulation> Sizing;
-  typedef CGAL::Mesh_3::Odt_move<C3t3, Sizing> Move;
   std::printf("\n%s: %zu vertices\n  %-26s %-7s %-16s %4s %5s  %-9s %-7s %8s  %s\n", name,
               std::size_t(input.triangulation().number_of_vertices()), "", "3r/R", "dihedral", "<10", "<20", "volume", "size",
               "CPU", "over CGAL's odt");
   double reference = 1;
   {
     C3t3 c3t3(input);
-    CGAL::Mesh_3::Mesh_global_optimizer<C3t3, Domain, Move> optimizer(c3t3, domain, 0.01, true, 0.02);
-    reference = seconds([&] { optimizer(1000); });
+    reference = seconds([&] { odt_of_mesh_3(c3t3, domain); });
     print("CGAL's odt", c3t3, input, size, reference, reference);
     const double time = seconds([&] { CGAL::perturb_mesh_3(c3t3, domain, params::sliver_bound = 20); });
     print("CGAL's odt, perturb(20)", c3t3, input, size, reference + time, reference);

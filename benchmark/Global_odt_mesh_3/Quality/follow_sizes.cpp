@@ -16,6 +16,7 @@
 #include "benchmark_inputs.h"
 #include "cpu_seconds.h"
 #include "mesh_contract.h"
+#include "odt_of_mesh_3.h"
 #include "realized_sizes.h"
 
 #include <CGAL/Local_feature_size_field_3.h>
@@ -43,8 +44,6 @@ void print(const std::string& what, const C3t3& c3t3, const Size& size, double t
 template <class C3t3, class Domain, class Size>
 void compare(const char* name, const C3t3& input, const Domain& domain, const Size& size, unsigned int seeds, double tolerance)
 {
-  typedef CGAL::Mesh_3::Mesh_sizing_field<typename C3t3::Triangulation> Sizing;
-  typedef CGAL::Mesh_3::Odt_move<C3t3, Sizing> Move;
   std::printf("\n%s: %zu vertices\n  %-22s %-7s %-16s %4s %4s %5s   %-7s %6s  %6s %9s  %s\n", name,
               std::size_t(input.triangulation().number_of_vertices()), "", "3r/R", "dihedral", "<10", "<15", "<20", "std log",
               "slope", "ratio", "CPU", "over CGAL's odt");
@@ -52,8 +51,7 @@ void compare(const char* name, const C3t3& input, const Domain& domain, const Si
   double reference = 1;
   {
     C3t3 c3t3(input);
-    CGAL::Mesh_3::Mesh_global_optimizer<C3t3, Domain, Move> optimizer(c3t3, domain, 0.01, true, 0.02);
-    reference = seconds([&] { optimizer(1000); });
+    reference = seconds([&] { odt_of_mesh_3(c3t3, domain); });
     print("CGAL's odt", c3t3, size, reference, reference);
   }
   const auto optimize = [&](const char* what, unsigned int seed, const auto&... parameters)

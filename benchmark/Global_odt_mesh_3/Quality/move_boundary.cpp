@@ -21,6 +21,7 @@
 
 #include "benchmark_inputs.h"
 #include "cpu_seconds.h"
+#include "odt_of_mesh_3.h"
 
 #include <CGAL/Mesh_quality_report_3.h>
 #include <CGAL/odt_optimize_mesh_3.h>
@@ -74,9 +75,6 @@ void run(C3t3& c3t3, const Domain& domain, const odt::Odt_parameters& parameters
 template <class C3t3, class Domain>
 void compare(const char* name, const C3t3& input, const Domain& domain)
 {
-  typedef typename C3t3::Triangulation Triangulation;
-  typedef CGAL::Mesh_3::Mesh_sizing_field<Triangulation> Sizing;
-  typedef CGAL::Mesh_3::Odt_move<C3t3, Sizing> Move;
   const double volume = CGAL::mesh_quality_report_3(input, { 10 }).total().volume;
   std::printf("\n%s: %zu vertices\n", name, std::size_t(input.triangulation().number_of_vertices()));
   std::printf("  %-22s %-7s %-16s %4s %5s  %-9s %8s  %s\n", "", "3r/R", "dihedral", "<10", "<20", "volume", "CPU",
@@ -85,16 +83,14 @@ void compare(const char* name, const C3t3& input, const Domain& domain)
   {
     C3t3 c3t3(input);
     Cost cost;
-    CGAL::Mesh_3::Mesh_global_optimizer<C3t3, Domain, Move> optimizer(c3t3, domain, 0.01, true, 0.02);
-    cost.seconds = seconds([&] { optimizer(1000); });
+    cost.seconds = seconds([&] { odt_of_mesh_3(c3t3, domain); });
     print("CGAL, default", c3t3, volume, cost);
   }
   if(cgal_iterations > 0)
   {
     C3t3 c3t3(input);
     Cost cost;
-    CGAL::Mesh_3::Mesh_global_optimizer<C3t3, Domain, Move> optimizer(c3t3, domain, 0., false, 0.);
-    cost.seconds = seconds([&] { optimizer(cgal_iterations); });
+    cost.seconds = seconds([&] { odt_of_mesh_3(c3t3, domain, cgal_iterations); });
     print(("CGAL, " + std::to_string(cgal_iterations) + " iterations").c_str(), c3t3, volume, cost);
   }
   odt::Odt_parameters together;

@@ -163,7 +163,7 @@ private:
   {
     std::array<Products, order + 1> sums = {};
     for(const Point& p : points_)
-      samples.add(place(r, p.coordinates), sums[p.k]);
+      samples.add(place(r, p.coordinates), 1, sums[p.k]);
     std::array<Products, number_of_rules> rules = {};   // of degree 7, 5 and 3
     for(int n = 0; n < number_of_rules; ++n)
       for(int k = 0; k <= order - n; ++k)

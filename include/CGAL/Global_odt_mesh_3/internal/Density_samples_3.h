@@ -45,10 +45,10 @@ public:
     return density_(vertex_, s);
   }
 
-  // Adds rho times the products at a point.
-  void add(const Barycentric_coordinates& l, Products& sum) const
+  // Adds rho times the products at a point of a rule, and its weight.
+  void add(const Barycentric_coordinates& l, double weight, Products& sum) const
   {
-    const double rho = density(l);
+    const double rho = weight * density(l);
     for(int e = 0; e < 6; ++e)
       sum[e] += rho * l[Density_moments_3::edges[e][0]] * l[Density_moments_3::edges[e][1]];
     for(int i = 0; i < 4; ++i)

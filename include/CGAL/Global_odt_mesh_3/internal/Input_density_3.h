@@ -46,9 +46,6 @@ public:
 
   bool is_uniform() const override { return is_uniform_; }
 
-  // The size at a vertex of the input.
-  const std::vector<double>& sizes() const { return size_; }
-
   // The wanted size where vertex v is now; vertices that stay have the one of the input.
   double size(int v, const Site& s)
   {

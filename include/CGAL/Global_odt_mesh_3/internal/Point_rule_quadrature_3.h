@@ -13,7 +13,6 @@
 
 #include <array>
 #include <cmath>
-#include <cstddef>
 #include <utility>
 #include <vector>
 
@@ -59,14 +58,9 @@ public:
   Density_moments_3 moments(int, const int* vertices, const Site* sites) override
   {
     const Density_samples_3 samples(density_, vertices, sites);
-    Density_samples_3::Products sum = {}, products;
+    Density_samples_3::Products sum = {};
     for(const Point& p : rule_)
-    {
-      products.fill(0);
-      samples.add(p.coordinates, products);
-      for(std::size_t n = 0; n < sum.size(); ++n)
-        sum[n] += p.weight * products[n];
-    }
+      samples.add(p.coordinates, p.weight, sum);
     return Density_samples_3::moments(sum);
   }
 

@@ -88,14 +88,14 @@ private:
   void set_density(const Field& field)
   {
     density = [field](const Bare_point& p) { return CGAL::to_double(field(p)); };
+    quadratic_density = polynomial(field);
   }
 
+  template <class Field>
+  static std::nullopt_t polynomial(const Field&) { return std::nullopt; }
+
   template <class Kernel>
-  void set_density(const Quadratic_density_3<Kernel>& field)
-  {
-    quadratic_density = field.polynomial();
-    density = [field](const Bare_point& p) { return CGAL::to_double(field(p)); };
-  }
+  static const Quadratic_polynomial_3& polynomial(const Quadratic_density_3<Kernel>& field) { return field.polynomial(); }
 
   template <class Field>
   void set_sizing_field(const Field& field)
