@@ -7,6 +7,7 @@
 #define GLOBAL_ODT_MESH_3_BENCHMARK_GRADED_RUNS_H
 
 #include "cpu_seconds.h"
+#include "function_density_3.h"
 
 #include <CGAL/Global_odt_mesh_3/internal/Cell_order.h>
 #include <CGAL/Global_odt_mesh_3/internal/Density_3.h>
@@ -17,28 +18,10 @@
 
 #include <algorithm>
 #include <cstddef>
-#include <functional>
 #include <limits>
 #include <memory>
 #include <utility>
 #include <vector>
-
-// A density that is a function of the place alone.
-class Function_density_3
-  : public CGAL::Global_odt_mesh_3::internal::Density_3
-{
-public:
-  typedef CGAL::Global_odt_mesh_3::internal::Site Site;
-
-  explicit Function_density_3(std::function<double(const Site&)> function) : function_(std::move(function)) {}
-
-  bool is_uniform() const override { return false; }
-  double in_volume(int, const Site& s) override { return function_(s); }
-  double on_surface(int, const Site& s) override { return function_(s); }
-
-private:
-  std::function<double(const Site&)> function_;
-};
 
 // The energy (2.5) of a mesh, whatever the mesh believes.
 inline double true_energy(const CGAL::Global_odt_mesh_3::internal::Moving_triangulation_3& mesh,

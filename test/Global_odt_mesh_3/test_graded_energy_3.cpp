@@ -7,6 +7,7 @@
 
 #include "check.h"
 #include "density_rules.h"
+#include "function_density_3.h"
 #include "random_cube_triangulation.h"
 
 #include <CGAL/Global_odt_mesh_3/internal/Density_moment_cache_3.h>
@@ -60,7 +61,7 @@ static std::vector<Cell_vertices> cells(const Flat_triangulation_3& t)
 
 static double true_energy(const Sites& s, const std::vector<Cell_vertices>& v, const Field& f, double tolerance = 1e-10)
 {
-  Plain_density density(f);
+  Function_density_3 density([&f](const Site& x) { return f(vector(x)); });
   return reference_energy(s, v, density, { tolerance, 5000 });
 }
 
