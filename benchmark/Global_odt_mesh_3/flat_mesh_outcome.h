@@ -6,8 +6,8 @@
 #ifndef GLOBAL_ODT_MESH_3_BENCHMARK_FLAT_MESH_OUTCOME_H
 #define GLOBAL_ODT_MESH_3_BENCHMARK_FLAT_MESH_OUTCOME_H
 
-#include <CGAL/Global_odt_mesh_3/internal/Cell_shape_3.h>
-#include <CGAL/Global_odt_mesh_3/internal/Moving_triangulation_3.h>
+#include <CGAL/Global_odt_mesh_3/internal/geometry/Cell_shape_3.h>
+#include <CGAL/Global_odt_mesh_3/internal/triangulation/Moving_triangulation_3.h>
 
 #include <algorithm>
 #include <array>

@@ -9,12 +9,12 @@
 #include "cpu_seconds.h"
 #include "function_density_3.h"
 
-#include <CGAL/Global_odt_mesh_3/internal/Cell_order.h>
-#include <CGAL/Global_odt_mesh_3/internal/Density_3.h>
-#include <CGAL/Global_odt_mesh_3/internal/Make_density_quadrature_3.h>
-#include <CGAL/Global_odt_mesh_3/internal/Moving_triangulation_3.h>
-#include <CGAL/Global_odt_mesh_3/internal/Odt_objective_3.h>
-#include <CGAL/Global_odt_mesh_3/internal/Reference_energy_3.h>
+#include <CGAL/Global_odt_mesh_3/internal/density/Density_3.h>
+#include <CGAL/Global_odt_mesh_3/internal/density/Make_density_quadrature_3.h>
+#include <CGAL/Global_odt_mesh_3/internal/energy/Reference_energy_3.h>
+#include <CGAL/Global_odt_mesh_3/internal/optimization/Odt_objective_3.h>
+#include <CGAL/Global_odt_mesh_3/internal/triangulation/Cell_order.h>
+#include <CGAL/Global_odt_mesh_3/internal/triangulation/Moving_triangulation_3.h>
 
 #include <algorithm>
 #include <cstddef>

@@ -6,7 +6,8 @@
 #ifndef GLOBAL_ODT_MESH_3_BENCHMARK_RANDOM_POINTS_H
 #define GLOBAL_ODT_MESH_3_BENCHMARK_RANDOM_POINTS_H
 
-#include <CGAL/Global_odt_mesh_3/internal/Load_triangulation_3.h>
+
+#include "load_triangulation_3.h"
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Regular_triangulation_3.h>

@@ -6,7 +6,7 @@
 #ifndef GLOBAL_ODT_MESH_3_EXAMPLES_MESH_PICTURE_H
 #define GLOBAL_ODT_MESH_3_EXAMPLES_MESH_PICTURE_H
 
-#include <CGAL/Global_odt_mesh_3/internal/Cell_shape_3.h>
+#include <CGAL/Global_odt_mesh_3/internal/geometry/Cell_shape_3.h>
 #include <CGAL/Mesh_quality_report_3.h>
 #include <CGAL/number_utils.h>
 

@@ -8,9 +8,9 @@
 
 #include <CGAL/license/Mesh_3.h>
 
-#include <CGAL/Global_odt_mesh_3/internal/Boundary_poles_3.h>
-#include <CGAL/Global_odt_mesh_3/internal/Boundary_samples_3.h>
-#include <CGAL/Global_odt_mesh_3/internal/Size_envelope_3.h>
+#include <CGAL/Global_odt_mesh_3/internal/sizing/Boundary_poles_3.h>
+#include <CGAL/Global_odt_mesh_3/internal/sizing/Boundary_samples_3.h>
+#include <CGAL/Global_odt_mesh_3/internal/sizing/Size_envelope_3.h>
 
 #include <CGAL/Bbox_3.h>
 #include <CGAL/assertions.h>

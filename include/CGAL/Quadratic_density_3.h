@@ -8,8 +8,8 @@
 
 #include <CGAL/license/Mesh_3.h>
 
-#include <CGAL/Global_odt_mesh_3/internal/Point_coordinates.h>
-#include <CGAL/Global_odt_mesh_3/internal/Quadratic_polynomial_3.h>
+#include <CGAL/Global_odt_mesh_3/internal/density/Quadratic_polynomial_3.h>
+#include <CGAL/Global_odt_mesh_3/internal/geometry/Point_coordinates.h>
 
 #include <CGAL/Origin.h>
 #include <CGAL/number_utils.h>

@@ -8,8 +8,8 @@
 
 #include <CGAL/license/Mesh_3.h>
 
-#include <CGAL/Global_odt_mesh_3/internal/Point_coordinates.h>
-#include <CGAL/Global_odt_mesh_3/internal/Tricubic_spline_3.h>
+#include <CGAL/Global_odt_mesh_3/internal/geometry/Point_coordinates.h>
+#include <CGAL/Global_odt_mesh_3/internal/sizing/Tricubic_spline_3.h>
 
 #include <CGAL/Bbox_3.h>
 #include <CGAL/number_utils.h>

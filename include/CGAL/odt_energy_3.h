@@ -11,15 +11,15 @@
 #include <CGAL/disable_warnings.h>
 
 #include <CGAL/Density_quadratures_3.h>
-#include <CGAL/Global_odt_mesh_3/internal/Density_moments_3.h>
-#include <CGAL/Global_odt_mesh_3/internal/Density_quadrature_3.h>
-#include <CGAL/Global_odt_mesh_3/internal/Field_density_3.h>
-#include <CGAL/Global_odt_mesh_3/internal/Make_density_quadrature_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/Named_parameters.h>
 #include <CGAL/Global_odt_mesh_3/internal/Odt_parameters.h>
-#include <CGAL/Global_odt_mesh_3/internal/Point_coordinates.h>
-#include <CGAL/Global_odt_mesh_3/internal/Reference_energy_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/User_fields_3.h>
+#include <CGAL/Global_odt_mesh_3/internal/density/Density_moments_3.h>
+#include <CGAL/Global_odt_mesh_3/internal/density/Density_quadrature_3.h>
+#include <CGAL/Global_odt_mesh_3/internal/density/Field_density_3.h>
+#include <CGAL/Global_odt_mesh_3/internal/density/Make_density_quadrature_3.h>
+#include <CGAL/Global_odt_mesh_3/internal/energy/Reference_energy_3.h>
+#include <CGAL/Global_odt_mesh_3/internal/geometry/Point_coordinates.h>
 
 #include <algorithm>
 #include <cstddef>

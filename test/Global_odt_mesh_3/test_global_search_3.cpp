@@ -9,11 +9,11 @@
 #include "check.h"
 #include "random_cube_triangulation.h"
 
-#include <CGAL/Global_odt_mesh_3/internal/Limited_memory_bfgs.h>
-#include <CGAL/Global_odt_mesh_3/internal/Metropolis_annealing.h>
-#include <CGAL/Global_odt_mesh_3/internal/Momentum_annealing.h>
-#include <CGAL/Global_odt_mesh_3/internal/Odt_objective_3.h>
-#include <CGAL/Global_odt_mesh_3/internal/Random_source.h>
+#include <CGAL/Global_odt_mesh_3/internal/geometry/Random_source.h>
+#include <CGAL/Global_odt_mesh_3/internal/optimization/Limited_memory_bfgs.h>
+#include <CGAL/Global_odt_mesh_3/internal/optimization/Metropolis_annealing.h>
+#include <CGAL/Global_odt_mesh_3/internal/optimization/Momentum_annealing.h>
+#include <CGAL/Global_odt_mesh_3/internal/optimization/Odt_objective_3.h>
 
 #include <algorithm>
 #include <cmath>

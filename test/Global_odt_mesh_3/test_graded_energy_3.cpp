@@ -10,10 +10,10 @@
 #include "function_density_3.h"
 #include "random_cube_triangulation.h"
 
-#include <CGAL/Global_odt_mesh_3/internal/Density_moment_cache_3.h>
-#include <CGAL/Global_odt_mesh_3/internal/Limited_memory_bfgs.h>
-#include <CGAL/Global_odt_mesh_3/internal/Odt_objective_3.h>
-#include <CGAL/Global_odt_mesh_3/internal/Quadratic_density_quadrature_3.h>
+#include <CGAL/Global_odt_mesh_3/internal/density/Density_moment_cache_3.h>
+#include <CGAL/Global_odt_mesh_3/internal/density/Quadratic_density_quadrature_3.h>
+#include <CGAL/Global_odt_mesh_3/internal/optimization/Limited_memory_bfgs.h>
+#include <CGAL/Global_odt_mesh_3/internal/optimization/Odt_objective_3.h>
 #include <CGAL/Mesh_quality_report_3.h>
 #include <CGAL/Quadratic_density_3.h>
 #include <CGAL/odt_energy_3.h>

@@ -6,12 +6,12 @@
 // The flat triangulation stays valid under flips and agrees with CGAL's exact
 // one while its vertices move, and the minimizer finds a stationary point.
 
+#include "averaging_iteration.h"
 #include "check.h"
 #include "random_cube_triangulation.h"
 
-#include <CGAL/Global_odt_mesh_3/internal/Averaging_iteration.h>
-#include <CGAL/Global_odt_mesh_3/internal/Limited_memory_bfgs.h>
-#include <CGAL/Global_odt_mesh_3/internal/Odt_objective_3.h>
+#include <CGAL/Global_odt_mesh_3/internal/optimization/Limited_memory_bfgs.h>
+#include <CGAL/Global_odt_mesh_3/internal/optimization/Odt_objective_3.h>
 
 #include <algorithm>
 #include <array>
@@ -44,7 +44,7 @@ static void flips(std::mt19937& random)
   int flipped = 0;
   for(int slot = 0; slot < 4 * static_cast<int>(before.size()); slot += 7)
   {
-    if(!t.is_alive(slot / 4) || Flat_triangulation_3::is_wall(t.neighbor(slot)))
+    if(!t.is_alive(slot / 4) || Flat_triangulation_3::is_constrained(t.neighbor(slot)))
       continue;
     const std::array<int, 3> three = t.flip_2_3(slot);
     check::that(t.is_valid(), "not valid after flip 2-3");

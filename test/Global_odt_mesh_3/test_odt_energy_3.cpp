@@ -8,7 +8,9 @@
 
 #include "check.h"
 
-#include <CGAL/Global_odt_mesh_3/internal/Odt_energy_3.h>
+#include <CGAL/Global_odt_mesh_3/internal/energy/Odt_energy_3.h>
+#include <CGAL/Global_odt_mesh_3/internal/geometry/Cell_products_3.h>
+#include <CGAL/Global_odt_mesh_3/internal/geometry/Site.h>
 
 #include <Eigen/Dense>
 

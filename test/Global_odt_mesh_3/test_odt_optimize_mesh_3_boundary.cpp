@@ -10,7 +10,7 @@
 #include "mesh_contract.h"
 #include "mesh_domains.h"
 
-#include <CGAL/Global_odt_mesh_3/internal/Domain_oracle_3.h>
+#include <CGAL/Global_odt_mesh_3/internal/restricted/Domain_oracle_3.h>
 
 #include <CGAL/Bbox_3.h>
 #include <CGAL/Mesh_quality_report_3.h>

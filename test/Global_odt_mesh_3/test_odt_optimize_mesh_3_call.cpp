@@ -12,7 +12,7 @@
 
 #include <CGAL/Annealing_schedules_3.h>
 #include <CGAL/Density_quadratures_3.h>
-#include <CGAL/Global_odt_mesh_3/internal/Cell_shape_3.h>
+#include <CGAL/Global_odt_mesh_3/internal/geometry/Cell_shape_3.h>
 #include <CGAL/Quadratic_density_3.h>
 #include <CGAL/Real_timer.h>
 #include <CGAL/odt_optimize_mesh_3.h>

@@ -10,7 +10,7 @@
 #include "mesh_domains.h"
 
 #include <CGAL/Annealing_schedules_3.h>
-#include <CGAL/Global_odt_mesh_3/internal/Cell_shape_3.h>
+#include <CGAL/Global_odt_mesh_3/internal/geometry/Cell_shape_3.h>
 #include <CGAL/Random.h>
 #include <CGAL/odt_optimize_mesh_3.h>
 

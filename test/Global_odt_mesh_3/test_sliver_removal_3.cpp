@@ -9,13 +9,13 @@
 #include "check.h"
 #include "random_cube_triangulation.h"
 
-#include <CGAL/Global_odt_mesh_3/internal/Angle_deficit_3.h>
-#include <CGAL/Global_odt_mesh_3/internal/Cell_shape_3.h>
-#include <CGAL/Global_odt_mesh_3/internal/Flat_triangulation_3.h>
-#include <CGAL/Global_odt_mesh_3/internal/Limited_memory_bfgs.h>
-#include <CGAL/Global_odt_mesh_3/internal/Odt_objective_3.h>
-#include <CGAL/Global_odt_mesh_3/internal/Sliver_removal_3.h>
-#include <CGAL/Global_odt_mesh_3/internal/Vertex_trial_3.h>
+#include <CGAL/Global_odt_mesh_3/internal/geometry/Angle_deficit_3.h>
+#include <CGAL/Global_odt_mesh_3/internal/geometry/Cell_shape_3.h>
+#include <CGAL/Global_odt_mesh_3/internal/optimization/Limited_memory_bfgs.h>
+#include <CGAL/Global_odt_mesh_3/internal/optimization/Odt_objective_3.h>
+#include <CGAL/Global_odt_mesh_3/internal/slivers/Sliver_removal_3.h>
+#include <CGAL/Global_odt_mesh_3/internal/slivers/Vertex_trial_3.h>
+#include <CGAL/Global_odt_mesh_3/internal/triangulation/Flat_triangulation_3.h>
 
 #include <algorithm>
 #include <array>
@@ -105,7 +105,7 @@ static void angle_deficit(std::mt19937& random)
 // All that flips may change, slots that they have added apart.
 struct Snapshot
 {
-  std::vector<int> vertices, neighbors, incident_cells, wall_slots;
+  std::vector<int> vertices, neighbors, incident_cells, constrained_slots;
   std::vector<Site> sites;
   int number_of_cells;
 
@@ -125,9 +125,9 @@ struct Snapshot
     }
     for(std::size_t v = 0; v < mesh.sites.size(); ++v)
       incident_cells.push_back(t.incident_cell(static_cast<int>(v)));
-    for(int w = 0; w < t.number_of_walls(); ++w)
+    for(int w = 0; w < t.number_of_constrained_facets(); ++w)
       for(int side : { 0, 1 })
-        wall_slots.push_back(t.wall_slot(w, side));
+        constrained_slots.push_back(t.constrained_slot(w, side));
   }
 
   bool describes(const Moving_triangulation_3& mesh) const
@@ -137,7 +137,7 @@ struct Snapshot
       if(mesh.topology.is_alive(s / 4))
         return false;
     return now.vertices == vertices && now.neighbors == neighbors && now.incident_cells == incident_cells
-           && now.wall_slots == wall_slots && now.number_of_cells == number_of_cells
+           && now.constrained_slots == constrained_slots && now.number_of_cells == number_of_cells
            && std::equal(now.sites.begin(), now.sites.end(), sites.begin(), sites.end(), [](const Site& a, const Site& b)
                          { return a.x == b.x && a.y == b.y && a.z == b.z && a.weight == b.weight; });
   }
@@ -161,7 +161,7 @@ static std::array<int, 2> flip_at_random(Flat_triangulation_3& t, int attempts, 
   for(int n = 0; n < attempts; ++n)
   {
     const int slot = std::uniform_int_distribution<int>(0, t.number_of_slots() - 1)(random);
-    if(!t.is_alive(slot / 4) || Flat_triangulation_3::is_wall(t.neighbor(slot)))
+    if(!t.is_alive(slot / 4) || Flat_triangulation_3::is_constrained(t.neighbor(slot)))
       continue;
     std::array<int, 3> ring;
     const int i = slot % 4, j = (i + 1) % 4;
@@ -217,7 +217,7 @@ static void undone_flips(std::mt19937& random)
 }
 
 // Cells whose dual point a vertex of the interior holds beyond the surface.
-static int cells_beyond_walls(const Moving_triangulation_3& mesh)
+static int cells_beyond_surfaces(const Moving_triangulation_3& mesh)
 {
   int number = 0;
   for(int c = 0; c < mesh.topology.number_of_cell_slots(); ++c)
@@ -225,8 +225,8 @@ static int cells_beyond_walls(const Moving_triangulation_3& mesh)
     {
       const int* const v = mesh.topology.cell_vertices() + 4 * c;
       const int across = mesh.topology.neighbor(4 * c + i);
-      number += Flat_triangulation_3::is_wall(across) && v[i] < mesh.number_of_interior_vertices
-                && mesh.is_beyond_wall(mesh.products(c), v, i, across);
+      number += Flat_triangulation_3::is_constrained(across) && v[i] < mesh.number_of_interior_vertices
+                && mesh.is_beyond_surface(mesh.products(c), v, i, across);
     }
   return number;
 }
@@ -239,12 +239,12 @@ static void vertex_trials(bool weighted, bool has_surface, std::mt19937& random)
   const double bound = 30;
   Moving_triangulation_3 mesh = random_cube(4, 200, 0, weighted, random);
   if(has_surface)
-    std::fill(mesh.wall_heights.begin(), mesh.wall_heights.end(), 0.);
+    std::fill(mesh.surface_heights.begin(), mesh.surface_heights.end(), 0.);
   Vertex_trial_3 trial(mesh, bound);
   std::vector<double> edge_length;
   mesh.mean_edge_lengths(edge_length);
   std::uniform_real_distribution<double> u(-1, 1);
-  int accepted = 0, rejected = 0, impossible = 0, held_back = 0, beyond = cells_beyond_walls(mesh);
+  int accepted = 0, rejected = 0, impossible = 0, held_back = 0, beyond = cells_beyond_surfaces(mesh);
   double sum = sum_of_deficits(mesh, bound);
   for(int n = 0; n < 400; ++n)
   {
@@ -270,11 +270,11 @@ static void vertex_trials(bool weighted, bool has_surface, std::mt19937& random)
       ++impossible;
       if(has_surface)
       {
-        std::vector<double> heights(mesh.wall_heights.size(), (std::numeric_limits<double>::max)());
-        heights.swap(mesh.wall_heights);
+        std::vector<double> heights(mesh.surface_heights.size(), (std::numeric_limits<double>::max)());
+        heights.swap(mesh.surface_heights);
         held_back += trial.move(v, s) != (std::numeric_limits<double>::infinity)();
         trial.reject();
-        heights.swap(mesh.wall_heights);
+        heights.swap(mesh.surface_heights);
       }
       continue;
     }
@@ -291,7 +291,7 @@ static void vertex_trials(bool weighted, bool has_surface, std::mt19937& random)
     check::that(mesh.topology.is_valid() && (has_surface || mesh.is_regular()),
                 "an accepted trial leaves no regular triangulation");
     const int beyond_before = beyond;
-    beyond = cells_beyond_walls(mesh);
+    beyond = cells_beyond_surfaces(mesh);
     check::that(beyond <= beyond_before, "an accepted trial pushes a dual point through the surface");
     if(n % 5 == 0)
       check::that(difference_to_exact(mesh) == 0, "an accepted trial leaves another triangulation than CGAL's: ",
@@ -368,23 +368,23 @@ static void marked_trials(std::mt19937& random)
 }
 
 // Displacing all vertices of a cell at once leads to less deficit than single vertices do.
-static void kicks(const Moving_triangulation_3& cube)
+static void joint_tries(const Moving_triangulation_3& cube)
 {
   const double bound = 38;
   std::array<double, 2> sum;
-  for(bool kicks : { false, true })
+  for(bool joint_tries : { false, true })
   {
     Moving_triangulation_3 mesh = cube;
     Sliver_removal_parameters parameters;
-    if(!kicks)
-      parameters.most_kicks = 0;
+    if(!joint_tries)
+      parameters.most_joint_tries = 0;
     Sliver_removal_3(mesh, bound, 5, nullptr, parameters).run();
-    sum[kicks] = sum_of_deficits(mesh, bound);
+    sum[joint_tries] = sum_of_deficits(mesh, bound);
     check::that(mesh.topology.is_valid() && mesh.is_regular() && difference_to_exact(mesh) <= 4,
-                "the triangulation after kicks is not CGAL's");
+                "the triangulation after joint tries is not CGAL's");
   }
-  std::cout << "sum of deficits without kicks " << sum[0] << ", with them " << sum[1] << std::endl;
-  check::that(sum[1] < 0.9 * sum[0], "kicks improve little");
+  std::cout << "sum of deficits without joint tries " << sum[0] << ", with them " << sum[1] << std::endl;
+  check::that(sum[1] < 0.9 * sum[0], "joint tries improve little");
 }
 
 static Moving_triangulation_3 minimized_cube(int grid)
@@ -531,7 +531,7 @@ static void removal_in_vain(const Moving_triangulation_3& cube)
     Moving_triangulation_3 mesh = cube;
     Sliver_removal_parameters parameters;
     parameters.most_passes = 2;
-    parameters.most_kicks = 10;
+    parameters.most_joint_tries = 10;
     Sliver_removal_3 removal(mesh, bound, 4, nullptr, parameters);
     removal.run();
     const double before = sum_of_deficits(cube, bound), after = sum_of_deficits(mesh, bound);
@@ -560,6 +560,6 @@ int main()
   removal(minimized_cube(8), 5, 0.005);
   removal_at_surface(cube);
   removal_in_vain(cube);
-  kicks(minimized_cube(8));
+  joint_tries(minimized_cube(8));
   return check::result();
 }

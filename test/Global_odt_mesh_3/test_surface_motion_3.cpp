@@ -7,13 +7,13 @@
 // against finite differences, the CVT energy against closed forms and sampling, flips
 // of surface edges, and the guard of the topology of boundaries.
 
+#include "load_triangulation_3.h"
 #include "check.h"
 
-#include <CGAL/Global_odt_mesh_3/internal/Boundary_complex_3.h>
-#include <CGAL/Global_odt_mesh_3/internal/Limited_memory_bfgs.h>
-#include <CGAL/Global_odt_mesh_3/internal/Load_triangulation_3.h>
-#include <CGAL/Global_odt_mesh_3/internal/Odt_objective_3.h>
-#include <CGAL/Global_odt_mesh_3/internal/Surface_cvt_objective_3.h>
+#include <CGAL/Global_odt_mesh_3/internal/optimization/Limited_memory_bfgs.h>
+#include <CGAL/Global_odt_mesh_3/internal/optimization/Odt_objective_3.h>
+#include <CGAL/Global_odt_mesh_3/internal/surface/Boundary_complex_3.h>
+#include <CGAL/Global_odt_mesh_3/internal/surface/Surface_cvt_objective_3.h>
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Regular_triangulation_3.h>
@@ -76,7 +76,7 @@ static std::vector<Eigen::Vector3d> gain_of_polyhedron(const Moving_triangulatio
   for(int c = 0; c < mesh.topology.number_of_cell_slots(); ++c)
     for(int f = 0; mesh.topology.is_alive(c) && f < 4; ++f)
     {
-      if(!Flat_triangulation_3::is_wall(mesh.topology.neighbor(4 * c + f)))
+      if(!Flat_triangulation_3::is_constrained(mesh.topology.neighbor(4 * c + f)))
         continue;
       std::array<int, 3> t;
       for(int k = 0; k < 3; ++k)
@@ -338,7 +338,7 @@ static void topology_guard()
   check::that(before.facets_and_components().at(0) == std::make_pair(both.size(), std::size_t(2)), "facets or components miscounted");
   check::that(before.difference(before).empty(), "a complex differs from itself");
   for(int v : { 0, 1, 2, 11, 15 })
-    check::that(before.number_of_fans(v) == 1 && before.is_disk(v, 0), "vertex ", v, " is not inside a disk");
+    check::that(before.number_of_umbrellas(v) == 1 && before.is_disk(v, 0), "vertex ", v, " is not inside a disk");
   check::that(!before.has_facets(9), "vertex 9 is on no surface");
 
   const auto differs = [&](const char* what, const std::vector<Boundary_facet>& facets, const std::set<int>& at_least)

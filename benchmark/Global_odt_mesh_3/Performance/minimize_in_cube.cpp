@@ -11,11 +11,11 @@
 // The cube has 18,083 vertices, of which 3,752 are a grid on its surface that
 // stays.
 
+#include "averaging_iteration.h"
 #include "random_points.h"
 
-#include <CGAL/Global_odt_mesh_3/internal/Averaging_iteration.h>
-#include <CGAL/Global_odt_mesh_3/internal/Limited_memory_bfgs.h>
-#include <CGAL/Global_odt_mesh_3/internal/Odt_objective_3.h>
+#include <CGAL/Global_odt_mesh_3/internal/optimization/Limited_memory_bfgs.h>
+#include <CGAL/Global_odt_mesh_3/internal/optimization/Odt_objective_3.h>
 
 #include <CGAL/Timer.h>
 

@@ -12,15 +12,15 @@
 // Interior vertices are random with the density as probability. On the surface, where the density is next to nothing, there
 // are 266; more make every energy higher.
 
+#include "averaging_iteration.h"
 #include "flat_mesh_outcome.h"
 #include "graded_runs.h"
 #include "random_points.h"
 
 #include <CGAL/Density_quadratures_3.h>
-#include <CGAL/Global_odt_mesh_3/internal/Averaging_iteration.h>
-#include <CGAL/Global_odt_mesh_3/internal/Limited_memory_bfgs.h>
-#include <CGAL/Global_odt_mesh_3/internal/Momentum_annealing.h>
-#include <CGAL/Global_odt_mesh_3/internal/Sliver_removal_3.h>
+#include <CGAL/Global_odt_mesh_3/internal/optimization/Limited_memory_bfgs.h>
+#include <CGAL/Global_odt_mesh_3/internal/optimization/Momentum_annealing.h>
+#include <CGAL/Global_odt_mesh_3/internal/slivers/Sliver_removal_3.h>
 
 #include <cmath>
 #include <cstddef>

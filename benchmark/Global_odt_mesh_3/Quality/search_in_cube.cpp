@@ -15,17 +15,17 @@
 // whose cells cannot come near 3r/R = 1 and lower its mean by .004.
 // Energies are relative to the mean of those that the AVV iteration reaches over all seeds.
 
+#include "averaging_iteration.h"
 #include "cpu_seconds.h"
 #include "flat_mesh_outcome.h"
 #include "random_points.h"
 
-#include <CGAL/Global_odt_mesh_3/internal/Averaging_iteration.h>
-#include <CGAL/Global_odt_mesh_3/internal/Cell_order.h>
-#include <CGAL/Global_odt_mesh_3/internal/Limited_memory_bfgs.h>
-#include <CGAL/Global_odt_mesh_3/internal/Metropolis_annealing.h>
-#include <CGAL/Global_odt_mesh_3/internal/Momentum_annealing.h>
-#include <CGAL/Global_odt_mesh_3/internal/Odt_objective_3.h>
-#include <CGAL/Global_odt_mesh_3/internal/Sliver_removal_3.h>
+#include <CGAL/Global_odt_mesh_3/internal/optimization/Limited_memory_bfgs.h>
+#include <CGAL/Global_odt_mesh_3/internal/optimization/Metropolis_annealing.h>
+#include <CGAL/Global_odt_mesh_3/internal/optimization/Momentum_annealing.h>
+#include <CGAL/Global_odt_mesh_3/internal/optimization/Odt_objective_3.h>
+#include <CGAL/Global_odt_mesh_3/internal/slivers/Sliver_removal_3.h>
+#include <CGAL/Global_odt_mesh_3/internal/triangulation/Cell_order.h>
 
 #include <cstddef>
 #include <cstdio>

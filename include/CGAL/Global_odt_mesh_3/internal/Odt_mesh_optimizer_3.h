@@ -6,23 +6,23 @@
 #ifndef CGAL_GLOBAL_ODT_MESH_3_INTERNAL_ODT_MESH_OPTIMIZER_3_H
 #define CGAL_GLOBAL_ODT_MESH_3_INTERNAL_ODT_MESH_OPTIMIZER_3_H
 
-#include <CGAL/Global_odt_mesh_3/internal/C3t3_bridge_3.h>
-#include <CGAL/Global_odt_mesh_3/internal/Cell_order.h>
-#include <CGAL/Global_odt_mesh_3/internal/Convergence_monitor.h>
-#include <CGAL/Global_odt_mesh_3/internal/Density_3.h>
-#include <CGAL/Global_odt_mesh_3/internal/Density_quadrature_3.h>
-#include <CGAL/Global_odt_mesh_3/internal/Global_search.h>
-#include <CGAL/Global_odt_mesh_3/internal/Input_density_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/Iteration_control.h>
-#include <CGAL/Global_odt_mesh_3/internal/Limited_memory_bfgs.h>
-#include <CGAL/Global_odt_mesh_3/internal/Make_density_quadrature_3.h>
-#include <CGAL/Global_odt_mesh_3/internal/Odt_objective_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/Odt_parameters.h>
 #include <CGAL/Global_odt_mesh_3/internal/Round_plan.h>
-#include <CGAL/Global_odt_mesh_3/internal/Sliver_stage_3.h>
-#include <CGAL/Global_odt_mesh_3/internal/Surface_cvt_objective_3.h>
-#include <CGAL/Global_odt_mesh_3/internal/Tangential_motion.h>
 #include <CGAL/Global_odt_mesh_3/internal/User_fields_3.h>
+#include <CGAL/Global_odt_mesh_3/internal/density/Density_3.h>
+#include <CGAL/Global_odt_mesh_3/internal/density/Density_quadrature_3.h>
+#include <CGAL/Global_odt_mesh_3/internal/density/Make_density_quadrature_3.h>
+#include <CGAL/Global_odt_mesh_3/internal/optimization/Convergence_monitor.h>
+#include <CGAL/Global_odt_mesh_3/internal/optimization/Global_search.h>
+#include <CGAL/Global_odt_mesh_3/internal/optimization/Limited_memory_bfgs.h>
+#include <CGAL/Global_odt_mesh_3/internal/optimization/Odt_objective_3.h>
+#include <CGAL/Global_odt_mesh_3/internal/optimization/Tangential_motion.h>
+#include <CGAL/Global_odt_mesh_3/internal/restricted/C3t3_bridge_3.h>
+#include <CGAL/Global_odt_mesh_3/internal/sizing/Input_density_3.h>
+#include <CGAL/Global_odt_mesh_3/internal/slivers/Sliver_stage_3.h>
+#include <CGAL/Global_odt_mesh_3/internal/surface/Surface_cvt_objective_3.h>
+#include <CGAL/Global_odt_mesh_3/internal/triangulation/Cell_order.h>
 
 #include <CGAL/Mesh_optimization_return_code.h>
 
@@ -48,9 +48,9 @@ struct Wants_slivers<Visitor, std::void_t<decltype(std::declval<Visitor&>().afte
 
 // Algorithms 1 and 2 of the paper on a c3t3, with vertices that also move on surfaces.
 //
-// While the boundary moves, the facets between subdomains are walls of the flat
+// While the boundary moves, the facets between subdomains are constrained facets of the flat
 // triangulation. After some iterations, the exact triangulation and its restriction to the
-// domain are built anew, which brings other walls; that is a round. In the first rounds, the
+// domain are built anew, which brings other constrained facets; that is a round. In the first rounds, the
 // surfaces go toward a centroidal Voronoi tessellation (section 5.1), which leads to a lower
 // minimum in the next, where all vertices search globally, and in the last, where they go to
 // the minimum. Then the boundary rests, the interior converges, and slivers are removed.
@@ -361,8 +361,8 @@ private:
     std::vector<Tangential_motion> motions;
     for(int v = mesh_.number_of_interior_vertices; v < mesh_.number_of_movable_vertices; ++v)
     {
-      const Boundary_fan& fan = complex.boundary.fan(v, 0);
-      motions.push_back({ fan.normal, moves && fan.is_smooth ? longest_way_in_round * fan.shortest_edge : 0.,
+      const Boundary_umbrella& umbrella = complex.boundary.umbrella(v, 0);
+      motions.push_back({ umbrella.normal, moves && umbrella.is_smooth ? longest_way_in_round * umbrella.shortest_edge : 0.,
                           mesh_.sites[v] });
     }
     return motions;

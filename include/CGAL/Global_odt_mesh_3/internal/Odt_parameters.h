@@ -6,8 +6,8 @@
 #ifndef CGAL_GLOBAL_ODT_MESH_3_INTERNAL_ODT_PARAMETERS_H
 #define CGAL_GLOBAL_ODT_MESH_3_INTERNAL_ODT_PARAMETERS_H
 
-#include <CGAL/Annealing_schedules_3.h>
-#include <CGAL/Density_quadratures_3.h>
+#include <CGAL/Global_odt_mesh_3/internal/density/Quadrature_choice.h>
+#include <CGAL/Global_odt_mesh_3/internal/optimization/Annealing_schedule.h>
 
 #include <CGAL/Mesh_3/parameters_defaults.h>
 #include <CGAL/Named_function_parameters.h>
@@ -21,18 +21,6 @@
 namespace CGAL {
 namespace Global_odt_mesh_3 {
 namespace internal {
-
-typedef std::variant<Momentum_annealing_schedule, Metropolis_annealing_schedule> Annealing_schedule;
-
-// Without a word of the caller, the linear rule, or exact integrals where the density allows them.
-typedef std::variant<std::monostate, Linear_density_rule_3, Four_point_rule_3, Fifteen_point_rule_3, Adaptive_cubature_3>
-  Quadrature_choice;
-
-inline void check(const Quadrature_choice& choice)
-{
-  if(const auto* cubature = std::get_if<Adaptive_cubature_3>(&choice))
-    cubature->check();
-}
 
 // What the caller of odt_optimize_mesh_3() may say.
 struct Odt_parameters

@@ -6,8 +6,8 @@
 #ifndef CGAL_GLOBAL_ODT_MESH_3_INTERNAL_ROUND_PLAN_H
 #define CGAL_GLOBAL_ODT_MESH_3_INTERNAL_ROUND_PLAN_H
 
-#include <CGAL/Global_odt_mesh_3/internal/Global_search.h>
 #include <CGAL/Global_odt_mesh_3/internal/Odt_parameters.h>
+#include <CGAL/Global_odt_mesh_3/internal/optimization/Global_search.h>
 
 #include <algorithm>
 #include <array>

@@ -6,10 +6,10 @@
 #ifndef CGAL_GLOBAL_ODT_MESH_3_INTERNAL_USER_FIELDS_3_H
 #define CGAL_GLOBAL_ODT_MESH_3_INTERNAL_USER_FIELDS_3_H
 
-#include <CGAL/Global_odt_mesh_3/internal/Field_density_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/Named_parameters.h>
-#include <CGAL/Global_odt_mesh_3/internal/Odt_energy_3.h>
-#include <CGAL/Global_odt_mesh_3/internal/Quadratic_polynomial_3.h>
+#include <CGAL/Global_odt_mesh_3/internal/density/Field_density_3.h>
+#include <CGAL/Global_odt_mesh_3/internal/density/Quadratic_polynomial_3.h>
+#include <CGAL/Global_odt_mesh_3/internal/geometry/Site.h>
 #include <CGAL/Quadratic_density_3.h>
 
 #include <CGAL/assertions.h>

@@ -1,0 +1,105 @@
+// Copyright (c) 2026 The Global_odt_mesh_3 authors.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_GLOBAL_ODT_MESH_3_INTERNAL_DENSITY_FIELD_DENSITY_3_H
+#define CGAL_GLOBAL_ODT_MESH_3_INTERNAL_DENSITY_FIELD_DENSITY_3_H
+
+#include <CGAL/Global_odt_mesh_3/internal/density/Density_3.h>
+#include <CGAL/Global_odt_mesh_3/internal/density/Quadratic_polynomial_3.h>
+#include <CGAL/Global_odt_mesh_3/internal/geometry/Site.h>
+
+#include <CGAL/assertions.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <functional>
+#include <optional>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Global_odt_mesh_3 {
+namespace internal {
+
+// The density that the user gives, or that of the sizes that the user gives.
+class Field_density_3
+  : public Density_3
+{
+public:
+  enum Meaning { SIZE, DENSITY };
+
+  // At the position of a vertex, given its number.
+  typedef std::function<double(int, const Site&)> Field;
+
+  // `sites` are those of the vertices where the field is measured. A density that is a
+  // polynomial may be zero at points: its integrals are not.
+  Field_density_3(Meaning meaning, Field field, const std::vector<Site>& sites,
+                  const std::optional<Quadratic_polynomial_3>& polynomial = std::nullopt)
+    : meaning_(meaning)
+    , field_(std::move(field))
+    , polynomial_(polynomial)
+  {
+    std::vector<double> values;
+    values.reserve(sites.size());
+    for(std::size_t v = 0; v < sites.size(); ++v)
+      values.push_back(value(static_cast<int>(v), sites[v]));
+    if(values.empty())
+      return;
+    const auto median = values.begin() + values.size() / 2;
+    std::nth_element(values.begin(), median, values.end());
+    unit_ = *median;
+    require(unit_ > 0);
+    if(polynomial_)
+      *polynomial_ *= 1 / unit_;
+    is_uniform_ = std::all_of(values.begin(), values.end(), [this](double x) { return x == unit_; });
+  }
+
+  bool is_uniform() const override { return is_uniform_; }
+
+  // The density, as the field means it, that is called one.
+  double unit_density() const { return meaning_ == SIZE ? volume_density(unit_) : unit_; }
+
+  double in_volume(int v, const Site& s) override
+  {
+    const double x = value(v, s) / unit_;
+    return meaning_ == SIZE ? volume_density(x) : x;
+  }
+
+  double on_surface(int v, const Site& s) override
+  {
+    // The size that a density stands for is its power of -1/5.
+    const double x = value(v, s) / unit_;
+    return meaning_ == SIZE ? surface_density(x) : std::pow(x, 4. / 5);
+  }
+
+  const Quadratic_polynomial_3* polynomial() const override { return polynomial_ ? &*polynomial_ : nullptr; }
+
+private:
+  double value(int v, const Site& s) const
+  {
+    const double x = field_(v, s);
+    require((x > 0 || (polynomial_ && x == 0)) && std::isfinite(x));
+    return x;
+  }
+
+  void require(bool is_good) const
+  {
+    CGAL_precondition_msg(is_good, meaning_ == SIZE ? "sizing_field must be positive and finite"
+                                                    : "density must be positive and finite");
+  }
+
+  Meaning meaning_;
+  Field field_;
+  std::optional<Quadratic_polynomial_3> polynomial_;
+  double unit_ = 1;
+  bool is_uniform_ = true;
+};
+
+} // namespace internal
+} // namespace Global_odt_mesh_3
+} // namespace CGAL
+
+#endif // CGAL_GLOBAL_ODT_MESH_3_INTERNAL_DENSITY_FIELD_DENSITY_3_H

@@ -1,0 +1,49 @@
+// Copyright (c) 2026 The Global_odt_mesh_3 authors.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_GLOBAL_ODT_MESH_3_INTERNAL_DENSITY_MAKE_DENSITY_QUADRATURE_3_H
+#define CGAL_GLOBAL_ODT_MESH_3_INTERNAL_DENSITY_MAKE_DENSITY_QUADRATURE_3_H
+
+#include <CGAL/Global_odt_mesh_3/internal/density/Adaptive_cubature_quadrature_3.h>
+#include <CGAL/Global_odt_mesh_3/internal/density/Density_3.h>
+#include <CGAL/Global_odt_mesh_3/internal/density/Density_moment_cache_3.h>
+#include <CGAL/Global_odt_mesh_3/internal/density/Density_quadrature_3.h>
+#include <CGAL/Global_odt_mesh_3/internal/density/Point_rule_quadrature_3.h>
+#include <CGAL/Global_odt_mesh_3/internal/density/Quadratic_density_quadrature_3.h>
+#include <CGAL/Global_odt_mesh_3/internal/density/Quadrature_choice.h>
+
+#include <memory>
+#include <utility>
+#include <variant>
+
+namespace CGAL {
+namespace Global_odt_mesh_3 {
+namespace internal {
+
+// The quadrature that the caller has chosen, or null for the linear one, which needs none.
+inline std::unique_ptr<Density_quadrature_3> make_density_quadrature_3(const Quadrature_choice& choice,
+                                                                       Density_3& rho)
+{
+  if(std::holds_alternative<std::monostate>(choice) && rho.polynomial() != nullptr)
+    return std::make_unique<Quadratic_density_quadrature_3>(*rho.polynomial());
+  const Density_quadrature_3::Density density = [&rho](int v, const Site& s) { return rho.in_cell(v, s); };
+  std::unique_ptr<Density_quadrature_3> quadrature;
+  if(std::holds_alternative<Four_point_rule_3>(choice))
+    quadrature = std::make_unique<Point_rule_quadrature_3>(Point_rule_quadrature_3::four_points(), density);
+  else if(std::holds_alternative<Fifteen_point_rule_3>(choice))
+    quadrature = std::make_unique<Point_rule_quadrature_3>(Point_rule_quadrature_3::fifteen_points(), density);
+  else if(const auto* cubature = std::get_if<Adaptive_cubature_3>(&choice))
+    quadrature = std::make_unique<Adaptive_cubature_quadrature_3>(density, cubature->tolerance,
+                                                                  cubature->most_regions);
+  if(quadrature == nullptr)
+    return nullptr;
+  return std::make_unique<Density_moment_cache_3>(std::move(quadrature));
+}
+
+} // namespace internal
+} // namespace Global_odt_mesh_3
+} // namespace CGAL
+
+#endif // CGAL_GLOBAL_ODT_MESH_3_INTERNAL_DENSITY_MAKE_DENSITY_QUADRATURE_3_H

@@ -1,0 +1,97 @@
+// Copyright (c) 2026 The Global_odt_mesh_3 authors.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_GLOBAL_ODT_MESH_3_INTERNAL_DENSITY_POINT_RULE_QUADRATURE_3_H
+#define CGAL_GLOBAL_ODT_MESH_3_INTERNAL_DENSITY_POINT_RULE_QUADRATURE_3_H
+
+#include <CGAL/Global_odt_mesh_3/internal/density/Density_moments_3.h>
+#include <CGAL/Global_odt_mesh_3/internal/density/Density_quadrature_3.h>
+#include <CGAL/Global_odt_mesh_3/internal/density/Density_samples_3.h>
+#include <CGAL/Global_odt_mesh_3/internal/geometry/Site.h>
+
+#include <array>
+#include <cmath>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Global_odt_mesh_3 {
+namespace internal {
+
+// The moments by a symmetric rule with positive weights, from which follow positive moments.
+class Point_rule_quadrature_3
+  : public Density_quadrature_3
+{
+public:
+  struct Point
+  {
+    double weight;
+    Density_samples_3::Barycentric_coordinates coordinates;
+  };
+
+  Point_rule_quadrature_3(std::vector<Point> rule, Density density)
+    : rule_(std::move(rule))
+    , density_(std::move(density))
+  {}
+
+  // Of degree 2 (Stroud, Approximate Calculation of Multiple Integrals, T3:2-1).
+  static std::vector<Point> four_points()
+  {
+    std::vector<Point> rule;
+    add_vertex_orbit((5 - std::sqrt(5.)) / 20, 0.25, rule);
+    return rule;
+  }
+
+  // Of degree 5 (the same, T3:5-1).
+  static std::vector<Point> fifteen_points()
+  {
+    const double root = std::sqrt(15.);
+    std::vector<Point> rule = {{ 16. / 135, {{ 0.25, 0.25, 0.25, 0.25 }} }};
+    add_vertex_orbit((7 - root) / 34, (2665 + 14 * root) / 37800, rule);
+    add_vertex_orbit((7 + root) / 34, (2665 - 14 * root) / 37800, rule);
+    add_edge_orbit((5 - root) / 20, 10. / 189, rule);
+    return rule;
+  }
+
+  Density_moments_3 moments(int, const int* vertices, const Site* sites) override
+  {
+    const Density_samples_3 samples(density_, vertices, sites);
+    Density_samples_3::Products sum = {};
+    for(const Point& p : rule_)
+      samples.add(p.coordinates, p.weight, sum);
+    return Density_samples_3::moments(sum);
+  }
+
+private:
+  // Points with three coordinates `a`.
+  static void add_vertex_orbit(double a, double weight, std::vector<Point>& rule)
+  {
+    for(int i = 0; i < 4; ++i)
+    {
+      rule.push_back({ weight, {{ a, a, a, a }} });
+      rule.back().coordinates[i] = 1 - 3 * a;
+    }
+  }
+
+  // Points with two coordinates `a`.
+  static void add_edge_orbit(double a, double weight, std::vector<Point>& rule)
+  {
+    for(const std::array<int, 2>& edge : Density_moments_3::edges)
+    {
+      rule.push_back({ weight, {{ a, a, a, a }} });
+      for(int i : edge)
+        rule.back().coordinates[i] = 0.5 - a;
+    }
+  }
+
+  std::vector<Point> rule_;
+  Density density_;
+};
+
+} // namespace internal
+} // namespace Global_odt_mesh_3
+} // namespace CGAL
+
+#endif // CGAL_GLOBAL_ODT_MESH_3_INTERNAL_DENSITY_POINT_RULE_QUADRATURE_3_H

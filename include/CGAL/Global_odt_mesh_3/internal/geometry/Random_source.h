@@ -1,0 +1,56 @@
+// Copyright (c) 2026 The Global_odt_mesh_3 authors.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_GLOBAL_ODT_MESH_3_INTERNAL_GEOMETRY_RANDOM_SOURCE_H
+#define CGAL_GLOBAL_ODT_MESH_3_INTERNAL_GEOMETRY_RANDOM_SOURCE_H
+
+#include <Eigen/Core>
+
+#include <cmath>
+#include <cstdint>
+#include <random>
+
+namespace CGAL {
+namespace Global_odt_mesh_3 {
+namespace internal {
+
+// Random numbers and directions that a seed determines bit by bit: the standard prescribes
+// the output of its engines, but not that of its distributions.
+class Random_source
+{
+public:
+  explicit Random_source(unsigned int seed) : engine_(seed) {}
+
+  // In [0, 1).
+  double uniform() { return static_cast<double>(engine_() >> 11) * 0x1p-53; }
+
+  // Uniform on the unit sphere: a point of the disk, lifted (Marsaglia, Choosing a point from
+  // the surface of a sphere, 1972). Both its coordinates come from one number.
+  Eigen::Vector3d direction()
+  {
+    for(;;)
+    {
+      const std::uint64_t bits = engine_();
+      const double x = half(bits >> 32), y = half(bits & 0xffffffffu), s = x * x + y * y;
+      if(s < 1)
+      {
+        const double r = 2 * std::sqrt(1 - s);
+        return { x * r, y * r, 1 - 2 * s };
+      }
+    }
+  }
+
+private:
+  // In (-1, 1), from 32 bits.
+  static double half(std::uint64_t bits) { return (static_cast<double>(bits) + 0.5) * 0x1p-31 - 1; }
+
+  std::mt19937_64 engine_;
+};
+
+} // namespace internal
+} // namespace Global_odt_mesh_3
+} // namespace CGAL
+
+#endif // CGAL_GLOBAL_ODT_MESH_3_INTERNAL_GEOMETRY_RANDOM_SOURCE_H

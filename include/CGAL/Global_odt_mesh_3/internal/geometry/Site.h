@@ -1,0 +1,26 @@
+// Copyright (c) 2026 The Global_odt_mesh_3 authors.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_GLOBAL_ODT_MESH_3_INTERNAL_GEOMETRY_SITE_H
+#define CGAL_GLOBAL_ODT_MESH_3_INTERNAL_GEOMETRY_SITE_H
+
+namespace CGAL {
+namespace Global_odt_mesh_3 {
+namespace internal {
+
+// A vertex as the energy sees it: a point lifted to height |p|^2 - weight.
+// The weight is zero except for the protecting balls of features.
+struct Site
+{
+  double x, y, z;
+  double weight;
+};
+
+
+} // namespace internal
+} // namespace Global_odt_mesh_3
+} // namespace CGAL
+
+#endif // CGAL_GLOBAL_ODT_MESH_3_INTERNAL_GEOMETRY_SITE_H

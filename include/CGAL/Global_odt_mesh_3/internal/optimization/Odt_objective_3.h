@@ -1,0 +1,170 @@
+// Copyright (c) 2026 The Global_odt_mesh_3 authors.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_GLOBAL_ODT_MESH_3_INTERNAL_OPTIMIZATION_ODT_OBJECTIVE_3_H
+#define CGAL_GLOBAL_ODT_MESH_3_INTERNAL_OPTIMIZATION_ODT_OBJECTIVE_3_H
+
+#include <CGAL/Global_odt_mesh_3/internal/optimization/Tangential_motion.h>
+#include <CGAL/Global_odt_mesh_3/internal/triangulation/Moving_triangulation_3.h>
+
+#include <Eigen/Core>
+
+#include <array>
+#include <cstddef>
+#include <functional>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Global_odt_mesh_3 {
+namespace internal {
+
+// The energy of a moving triangulation as a function of the coordinates of its
+// movable vertices, in the form that the minimizer wants. Frozen vertices are
+// held by a zero gradient, those on surfaces by its tangential part.
+class Odt_objective_3
+{
+public:
+  // The density at a vertex, given its number and position.
+  typedef std::function<double(int, const Site&)> Density;
+
+  // `motions` are those of the vertices beyond the interior ones. Vertices whose
+  // motion has no radius stay.
+  explicit Odt_objective_3(Moving_triangulation_3& mesh, Density density = Density(),
+                           std::vector<Tangential_motion> motions = std::vector<Tangential_motion>())
+    : mesh_(mesh)
+    , density_(std::move(density))
+    , motions_(std::move(motions))
+    , frozen_(mesh.number_of_movable_vertices, false)
+    , retreats_(mesh.number_of_movable_vertices, 0)
+    , point_(3 * mesh.number_of_movable_vertices)
+    , gradient_(point_.size())
+    , diagonal_(point_.size())
+  {
+    for(int v = mesh.number_of_interior_vertices; v < mesh.number_of_movable_vertices; ++v)
+      if(motion(v) == nullptr || motion(v)->is_at_rest())
+        freeze(v);
+    start();
+  }
+
+  // Makes the triangulation regular where it is and evaluates there; false if it
+  // cannot be mended.
+  bool start()
+  {
+    mesh_.keep();
+    update_density();
+    is_feasible_ = mesh_.evaluate();
+    gather();
+    mesh_.keep();
+    return is_feasible_;
+  }
+
+  bool is_feasible() const { return is_feasible_; }
+  double value() const { return mesh_.energy(); }
+  const Eigen::VectorXd& point() const { return point_; }
+  const Eigen::VectorXd& gradient() const { return gradient_; }
+  const Eigen::VectorXd& diagonal() const { return diagonal_; }
+
+  bool evaluate(const Eigen::VectorXd& x)
+  {
+    for(int v = 0; v < mesh_.number_of_movable_vertices; ++v)
+    {
+      if(frozen_[v])
+        continue;
+      Site& s = mesh_.sites[v];
+      s.x = x[3 * v];
+      s.y = x[3 * v + 1];
+      s.z = x[3 * v + 2];
+      if(v >= mesh_.number_of_interior_vertices)
+        motion(v)->hold_in_disk(s);
+    }
+    update_density();
+    if(!mesh_.evaluate())
+      return false;
+    gather();
+    return true;
+  }
+
+  // Vertices that are held back again and again, at a constrained facet, are frozen.
+  void accept()
+  {
+    for(int v : mesh_.retreated_vertices())
+      if(++retreats_[v] == most_retreats)
+        freeze(v);
+    mesh_.keep();
+  }
+  // The last point becomes the current one, without that.
+  void keep() { mesh_.keep(); }
+  void reject() { mesh_.restore(); }
+
+  int number_of_vertices() const { return mesh_.number_of_movable_vertices; }
+  void mean_edge_lengths(std::vector<double>& length) const { mesh_.mean_edge_lengths(length); }
+
+  // The normal of the plane in which the vertex moves, or null if it moves in space.
+  const std::array<double, 3>* normal(int v) const
+  {
+    return v < mesh_.number_of_interior_vertices || motion(v) == nullptr ? nullptr : &motion(v)->normal;
+  }
+
+  int number_of_frozen_vertices() const { return number_of_frozen_vertices_; }
+  bool is_frozen(int v) const { return frozen_[v]; }
+  void freeze(int v)
+  {
+    if(!frozen_[v])
+      ++number_of_frozen_vertices_;
+    frozen_[v] = true;
+    gradient_.segment<3>(3 * v).setZero();
+  }
+
+private:
+  static constexpr int most_retreats = 3;
+
+  const Tangential_motion* motion(int v) const
+  {
+    const std::size_t n = v - mesh_.number_of_interior_vertices;
+    return n < motions_.size() ? &motions_[n] : nullptr;
+  }
+
+  void update_density()
+  {
+    if(density_)
+      for(int v = 0; v < mesh_.number_of_movable_vertices; ++v)
+        mesh_.density[v] = density_(v, mesh_.sites[v]);
+  }
+
+  void gather()
+  {
+    const std::vector<Site_gradient>& g = mesh_.gradient();
+    for(int v = 0; v < mesh_.number_of_movable_vertices; ++v)
+    {
+      const Site& s = mesh_.sites[v];
+      point_.segment<3>(3 * v) << s.x, s.y, s.z;
+      diagonal_.segment<3>(3 * v).setConstant(g[v].diagonal);
+      if(frozen_[v])
+        gradient_.segment<3>(3 * v).setZero();
+      else
+      {
+        gradient_.segment<3>(3 * v) << g[v].x, g[v].y, g[v].z;
+        if(v >= mesh_.number_of_interior_vertices)
+          gradient_.segment<3>(3 * v) = motion(v)->tangential_part(gradient_.segment<3>(3 * v));
+      }
+    }
+  }
+
+  Moving_triangulation_3& mesh_;
+  Density density_;
+  std::vector<Tangential_motion> motions_;
+  std::vector<char> frozen_;
+  std::vector<int> retreats_;
+  int number_of_frozen_vertices_ = 0;
+  Eigen::VectorXd point_, gradient_, diagonal_;
+  bool is_feasible_ = false;
+};
+
+} // namespace internal
+} // namespace Global_odt_mesh_3
+} // namespace CGAL
+
+#endif // CGAL_GLOBAL_ODT_MESH_3_INTERNAL_OPTIMIZATION_ODT_OBJECTIVE_3_H

@@ -1,0 +1,59 @@
+// Copyright (c) 2026 The Global_odt_mesh_3 authors.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_GLOBAL_ODT_MESH_3_INTERNAL_OPTIMIZATION_VERTEX_NOISE_H
+#define CGAL_GLOBAL_ODT_MESH_3_INTERNAL_OPTIMIZATION_VERTEX_NOISE_H
+
+#include <CGAL/Global_odt_mesh_3/internal/geometry/Random_source.h>
+#include <CGAL/Global_odt_mesh_3/internal/optimization/Odt_objective_3.h>
+
+#include <Eigen/Core>
+
+#include <array>
+#include <vector>
+
+namespace CGAL {
+namespace Global_odt_mesh_3 {
+namespace internal {
+
+// Random displacements of the vertices, in the scale of their mean incident edges (section 4.3
+// of the paper).
+class Vertex_noise
+{
+public:
+  explicit Vertex_noise(unsigned int seed) : random_(seed) {}
+
+  // To be called first and when the edges have got other lengths.
+  void measure_edges(const Odt_objective_3& f) { f.mean_edge_lengths(edge_length_); }
+  double mean_edge_length(int v) const { return edge_length_[v]; }
+
+  // In a random direction, its tangential part on surfaces, of a length uniform between zero and
+  // the amplitude times the mean edge. Frozen vertices stay.
+  Eigen::Vector3d displacement(const Odt_objective_3& f, int v, double interior_amplitude, double surface_amplitude)
+  {
+    if(f.is_frozen(v))
+      return Eigen::Vector3d::Zero();
+    const Eigen::Vector3d direction = random_.direction();
+    const double length = edge_length_[v] * random_.uniform();
+    const std::array<double, 3>* normal = f.normal(v);
+    if(normal == nullptr)
+      return interior_amplitude * length * direction;
+    const Eigen::Map<const Eigen::Vector3d> n(normal->data());
+    return surface_amplitude * length * (direction - n.dot(direction) * n);
+  }
+
+  // The source of the noise, for whatever else is left to chance.
+  Random_source& random() { return random_; }
+
+private:
+  Random_source random_;
+  std::vector<double> edge_length_;
+};
+
+} // namespace internal
+} // namespace Global_odt_mesh_3
+} // namespace CGAL
+
+#endif // CGAL_GLOBAL_ODT_MESH_3_INTERNAL_OPTIMIZATION_VERTEX_NOISE_H

@@ -1,0 +1,162 @@
+// Copyright (c) 2026 The Global_odt_mesh_3 authors.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_GLOBAL_ODT_MESH_3_INTERNAL_RESTRICTED_BOUNDARY_PEELING_3_H
+#define CGAL_GLOBAL_ODT_MESH_3_INTERNAL_RESTRICTED_BOUNDARY_PEELING_3_H
+
+#include <CGAL/Global_odt_mesh_3/internal/geometry/Cell_shape_3.h>
+#include <CGAL/Global_odt_mesh_3/internal/restricted/Boundary_extraction_3.h>
+#include <CGAL/Global_odt_mesh_3/internal/restricted/Boundary_fidelity_3.h>
+#include <CGAL/Global_odt_mesh_3/internal/restricted/Boundary_preservation_3.h>
+#include <CGAL/Global_odt_mesh_3/internal/restricted/Cell_knowledge.h>
+#include <CGAL/Global_odt_mesh_3/internal/restricted/Restricted_draft_3.h>
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <map>
+#include <set>
+#include <utility>
+
+namespace CGAL {
+namespace Global_odt_mesh_3 {
+namespace internal {
+
+// Takes flat cells off the boundary.
+//
+// A sliver with two facets on the boundary stems from four vertices in nearly one
+// plane and on one circle, so that it may as well be on the other side: where that keeps
+// the topology, two boundary facets are replaced by the two others.
+template <class Triangulation, class Mesh_domain>
+class Boundary_peeling_3
+{
+public:
+  typedef Restricted_draft_3<Triangulation, Mesh_domain> Draft;
+  typedef typename Draft::Complex Complex;
+  typedef Boundary_extraction_3<Triangulation, Mesh_domain> Boundary_extraction;
+  typedef Boundary_preservation_3<Triangulation, Mesh_domain> Boundary_preservation;
+  typedef Boundary_fidelity_3<Triangulation, Mesh_domain> Boundary_fidelity;
+
+  Boundary_peeling_3(Complex& complex, Draft& draft, Boundary_extraction& extraction,
+                     const Boundary_preservation& preservation, Boundary_fidelity& fidelity)
+    : complex_(complex)
+    , draft_(draft)
+    , extraction_(extraction)
+    , preservation_(preservation)
+    , fidelity_(fidelity)
+  {}
+
+  void peel()
+  {
+    std::set<Cell_handle> refused;
+    for(int pass = 0; pass < 4; ++pass)
+    {
+      Peeled_cells peeled = flat_cells(refused);
+      if(peeled.empty())
+        break;
+      for(const auto& p : peeled)
+      {
+        p.first->set_subdomain_index(complex_.labels.value(p.second.second));
+        forget(p.first, IS_SETTLED);
+      }
+      extraction_.find_boundary();
+      put_back_harmful(peeled, refused);
+      for(auto& c : draft_.boundary_cells)
+      {
+        const auto p = peeled.find(c.first);
+        if(p != peeled.end())
+          c.second = p->second.second;
+      }
+    }
+  }
+
+private:
+  typedef typename Draft::Cell_handle Cell_handle;
+  typedef typename Draft::Quadruple Quadruple;
+  typedef std::map<Cell_handle, std::pair<int, int> > Peeled_cells;     // with old and new label
+
+  static constexpr double sliver_angle = 20, flat_angle = 35;
+  static constexpr int no_subdomain = Complex::no_subdomain;
+
+  // Cells to be peeled that have no vertices in common.
+  Peeled_cells flat_cells(const std::set<Cell_handle>& refused)
+  {
+    Peeled_cells cells;
+    std::set<int> used;
+    for(const auto& c : draft_.boundary_cells)
+    {
+      const int label = refused.count(c.first) > 0 ? int(no_subdomain) : label_after_peeling(c.first, c.second);
+      if(label == no_subdomain)
+        continue;
+      const Quadruple q = draft_.numbers(c.first);
+      if(std::any_of(q.begin(), q.end(), [&](int v) { return used.count(v) > 0; }))
+        continue;
+      used.insert(q.begin(), q.end());
+      cells.emplace(c.first, std::make_pair(c.second, label));
+    }
+    return cells;
+  }
+
+  // The label beyond both boundary facets of a flat sliver, or no_subdomain.
+  int label_after_peeling(Cell_handle c, int label)
+  {
+    if(label == complex_.outside())
+      return no_subdomain;
+    std::array<int, 4> facet;
+    int count = 0;
+    for(int i = 0; i < 4; ++i)
+      if(c->neighbor(i)->subdomain_index() != c->subdomain_index())
+        facet[count++] = i;
+    if(count != 2 || c->neighbor(facet[0])->subdomain_index() != c->neighbor(facet[1])->subdomain_index())
+      return no_subdomain;
+    const Quadruple q = draft_.numbers(c);
+    const Cell_shape_3 shape(draft_.sites[q[0]], draft_.sites[q[1]], draft_.sites[q[2]], draft_.sites[q[3]]);
+    const double between = shape.angles[facet[0] == 0 ? facet[1] - 1 : facet[0] + facet[1]];
+    if(between < 180 - flat_angle || *std::min_element(shape.angles.begin(), shape.angles.end()) > sliver_angle)
+      return no_subdomain;
+    for(int i = 0; i < 4; ++i)
+      if(i != facet[0] && i != facet[1] && !fidelity_.is_faithful({{ q[(i + 1) % 4], q[(i + 2) % 4], q[(i + 3) % 4] }}))
+        return no_subdomain;
+    return complex_.labels.number(c->neighbor(facet[0])->subdomain_index());
+  }
+
+  // Cells that change the topology of the boundary stay where they were: those at vertices where
+  // it has changed or, if there are none, all.
+  void put_back_harmful(Peeled_cells& peeled, std::set<Cell_handle>& refused)
+  {
+    for(std::set<int> changed; !peeled.empty() && !(changed = preservation_.changes()).empty();
+        extraction_.find_boundary())
+    {
+      const auto is_harmful = [&](Cell_handle c)
+      {
+        const Quadruple q = draft_.numbers(c);
+        return std::any_of(q.begin(), q.end(), [&](int v) { return changed.count(v) > 0; });
+      };
+      const bool any = std::any_of(peeled.begin(), peeled.end(),
+                                   [&](const auto& p) { return is_harmful(p.first); });
+      for(auto p = peeled.begin(); p != peeled.end(); )
+        if(any && !is_harmful(p->first))
+          ++p;
+        else
+        {
+          refused.insert(p->first);
+          p->first->set_subdomain_index(complex_.labels.value(p->second.first));
+          p = peeled.erase(p);
+        }
+    }
+  }
+
+  Complex& complex_;
+  Draft& draft_;
+  Boundary_extraction& extraction_;
+  const Boundary_preservation& preservation_;
+  Boundary_fidelity& fidelity_;
+};
+
+} // namespace internal
+} // namespace Global_odt_mesh_3
+} // namespace CGAL
+
+#endif // CGAL_GLOBAL_ODT_MESH_3_INTERNAL_RESTRICTED_BOUNDARY_PEELING_3_H

@@ -1,0 +1,191 @@
+// Copyright (c) 2026 The Global_odt_mesh_3 authors.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_GLOBAL_ODT_MESH_3_INTERNAL_RESTRICTED_DOMAIN_ORACLE_3_H
+#define CGAL_GLOBAL_ODT_MESH_3_INTERNAL_RESTRICTED_DOMAIN_ORACLE_3_H
+
+#include <CGAL/Global_odt_mesh_3/internal/geometry/Point_coordinates.h>
+
+#include <array>
+#include <cmath>
+#ifdef CGAL_GLOBAL_ODT_MESH_3_PROFILING
+#  include <chrono>
+#endif
+#include <cstddef>
+#include <tuple>
+#include <type_traits>
+#include <utility>
+
+namespace CGAL {
+namespace Global_odt_mesh_3 {
+namespace internal {
+
+// Polyhedral domains offer the AABB tree of their facets.
+template <class Mesh_domain, class = void>
+struct Has_aabb_tree : std::false_type {};
+
+template <class Mesh_domain>
+struct Has_aabb_tree<Mesh_domain,
+                     std::void_t<typename Mesh_domain::AABB_tree,
+                                 decltype(std::declval<const Mesh_domain&>().aabb_tree()),
+                                 decltype(std::declval<const Mesh_domain&>().make_surface_index(
+                                   std::declval<typename Mesh_domain::AABB_tree::Primitive_id>()))> >
+  : std::true_type {};
+
+// How often the domain was asked.
+struct Oracle_statistics
+{
+  std::size_t locations = 0;        // is_in_domain
+  std::size_t intersections = 0;    // do_intersect_surface followed by construct_intersection
+  std::size_t projections = 0;      // closest points from the AABB tree
+  std::size_t failures = 0;         // intersections and projections that found nothing of use
+  double seconds = 0;               // spent in the domain, if CGAL_GLOBAL_ODT_MESH_3_PROFILING is defined
+
+  Oracle_statistics& operator+=(const Oracle_statistics& o)
+  {
+    locations += o.locations; intersections += o.intersections; projections += o.projections;
+    failures += o.failures; seconds += o.seconds;
+    return *this;
+  }
+};
+
+// Adds the time of its life to the statistics.
+class Oracle_stopwatch
+{
+#ifdef CGAL_GLOBAL_ODT_MESH_3_PROFILING
+public:
+  explicit Oracle_stopwatch(Oracle_statistics& s) : statistics_(s), begin_(std::chrono::steady_clock::now()) {}
+  ~Oracle_stopwatch()
+  {
+    statistics_.seconds += std::chrono::duration<double>(std::chrono::steady_clock::now() - begin_).count();
+  }
+
+private:
+  Oracle_statistics& statistics_;
+  std::chrono::steady_clock::time_point begin_;
+#else
+public:
+  explicit Oracle_stopwatch(Oracle_statistics&) {}
+#endif
+};
+
+// All questions to the domain go through here. They are those of the concept
+// MeshDomain_3; where there is an AABB tree, it projects.
+template <class Mesh_domain>
+class Domain_oracle_3
+{
+public:
+  typedef typename Mesh_domain::Subdomain_index Subdomain_index;
+  typedef typename Mesh_domain::Surface_patch_index Surface_patch_index;
+  typedef typename Mesh_domain::Index Index;
+  typedef typename Mesh_domain::Point_3 Point_3;
+  typedef typename Mesh_domain::Segment_3 Segment_3;
+  typedef std::array<double, 3> Vector;
+
+  explicit Domain_oracle_3(const Mesh_domain& domain)
+    : domain_(domain)
+  {}
+
+  const Oracle_statistics& statistics() const { return statistics_; }
+
+  // Outside, this is Subdomain_index().
+  Subdomain_index subdomain(const Point_3& p)
+  {
+    ++statistics_.locations;
+    const Oracle_stopwatch stopwatch(statistics_);
+    const auto s = domain_.is_in_domain_object()(p);
+    return s ? Subdomain_index(*s) : Subdomain_index();
+  }
+
+  Surface_patch_index surface_patch(const Index& index) const { return domain_.surface_patch_index(index); }
+
+  // Moves `p` to the surface patch, by the closest point or along the normal, at
+  // most as far as `reach`; false if there is no such point.
+  bool project(Vector& p, const Vector& normal, double reach, const Surface_patch_index& patch)
+  {
+    if constexpr (Has_aabb_tree<Mesh_domain>::value)
+    {
+      ++statistics_.projections;
+      const Oracle_stopwatch stopwatch(statistics_);
+      const auto closest = domain_.aabb_tree().closest_point_and_primitive(Point_3(p[0], p[1], p[2]));
+      const Vector q = coordinates(closest.first);
+      if(distance(p, q) <= reach && domain_.make_surface_index(closest.second) == patch)
+      {
+        p = q;
+        return true;
+      }
+      ++statistics_.failures;
+      return false;
+    }
+    else
+    {
+      // Short segments are cut faster, and rarely at another sheet of the surface.
+      Index index;
+      for(double h : { reach / 4, reach })
+      {
+        Vector q = p;
+        if(!intersect(q, normal, h, index))
+          continue;
+        if(!(domain_.surface_patch_index(index) == patch))
+          break;
+        p = q;
+        return true;
+      }
+      return false;
+    }
+  }
+
+  // How far `p` is from the surface, if that is easily found out, or else 0.
+  double distance_to_surface(const Vector& p)
+  {
+    if constexpr (Has_aabb_tree<Mesh_domain>::value)
+    {
+      ++statistics_.projections;
+      const Oracle_stopwatch stopwatch(statistics_);
+      return distance(p, coordinates(domain_.aabb_tree().closest_point(Point_3(p[0], p[1], p[2]))));
+    }
+    else
+      return 0;
+  }
+
+  // Moves `p` to where the segment of that half length and direction around it
+  // meets the surface.
+  bool intersect(Vector& p, const Vector& direction, double half_length, Index& index)
+  {
+    ++statistics_.intersections;
+    const Oracle_stopwatch stopwatch(statistics_);
+    const Segment_3 s(Point_3(p[0] - half_length * direction[0], p[1] - half_length * direction[1],
+                              p[2] - half_length * direction[2]),
+                      Point_3(p[0] + half_length * direction[0], p[1] + half_length * direction[1],
+                              p[2] + half_length * direction[2]));
+    if(domain_.do_intersect_surface_object()(s))
+    {
+      const typename Mesh_domain::Intersection i = domain_.construct_intersection_object()(s);
+      if(std::get<2>(i) >= 2)
+      {
+        p = coordinates(std::get<0>(i));
+        index = std::get<1>(i);
+        return true;
+      }
+    }
+    ++statistics_.failures;
+    return false;
+  }
+
+private:
+  static double distance(const Vector& a, const Vector& b)
+  {
+    return std::sqrt((a[0] - b[0]) * (a[0] - b[0]) + (a[1] - b[1]) * (a[1] - b[1]) + (a[2] - b[2]) * (a[2] - b[2]));
+  }
+
+  const Mesh_domain& domain_;
+  Oracle_statistics statistics_;
+};
+
+} // namespace internal
+} // namespace Global_odt_mesh_3
+} // namespace CGAL
+
+#endif // CGAL_GLOBAL_ODT_MESH_3_INTERNAL_RESTRICTED_DOMAIN_ORACLE_3_H

@@ -1,0 +1,107 @@
+// Copyright (c) 2026 The Global_odt_mesh_3 authors.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_GLOBAL_ODT_MESH_3_INTERNAL_RESTRICTED_NUMBERED_TRIANGULATION_3_H
+#define CGAL_GLOBAL_ODT_MESH_3_INTERNAL_RESTRICTED_NUMBERED_TRIANGULATION_3_H
+
+#include <CGAL/Global_odt_mesh_3/internal/geometry/Spatial_order.h>
+
+#include <CGAL/number_utils.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <iterator>
+#include <set>
+#include <vector>
+
+namespace CGAL {
+namespace Global_odt_mesh_3 {
+namespace internal {
+
+// CGAL's exact regular triangulation of weighted points, whose vertices know
+// their numbers: until the complex is filled, a vertex's meshing_info is it.
+template <class Triangulation>
+class Numbered_triangulation_3
+{
+public:
+  typedef typename Triangulation::Vertex_handle Vertex_handle;
+  typedef typename Triangulation::Cell_handle Cell_handle;
+  typedef typename Triangulation::Weighted_point Weighted_point;
+
+  const Triangulation& triangulation() const { return tr_; }
+  Triangulation& triangulation() { return tr_; }
+  Vertex_handle vertex(int v) const { return vertices_[v]; }
+  std::size_t number_of_vertices() const { return vertices_.size(); }
+  static int number(Vertex_handle h) { return static_cast<int>(h->meshing_info()); }
+
+  // Weighted points come first, so that those that they would hide are noticed
+  // when they are inserted.
+  void build(const std::vector<Weighted_point>& points, const std::vector<Site>& sites)
+  {
+    tr_.clear();
+    vertices_.assign(points.size(), Vertex_handle());
+    std::vector<std::size_t> order = insertion_order(sites);
+    std::stable_partition(order.begin(), order.end(), [&](std::size_t v) { return sites[v].weight != 0; });
+    Cell_handle hint;
+    for(std::size_t v : order)
+      insert(static_cast<int>(v), points[v], hint);
+  }
+
+  // Whether each number has a vertex of its own.
+  bool is_complete() const
+  {
+    return tr_.number_of_vertices() == vertices_.size()
+           && std::find(vertices_.begin(), vertices_.end(), Vertex_handle()) == vertices_.end();
+  }
+
+  bool is_visible(int v) const { return vertices_[v] != Vertex_handle() && number(vertices_[v]) == v; }
+
+  void move(int v, const Weighted_point& p)
+  {
+    if(is_visible(v))
+      tr_.remove(vertices_[v]);
+    Cell_handle hint;
+    insert(v, p, hint);
+  }
+
+  // Adds all neighbors.
+  void grow(std::set<int>& region) const
+  {
+    std::vector<Vertex_handle> neighbors;
+    for(int v : region)
+      if(vertices_[v] != Vertex_handle())
+        tr_.finite_adjacent_vertices(vertices_[v], std::back_inserter(neighbors));
+    for(Vertex_handle h : neighbors)
+      region.insert(number(h));
+  }
+
+  void swap(Numbered_triangulation_3& other)
+  {
+    tr_.swap(other.tr_);
+    vertices_.swap(other.vertices_);
+  }
+
+private:
+  void insert(int v, const Weighted_point& p, Cell_handle& hint)
+  {
+    const std::size_t before = tr_.number_of_vertices();
+    const Vertex_handle h = hint == Cell_handle() ? tr_.insert(p) : tr_.insert(p, hint);
+    vertices_[v] = h;
+    if(h == Vertex_handle())
+      return;
+    if(tr_.number_of_vertices() > before)
+      h->set_meshing_info(v);
+    hint = h->cell();
+  }
+
+  Triangulation tr_;
+  std::vector<Vertex_handle> vertices_;
+};
+
+} // namespace internal
+} // namespace Global_odt_mesh_3
+} // namespace CGAL
+
+#endif // CGAL_GLOBAL_ODT_MESH_3_INTERNAL_RESTRICTED_NUMBERED_TRIANGULATION_3_H

@@ -1,0 +1,146 @@
+// Copyright (c) 2026 The Global_odt_mesh_3 authors.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_GLOBAL_ODT_MESH_3_INTERNAL_SIZING_BOUNDARY_POLES_3_H
+#define CGAL_GLOBAL_ODT_MESH_3_INTERNAL_SIZING_BOUNDARY_POLES_3_H
+
+#include <CGAL/Global_odt_mesh_3/internal/sizing/Power_diagram_3.h>
+
+#include <CGAL/Kd_tree.h>
+#include <CGAL/Orthogonal_k_neighbor_search.h>
+#include <CGAL/Search_traits_3.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <iterator>
+#include <limits>
+#include <vector>
+
+namespace CGAL {
+namespace Global_odt_mesh_3 {
+namespace internal {
+
+// The poles of samples of a surface (Amenta and Bern): on either side of the surface, the farthest vertex of a
+// sample's Voronoi cell. Unlike the other vertices, which may belong to slivers at the surface, they are
+// close to the medial axis.
+//
+// A pole counts only if two of the samples nearest to it are as far from each other as from it, that is, if it sees them
+// under 60 degrees. Others come from noise, or from the edges of triangles that approximate a smooth surface.
+class Boundary_poles_3
+{
+public:
+  typedef Power_diagram_3::Kernel Kernel;
+  typedef Kernel::Point_3 Point_3;
+
+  explicit Boundary_poles_3(const std::vector<Point_3>& samples)
+  {
+    const std::vector<Kernel::Weighted_point_3> weighted(samples.begin(), samples.end());
+    const Triangulation tr(weighted.begin(), weighted.end());
+    if(tr.dimension() < 3)
+      return;
+    std::vector<Cell_handle> star;
+    for(Vertex_handle v : tr.finite_vertex_handles())
+    {
+      star.clear();
+      tr.incident_cells(v, std::back_inserter(star));
+      add_poles(tr, v, star);
+    }
+    std::sort(poles_.begin(), poles_.end());
+    poles_.erase(std::unique(poles_.begin(), poles_.end()), poles_.end());
+  }
+
+  const std::vector<Point_3>& poles() const { return poles_; }
+
+  // The distances from points to the nearest pole, infinite if there is none.
+  std::vector<double> distances(const std::vector<Point_3>& points) const
+  {
+    std::vector<double> d(points.size(), std::numeric_limits<double>::infinity());
+    if(poles_.empty())
+      return d;
+    Search::Tree tree(poles_.begin(), poles_.end());
+    for(std::size_t n = 0; n < points.size(); ++n)
+      d[n] = std::sqrt(Search(tree, points[n], 1).begin()->second);
+    return d;
+  }
+
+private:
+  typedef Power_diagram_3::Triangulation Triangulation;
+  typedef Triangulation::Vertex_handle Vertex_handle;
+  typedef Triangulation::Cell_handle Cell_handle;
+  typedef Kernel::Vector_3 Vector_3;
+  typedef Orthogonal_k_neighbor_search<Search_traits_3<Kernel> > Search;
+
+  void add_poles(const Triangulation& tr, Vertex_handle v, const std::vector<Cell_handle>& star)
+  {
+    const Point_3& sample = v->point().point();
+    // On the convex hull, the outer pole is at infinity.
+    Vector_3 axis = outward_normal(tr, star);
+    if(axis == NULL_VECTOR)
+    {
+      const Cell_handle c = farthest(tr, sample, star, [](const Vector_3&) { return true; });
+      add(tr, c);
+      if(c != Cell_handle())
+        axis = tr.dual(c) - sample;
+    }
+    add(tr, farthest(tr, sample, star, [&axis](const Vector_3& x) { return x * axis < 0; }));
+  }
+
+  // The sum of the normals of the convex hull's facets; the null vector inside.
+  static Vector_3 outward_normal(const Triangulation& tr, const std::vector<Cell_handle>& star)
+  {
+    Vector_3 sum = NULL_VECTOR;
+    for(Cell_handle c : star)
+    {
+      if(!tr.is_infinite(c))
+        continue;
+      const int i = c->index(tr.infinite_vertex());
+      const auto corner = [&](int j) { return c->vertex(Triangulation::vertex_triple_index(i, j))->point().point(); };
+      sum = sum + CGAL::normal(corner(0), corner(1), corner(2));
+    }
+    return sum;
+  }
+
+  template <class Side>
+  static Cell_handle farthest(const Triangulation& tr, const Point_3& sample, const std::vector<Cell_handle>& star,
+                              const Side& is_on_side)
+  {
+    Cell_handle result;
+    double largest = -1;
+    for(Cell_handle c : star)
+    {
+      if(tr.is_infinite(c))
+        continue;
+      const Vector_3 x = tr.dual(c) - sample;
+      if(x.squared_length() > largest && is_on_side(x))
+      {
+        largest = x.squared_length();
+        result = c;
+      }
+    }
+    return result;
+  }
+
+  void add(const Triangulation& tr, Cell_handle c)
+  {
+    if(c == Cell_handle())
+      return;
+    const Point_3 center = tr.dual(c);
+    double widest = 0;
+    for(int i = 0; i < 3; ++i)
+      for(int j = i + 1; j < 4; ++j)
+        widest = (std::max)(widest, CGAL::squared_distance(tr.point(c, i).point(), tr.point(c, j).point()));
+    if(widest >= CGAL::squared_distance(center, tr.point(c, 0).point()))
+      poles_.push_back(center);
+  }
+
+  std::vector<Point_3> poles_;
+};
+
+} // namespace internal
+} // namespace Global_odt_mesh_3
+} // namespace CGAL
+
+#endif // CGAL_GLOBAL_ODT_MESH_3_INTERNAL_SIZING_BOUNDARY_POLES_3_H

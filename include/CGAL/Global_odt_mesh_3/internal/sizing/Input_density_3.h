@@ -1,0 +1,172 @@
+// Copyright (c) 2026 The Global_odt_mesh_3 authors.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_GLOBAL_ODT_MESH_3_INTERNAL_SIZING_INPUT_DENSITY_3_H
+#define CGAL_GLOBAL_ODT_MESH_3_INTERNAL_SIZING_INPUT_DENSITY_3_H
+
+#include <CGAL/Global_odt_mesh_3/internal/density/Density_3.h>
+#include <CGAL/Global_odt_mesh_3/internal/triangulation/Moving_triangulation_3.h>
+
+#include <Eigen/Dense>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <vector>
+
+namespace CGAL {
+namespace Global_odt_mesh_3 {
+namespace internal {
+
+// The density that the input mesh stands for, so that a graded mesh stays
+// graded: edge lengths averaged at the vertices, smoothed, and interpolated
+// linearly on a copy of the input, in which each vertex is found by walking from
+// the cell where it was last.
+class Input_density_3
+  : public Density_3
+{
+public:
+  // Sizes that differ less than this (largest over smallest, the outer 5 %
+  // of either side left out) are taken for one size.
+  static constexpr double uniform_ratio = 1.5;
+
+  explicit Input_density_3(const Moving_triangulation_3& mesh)
+    : topology_(mesh.topology)
+    , sites_(mesh.sites)
+    , number_of_movable_vertices_(mesh.number_of_movable_vertices)
+    , last_cell_(mesh.sites.size())
+  {
+    for(std::size_t v = 0; v < last_cell_.size(); ++v)
+      last_cell_[v] = topology_.incident_cell(static_cast<int>(v));
+    compute_sizes(mesh);
+  }
+
+  bool is_uniform() const override { return is_uniform_; }
+
+  // The wanted size where vertex v is now; vertices that stay have the one of the input.
+  double size(int v, const Site& s)
+  {
+    return v < number_of_movable_vertices_ ? interpolated_size(last_cell_[v], s) : size_[v];
+  }
+
+  double in_volume(int v, const Site& s) override { return volume_density(size(v, s) / median_size_); }
+  double on_surface(int v, const Site& s) override { return surface_density(size(v, s) / median_size_); }
+
+  double in_cell(int v, const Site& s) override
+  {
+    int c = last_cell_[v];
+    return volume_density(interpolated_size(c, s) / median_size_);
+  }
+
+private:
+  // Sets `c`, where the search begins, to the cell where it ends.
+  double interpolated_size(int& c, const Site& s) const
+  {
+    std::array<double, 4> b;
+    c = locate(c, s, b);
+    double size = 0;
+    for(int i = 0; i < 4; ++i)
+      size += b[i] * size_[topology_.vertex(4 * c + i)];
+    return size;
+  }
+
+  void compute_sizes(const Moving_triangulation_3& mesh)
+  {
+    const std::size_t n = sites_.size();
+    std::vector<double> sum(n, 0), count(n, 0);
+    for(int c = 0; c < topology_.number_of_cell_slots(); ++c)
+      for(int i = 0; topology_.is_alive(c) && i < 3; ++i)
+        for(int j = i + 1; j < 4; ++j)
+        {
+          const int u = topology_.vertex(4 * c + i), v = topology_.vertex(4 * c + j);
+          const double l = std::sqrt(Constrained_triangulation_3::squared_distance(sites_[u], sites_[v]));
+          sum[u] += l; sum[v] += l;
+          ++count[u]; ++count[v];
+        }
+    size_.assign(n, 0);
+    for(std::size_t v = 0; v < n; ++v)
+      if(count[v] > 0)
+        size_[v] = sum[v] / count[v];
+
+    std::vector<double> sorted;
+    for(int v = 0; v < mesh.number_of_movable_vertices; ++v)
+      sorted.push_back(size_[v]);
+    if(sorted.empty())
+      return;
+    std::sort(sorted.begin(), sorted.end());
+    const std::size_t margin = sorted.size() / 20;
+    is_uniform_ = sorted[sorted.size() - 1 - margin] < uniform_ratio * sorted[margin];
+    median_size_ = sorted[sorted.size() / 2];
+  }
+
+  // Visibility walk; a point beyond a constrained facet gets the barycentric coordinates of
+  // the last cell, clamped.
+  int locate(int c, const Site& s, std::array<double, 4>& b) const
+  {
+    int previous = -1;
+    for(int step = 0; step < max_steps; ++step)
+    {
+      const double total = volumes(topology_.cell_vertices() + 4 * c, s, b);
+      int leave = -1;
+      double lowest = 0;
+      for(int i = 0; i < 4; ++i)
+      {
+        const int across = topology_.neighbor(4 * c + i);
+        if(b[i] < lowest && !Flat_triangulation_3::is_constrained(across) && across / 4 != previous)
+        {
+          lowest = b[i];
+          leave = across / 4;
+        }
+      }
+      if(leave < 0 || step + 1 == max_steps)
+      {
+        double sum = 0;
+        for(double& x : b)
+        {
+          x = (std::max)(0., x / total);
+          sum += x;
+        }
+        for(double& x : b)
+          x = sum > 0 ? x / sum : 0.25;
+        return c;
+      }
+      previous = c;
+      c = leave;
+    }
+    return c;
+  }
+
+  // The volumes of a cell's parts between its facets and a point, and of the cell, times six.
+  double volumes(const int* cell, const Site& s, std::array<double, 4>& parts) const
+  {
+    const Site& origin = sites_[cell[0]];
+    const auto edge = [&origin](const Site& p) { return Eigen::Vector3d(p.x - origin.x, p.y - origin.y, p.z - origin.z); };
+    const Eigen::Vector3d a = edge(sites_[cell[1]]), b = edge(sites_[cell[2]]), c = edge(sites_[cell[3]]), d = edge(s);
+    const Eigen::Vector3d normal = b.cross(c);
+    const double all = a.dot(normal);
+    parts[1] = d.dot(normal);
+    parts[2] = d.dot(c.cross(a));
+    parts[3] = d.dot(a.cross(b));
+    parts[0] = all - parts[1] - parts[2] - parts[3];
+    return all;
+  }
+
+  static constexpr int max_steps = 200;
+
+  Flat_triangulation_3 topology_;
+  std::vector<Site> sites_;
+  int number_of_movable_vertices_;
+  std::vector<double> size_;
+  std::vector<int> last_cell_;
+  double median_size_ = 1;
+  bool is_uniform_ = true;
+};
+
+} // namespace internal
+} // namespace Global_odt_mesh_3
+} // namespace CGAL
+
+#endif // CGAL_GLOBAL_ODT_MESH_3_INTERNAL_SIZING_INPUT_DENSITY_3_H

@@ -1,0 +1,220 @@
+// Copyright (c) 2026 The Global_odt_mesh_3 authors.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_GLOBAL_ODT_MESH_3_INTERNAL_SIZING_TRICUBIC_SPLINE_3_H
+#define CGAL_GLOBAL_ODT_MESH_3_INTERNAL_SIZING_TRICUBIC_SPLINE_3_H
+
+#include <CGAL/Bbox_3.h>
+#include <CGAL/assertions.h>
+
+#include <boost/math/interpolators/cardinal_cubic_b_spline.hpp>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <vector>
+
+namespace CGAL {
+namespace Global_odt_mesh_3 {
+namespace internal {
+
+// The tensor product of C2 cubic splines that interpolates values on a grid.
+//
+// At each node the spline and its mixed derivatives of order one in each variable are stored, in units
+// of nodes. They determine the spline in each box of eight nodes, as its Hermite interpolant.
+class Tricubic_spline_3
+{
+public:
+  typedef std::array<double, 3> Triple;
+
+  // The formula for derivatives at the ends of a line takes that many.
+  static constexpr int fewest_nodes = 5;
+
+  // A uniform grid over a box, nodes on the faces of the box included, numbered with x fastest.
+  struct Grid
+  {
+    Triple low, high;
+    std::array<int, 3> nodes;
+
+    Grid(const Bbox_3& box, int nx, int ny, int nz)
+      : low{{ box.xmin(), box.ymin(), box.zmin() }}
+      , high{{ box.xmax(), box.ymax(), box.zmax() }}
+      , nodes{{ nx, ny, nz }}
+    {
+      for(int axis = 0; axis < 3; ++axis)
+      {
+        CGAL_precondition_msg(nodes[axis] >= fewest_nodes, too_few_nodes(axis));
+        CGAL_precondition_msg(high[axis] > low[axis] && std::isfinite(high[axis] - low[axis]), bad_extent(axis));
+      }
+    }
+
+    static const char* too_few_nodes(int axis)
+    {
+      return axis == 0 ? "Spline_grid_field_3: fewer than 5 nodes along x"
+           : axis == 1 ? "Spline_grid_field_3: fewer than 5 nodes along y"
+                       : "Spline_grid_field_3: fewer than 5 nodes along z";
+    }
+
+    static const char* bad_extent(int axis)
+    {
+      return axis == 0 ? "Spline_grid_field_3: the box is empty or not finite along x"
+           : axis == 1 ? "Spline_grid_field_3: the box is empty or not finite along y"
+                       : "Spline_grid_field_3: the box is empty or not finite along z";
+    }
+
+    std::size_t number_of_nodes() const { return stride(2) * nodes[2]; }
+
+    // From a node to the next one along an axis.
+    std::size_t stride(int axis) const
+    {
+      std::size_t n = 1;
+      for(int a = 0; a < axis; ++a)
+        n *= nodes[a];
+      return n;
+    }
+
+    double coordinate(int axis, int i) const
+    {
+      return i == nodes[axis] - 1 ? high[axis] : low[axis] + i * ((high[axis] - low[axis]) / (nodes[axis] - 1));
+    }
+  };
+
+  Tricubic_spline_3(const Grid& grid, const std::vector<double>& values)
+    : grid_(grid)
+    , data_(values.size())
+  {
+    CGAL_precondition_msg(values.size() == grid.number_of_nodes(),
+                          "Spline_grid_field_3: the number of values is not the product of the numbers of nodes");
+    CGAL_precondition_msg(std::all_of(values.begin(), values.end(), [](double v) { return std::isfinite(v); }),
+                          "Spline_grid_field_3: a value is not finite");
+    for(int axis = 0; axis < 3; ++axis)
+      scale_[axis] = (grid.nodes[axis] - 1) / (grid.high[axis] - grid.low[axis]);
+    for(std::size_t n = 0; n < values.size(); ++n)
+      data_[n][0] = values[n];
+    // Linear operators in different variables commute, so the order does not matter.
+    for(int axis = 0; axis < 3; ++axis)
+      for(int derivative = 0; derivative < 1 << axis; ++derivative)
+        differentiate(axis, derivative, derivative | 1 << axis);
+  }
+
+  // Points outside of the box are moved to the closest point of it.
+  double value(const Triple& p) const
+  {
+    const Position q = locate(p);
+    return combine(q.node, { values(q.t[0]), values(q.t[1]), values(q.t[2]) });
+  }
+
+  Triple gradient(const Triple& p) const
+  {
+    const Position q = locate(p);
+    Triple g;
+    for(int axis = 0; axis < 3; ++axis)
+    {
+      Weights w = { values(q.t[0]), values(q.t[1]), values(q.t[2]) };
+      w[axis] = slopes(q.t[axis]);
+      g[axis] = q.is_clamped[axis] ? 0 : scale_[axis] * combine(q.node, w);
+    }
+    return g;
+  }
+
+  Bbox_3 bbox() const
+  {
+    return Bbox_3(grid_.low[0], grid_.low[1], grid_.low[2], grid_.high[0], grid_.high[1], grid_.high[2]);
+  }
+
+private:
+  // Factors of value and derivative at the lower end of an interval, and of those at the upper one.
+  typedef std::array<double, 4> Hermite;
+  typedef std::array<Hermite, 3> Weights;
+
+  struct Position
+  {
+    std::size_t node;                   // the lowest of the box
+    Triple t;                           // in [0, 1]
+    std::array<bool, 3> is_clamped;
+  };
+
+  static Hermite values(double t)
+  {
+    const double s = 1 - t;
+    return {{ (1 + 2 * t) * s * s, t * s * s, t * t * (3 - 2 * t), -t * t * s }};
+  }
+
+  static Hermite slopes(double t)
+  {
+    const double s = 1 - t;
+    return {{ -6 * t * s, s * (1 - 3 * t), 6 * t * s, t * (3 * t - 2) }};
+  }
+
+  Position locate(const Triple& p) const
+  {
+    Position q;
+    q.node = 0;
+    for(int axis = 0; axis < 3; ++axis)
+    {
+      const double u = (p[axis] - grid_.low[axis]) * scale_[axis], last = grid_.nodes[axis] - 1;
+      // What is not a number goes to the lower face.
+      const double inside = u > 0 ? (std::min)(u, last) : 0;
+      const int i = (std::min)(static_cast<int>(inside), grid_.nodes[axis] - 2);
+      q.node += i * grid_.stride(axis);
+      q.t[axis] = inside - i;
+      q.is_clamped[axis] = p[axis] < grid_.low[axis] || p[axis] > grid_.high[axis];
+    }
+    return q;
+  }
+
+  double combine(std::size_t node, const Weights& w) const
+  {
+    double sum = 0;
+    for(int up = 0; up < 2; ++up)
+      for(int back = 0; back < 2; ++back)
+      {
+        const std::size_t n = node + up * grid_.stride(2) + back * grid_.stride(1);
+        const std::array<double, 8>& left = data_[n];
+        const std::array<double, 8>& right = data_[n + 1];
+        const auto along_x = [&](int d)
+        { return w[0][0] * left[d] + w[0][1] * left[d + 1] + w[0][2] * right[d] + w[0][3] * right[d + 1]; };
+        const auto along_y = [&](int d) { return w[1][2 * back] * along_x(d) + w[1][2 * back + 1] * along_x(d + 2); };
+        sum += w[2][2 * up] * along_y(0) + w[2][2 * up + 1] * along_y(4);
+      }
+    return sum;
+  }
+
+  void differentiate(int axis, int from, int to)
+  {
+    const std::size_t stride = grid_.stride(axis), length = grid_.nodes[axis];
+    std::vector<double> line(length);
+    for(std::size_t start = 0; start < data_.size(); ++start)
+    {
+      if(start / stride % length != 0)
+        continue;
+      for(std::size_t i = 0; i < length; ++i)
+        line[i] = data_[start + i * stride][from];
+      // Some versions of Boost get the derivative at the upper end wrong when it is left to them.
+      const boost::math::interpolators::cardinal_cubic_b_spline<double>
+        spline(line.data(), length, 0., 1., end_slope(line.begin()), -end_slope(line.rbegin()));
+      for(std::size_t i = 0; i < length; ++i)
+        data_[start + i * stride][to] = spline.prime(double(i));
+    }
+  }
+
+  // Of fourth order, so that cubic polynomials are reproduced and the spline is as accurate at the ends as elsewhere.
+  template <class Iterator>
+  static double end_slope(Iterator f)
+  {
+    return (-25 * f[0] + 48 * f[1] - 36 * f[2] + 16 * f[3] - 3 * f[4]) / 12;
+  }
+
+  Grid grid_;
+  Triple scale_;
+  std::vector<std::array<double, 8> > data_;   // bits of the second index: derivatives in x, y, and z
+};
+
+} // namespace internal
+} // namespace Global_odt_mesh_3
+} // namespace CGAL
+
+#endif // CGAL_GLOBAL_ODT_MESH_3_INTERNAL_SIZING_TRICUBIC_SPLINE_3_H

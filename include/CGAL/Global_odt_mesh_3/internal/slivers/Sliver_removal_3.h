@@ -1,0 +1,284 @@
+// Copyright (c) 2026 The Global_odt_mesh_3 authors.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_GLOBAL_ODT_MESH_3_INTERNAL_SLIVERS_SLIVER_REMOVAL_3_H
+#define CGAL_GLOBAL_ODT_MESH_3_INTERNAL_SLIVERS_SLIVER_REMOVAL_3_H
+
+#include <CGAL/Global_odt_mesh_3/internal/geometry/Angle_deficit_3.h>
+#include <CGAL/Global_odt_mesh_3/internal/geometry/Random_source.h>
+#include <CGAL/Global_odt_mesh_3/internal/slivers/Vertex_trial_3.h>
+#include <CGAL/Global_odt_mesh_3/internal/triangulation/Constrained_triangulation_3.h>
+
+#include <Eigen/Core>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <numeric>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Global_odt_mesh_3 {
+namespace internal {
+
+struct Sliver_removal_parameters
+{
+  double margin = 2;                // degrees by which cells should exceed the bound: surfaces may take some away
+  int tries_per_vertex = 16;
+  double farthest = 0.35, nearest = 0.12;   // the longest tries, over the mean incident edge length, in turn
+  int most_failures = 3;            // for the same cell
+  int most_passes = 12;
+  double joint_farthest = 0.2;                // the longest of a vertex, over the same
+  int joint_tries_per_sliver = 4, most_joint_tries = 100, passes_after_joint_try = 5;
+};
+
+// Where the vertices of slivers may go.
+class Vertex_motion_3
+{
+public:
+  virtual ~Vertex_motion_3() {}
+
+  // Changes a place for the vertex to one as good as allowed, quickly; false if the vertex has to
+  // stay.
+  virtual bool approach(int v, Site& s) = 0;
+
+  // Changes a place that has been approached, and has turned out to be promising, to one that is
+  // allowed, perhaps where it is; false if the vertex has to stay.
+  virtual bool settle(int v, Site& s) = 0;
+};
+
+// Removes the cells with dihedral angles below a bound by moving single vertices: each vertex of
+// such a cell tries random positions around it, and the one that lowers the deficit of the angles
+// most is taken. That disturbs few vertices, so that the energy hardly rises. Where no vertex
+// helps alone, all those of a cell are displaced at once, and stay so if that leads to less deficit.
+class Sliver_removal_3
+{
+public:
+  // Without a motion, vertices of the interior go anywhere, and those on surfaces stay.
+  Sliver_removal_3(Constrained_triangulation_3& mesh, double bound, unsigned int seed,
+                   Vertex_motion_3* motion = nullptr,
+                   const Sliver_removal_parameters& parameters = Sliver_removal_parameters())
+    : mesh_(mesh)
+    , parameters_(parameters)
+    , trial_(mesh, bound + parameters.margin)
+    , motion_(motion)
+    , random_(seed)
+  {
+    mesh.mean_edge_lengths(edge_length_);
+  }
+
+  std::size_t number_of_moves() const { return number_of_moves_; }
+  std::size_t number_of_surface_moves() const { return number_of_surface_moves_; }
+
+  // Until there are no such cells, nothing improves them any more, or `may_go_on()`, asked before
+  // each of them, says no.
+  template <class Predicate>
+  void run(const Predicate& may_go_on)
+  {
+    int joint_tries = parameters_.most_joint_tries;
+    do
+      for(int n = 0; n < parameters_.most_passes && improve(all_slivers(), may_go_on); ++n) {}
+    while(displace_jointly(joint_tries, may_go_on));
+  }
+
+  void run() { run([] { return true; }); }
+
+private:
+  // The worst come first.
+  std::vector<int> sort(std::vector<int> cells) const
+  {
+    std::vector<std::pair<double, int> > slivers;
+    for(int c : cells)
+      if(trial_.deficit(c) > 0)
+        slivers.emplace_back(-trial_.deficit(c), c);
+    std::sort(slivers.begin(), slivers.end());
+    slivers.erase(std::unique(slivers.begin(), slivers.end()), slivers.end());
+    cells.clear();
+    for(const auto& s : slivers)
+      cells.push_back(s.second);
+    return cells;
+  }
+
+  std::vector<int> all_slivers() const
+  {
+    std::vector<int> cells(mesh_.topology.number_of_cell_slots());
+    std::iota(cells.begin(), cells.end(), 0);
+    return sort(std::move(cells));
+  }
+
+  // Whether something has been improved.
+  template <class Predicate>
+  bool improve(const std::vector<int>& slivers, const Predicate& may_go_on)
+  {
+    bool improved = false;
+    for(int c : slivers)
+    {
+      if(!may_go_on())
+        return false;
+      if(trial_.deficit(c) > 0 && improve(c))
+        improved = true;
+    }
+    return improved;
+  }
+
+  // Whether something has been improved, within a number of tries.
+  template <class Predicate>
+  bool displace_jointly(int& joint_tries, const Predicate& may_go_on)
+  {
+    bool improved = false;
+    for(int c : all_slivers())
+      for(int n = 0; n < parameters_.joint_tries_per_sliver && trial_.deficit(c) > parameters_.margin * parameters_.margin; ++n)
+      {
+        if(--joint_tries < 0 || !may_go_on())
+          return false;
+        if(displace_jointly(c))
+          improved = true;
+      }
+    return improved;
+  }
+
+  bool displace_jointly(int cell)
+  {
+    const std::size_t moves = number_of_moves_, surface_moves = number_of_surface_moves_;
+    change_ = 0;
+    trial_.set_mark();
+    for(int v : movable_vertices(cell))
+    {
+      Site s = displaced(v, parameters_.joint_farthest);
+      if(!approach(v, s) || (is_on_surface(v) && !motion_->settle(v, s)))
+        continue;
+      const double change = trial_.move(v, s);
+      if(std::isfinite(change))
+        accept(v, change);
+      else
+        trial_.reject();
+    }
+    for(int n = 0; n < parameters_.passes_after_joint_try && improve(sort(trial_.cells_since_mark()), [] { return true; }); ++n) {}
+    if(change_ < -least_improvement)
+    {
+      trial_.accept_since_mark();
+      return true;
+    }
+    trial_.reject_since_mark();
+    number_of_moves_ = moves;
+    number_of_surface_moves_ = surface_moves;
+    return false;
+  }
+
+  // Those of the interior come first: that needs no question to the domain.
+  std::vector<int> movable_vertices(int cell) const
+  {
+    const int* const v = mesh_.topology.cell_vertices() + 4 * cell;
+    std::vector<int> vertices(v, v + 4);
+    std::sort(vertices.begin(), vertices.end());
+    while(!vertices.empty() && vertices.back() >= mesh_.number_of_movable_vertices)
+      vertices.pop_back();
+    return vertices;
+  }
+
+  Site displaced(int v, double farthest)
+  {
+    const Site& s = mesh_.sites[v];
+    const Eigen::Vector3d d = edge_length_[v] * random_.uniform() * farthest * random_.direction();
+    return { s.x + d[0], s.y + d[1], s.z + d[2], s.weight };
+  }
+
+  // Without a motion, no vertex on a surface gets beyond this.
+  bool approach(int v, Site& s) { return motion_ != nullptr ? motion_->approach(v, s) : !is_on_surface(v); }
+
+  bool improve(int cell)
+  {
+    if(failures_.size() <= static_cast<std::size_t>(cell))
+      failures_.resize(mesh_.topology.number_of_cell_slots());
+    Failures& failures = failures_[cell];
+    if(failures.deficit != trial_.deficit(cell))
+      failures = { trial_.deficit(cell), 0 };
+    if(failures.number == parameters_.most_failures)
+      return false;
+    best_change_ = -least_improvement;
+    best_vertex_ = -1;
+    for(int v : movable_vertices(cell))
+      if(try_positions(v))
+        return true;
+    if(best_vertex_ < 0)
+    {
+      ++failures.number;
+      return false;
+    }
+    accept(best_vertex_, trial_.move(best_vertex_, best_site_));
+    return true;
+  }
+
+  // Whether one was found, and accepted, that leaves no deficit.
+  bool try_positions(int v)
+  {
+    for(int n = 0; n < parameters_.tries_per_vertex; ++n)
+    {
+      Site s = displaced(v, n % 2 == 0 ? parameters_.farthest : parameters_.nearest);
+      if(!approach(v, s))
+        return false;
+      double change = trial_.move(v, s, best_change_);
+      if(is_on_surface(v) && change < best_change_)
+      {
+        trial_.reject();
+        if(!motion_->settle(v, s))
+          return false;
+        change = trial_.move(v, s, best_change_);
+      }
+      if(change < -least_improvement && trial_.deficit_after() == 0)
+      {
+        accept(v, change);
+        return true;
+      }
+      trial_.reject();
+      if(change < best_change_)
+      {
+        best_change_ = change;
+        best_vertex_ = v;
+        best_site_ = s;
+      }
+    }
+    return false;
+  }
+
+  void accept(int v, double change)
+  {
+    trial_.accept();
+    change_ += change;
+    ++number_of_moves_;
+    number_of_surface_moves_ += is_on_surface(v);
+  }
+
+  bool is_on_surface(int v) const { return v >= mesh_.number_of_interior_vertices; }
+
+  // How often a cell has been tried in vain.
+  struct Failures
+  {
+    double deficit = 0;
+    int number = 0;
+  };
+
+  static constexpr double least_improvement = 1e-6;     // square degrees
+
+  Constrained_triangulation_3& mesh_;
+  Sliver_removal_parameters parameters_;
+  Vertex_trial_3 trial_;
+  Vertex_motion_3* motion_;
+  Random_source random_;
+  std::vector<double> edge_length_;
+  std::vector<Failures> failures_;
+  double change_ = 0;             // of the deficit by all that has been accepted
+  double best_change_ = 0;
+  int best_vertex_ = -1;
+  Site best_site_ = { 0, 0, 0, 0 };
+  std::size_t number_of_moves_ = 0, number_of_surface_moves_ = 0;
+};
+
+} // namespace internal
+} // namespace Global_odt_mesh_3
+} // namespace CGAL
+
+#endif // CGAL_GLOBAL_ODT_MESH_3_INTERNAL_SLIVERS_SLIVER_REMOVAL_3_H

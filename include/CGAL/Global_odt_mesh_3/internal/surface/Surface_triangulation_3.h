@@ -1,0 +1,188 @@
+// Copyright (c) 2026 The Global_odt_mesh_3 authors.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_GLOBAL_ODT_MESH_3_INTERNAL_SURFACE_SURFACE_TRIANGULATION_3_H
+#define CGAL_GLOBAL_ODT_MESH_3_INTERNAL_SURFACE_SURFACE_TRIANGULATION_3_H
+
+#include <CGAL/Global_odt_mesh_3/internal/geometry/Site.h>
+#include <CGAL/Global_odt_mesh_3/internal/surface/Boundary_complex_3.h>
+
+#include <Eigen/Core>
+#include <Eigen/Geometry>
+
+#include <array>
+#include <cstddef>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Global_odt_mesh_3 {
+namespace internal {
+
+// The surfaces of a complex as a triangulation whose edges can be flipped, except
+// junctions. Corner 3 f + k is vertex k of facet f, and opposite to an edge of it.
+class Surface_triangulation_3
+{
+public:
+  static constexpr int no_corner = -1;
+
+  Surface_triangulation_3() {}
+
+  explicit Surface_triangulation_3(const Boundary_complex_3& boundary)
+    : is_queued_(3 * boundary.facets().size(), false)
+  {
+    const std::vector<Boundary_facet>& facets = boundary.facets();
+    vertices_.reserve(facets.size());
+    for(const Boundary_facet& f : facets)
+    {
+      vertices_.push_back(f.vertices);
+      // All facets of a surface are oriented alike.
+      if(f.labels[0] > f.labels[1])
+        std::swap(vertices_.back()[1], vertices_.back()[2]);
+    }
+    opposite_.assign(3 * facets.size(), no_corner);
+    for(std::size_t n = 0; n < facets.size(); ++n)
+      for(int k = 0; k < 3; ++k)
+      {
+        const int v = facets[n].vertices[k];
+        const int beyond = boundary.facet_beyond(static_cast<int>(3 * n) + k);
+        if(beyond < 0)
+          continue;
+        const int corner = static_cast<int>(3 * n) + index(static_cast<int>(n), v);
+        for(int m = 0; m < 3; ++m)
+          if(index(static_cast<int>(n), vertices_[beyond][m]) < 0)
+            opposite_[corner] = 3 * beyond + m;
+      }
+  }
+
+  int number_of_facets() const { return static_cast<int>(vertices_.size()); }
+  const std::array<int, 3>& vertices(int facet) const { return vertices_[facet]; }
+
+  // Flips edges until the angles opposite to each sum up to at most a straight one:
+  // the surface is then Delaunay, of which the circumcenters are in the order of the cells.
+  void make_delaunay(const std::vector<Site>& sites)
+  {
+    std::vector<int> queue;
+    for(int c = 0; c < static_cast<int>(opposite_.size()); ++c)
+      if(opposite_[c] > c && is_flippable(c, sites))
+      {
+        queue.push_back(c);
+        is_queued_[c] = true;
+      }
+    std::size_t flips_left = 10 * vertices_.size();
+    while(!queue.empty())
+    {
+      const int c = queue.back();
+      queue.pop_back();
+      is_queued_[c] = false;
+      if(flips_left == 0 || opposite_[c] == no_corner || !is_flippable(c, sites))
+        continue;
+      --flips_left;
+      const int d = opposite_[c];
+      flip(c);
+      for(int f : { c / 3, d / 3 })
+        for(int k = 0; k < 3; ++k)
+          if(!is_queued_[3 * f + k])
+          {
+            queue.push_back(3 * f + k);
+            is_queued_[3 * f + k] = true;
+          }
+    }
+  }
+
+private:
+  // Angles have to differ from the straight one by more than rounding.
+  static constexpr double least_sine = 1e-9;
+
+  static int next(int c) { return c % 3 == 2 ? c - 2 : c + 1; }
+  static int previous(int c) { return c % 3 == 0 ? c + 2 : c - 1; }
+  int vertex(int c) const { return vertices_[c / 3][c % 3]; }
+
+  int index(int facet, int v) const
+  {
+    const std::array<int, 3>& t = vertices_[facet];
+    return t[0] == v ? 0 : t[1] == v ? 1 : t[2] == v ? 2 : -1;
+  }
+
+  static Eigen::Vector3d edge(const Site& a, const Site& b) { return Eigen::Vector3d(b.x - a.x, b.y - a.y, b.z - a.z); }
+
+  // Whether the edge opposite to c is not Delaunay, and the other diagonal may take its place.
+  bool is_flippable(int c, const std::vector<Site>& sites) const
+  {
+    const int d = opposite_[c];
+    const Site& p = sites[vertex(c)];
+    const Site& q = sites[vertex(next(c))];
+    const Site& r = sites[vertex(previous(c))];
+    const Site& s = sites[vertex(d)];
+    if(p.weight != 0 || q.weight != 0 || r.weight != 0 || s.weight != 0)
+      return false;
+    const Eigen::Vector3d pq = edge(p, q), pr = edge(p, r), sq = edge(s, q), sr = edge(s, r);
+    const Eigen::Vector3d above = pq.cross(pr), below = sr.cross(sq);
+    const double sine_p = above.norm(), sine_s = below.norm(), cosine_p = pq.dot(pr), cosine_s = sq.dot(sr);
+    if(!(sine_p * cosine_s + cosine_p * sine_s < -least_sine * pq.norm() * pr.norm() * sq.norm() * sr.norm()))
+      return false;
+    const Eigen::Vector3d ps = edge(p, s), normal = (above + below).normalized();
+    const Eigen::Vector3d first = pq.cross(ps), second = ps.cross(pr);
+    // A flip does not bend the surface more than a smooth umbrella.
+    constexpr double cosine = Boundary_complex_3::smallest_cosine;
+    return first.dot(normal) > cosine * first.norm() && second.dot(normal) > cosine * second.norm()
+           && !is_edge(c, vertex(d));
+  }
+
+  // Whether an edge leads from the vertex of c to w.
+  bool is_edge(int c, int w) const
+  {
+    // Around the vertex in one direction and, from a junction, in the other.
+    int e = c;
+    do
+    {
+      if(vertex(next(e)) == w || vertex(previous(e)) == w)
+        return true;
+      const int across = opposite_[next(e)];
+      e = across == no_corner ? int(no_corner) : next(across);
+    }
+    while(e != c && e != no_corner);
+    if(e == c)
+      return false;
+    for(e = c; e != no_corner; )
+    {
+      if(vertex(next(e)) == w || vertex(previous(e)) == w)
+        return true;
+      const int across = opposite_[previous(e)];
+      e = across == no_corner ? int(no_corner) : previous(across);
+    }
+    return false;
+  }
+
+  void glue(int c, int d)
+  {
+    opposite_[c] = d;
+    if(d != no_corner)
+      opposite_[d] = c;
+  }
+
+  // (p, q, r) and (s, r, q) become (p, q, s) and (s, r, p).
+  void flip(int c)
+  {
+    const int d = opposite_[c];
+    const int beyond_pr = opposite_[next(c)], beyond_sq = opposite_[next(d)];
+    const int p = vertex(c), s = vertex(d);
+    vertices_[c / 3][previous(c) % 3] = s;
+    vertices_[d / 3][previous(d) % 3] = p;
+    glue(c, beyond_sq);
+    glue(d, beyond_pr);
+    glue(next(c), next(d));
+  }
+
+  std::vector<std::array<int, 3> > vertices_;
+  std::vector<int> opposite_;       // the corner on the other side of the edge, or no_corner
+  std::vector<char> is_queued_;
+};
+
+} // namespace internal
+} // namespace Global_odt_mesh_3
+} // namespace CGAL
+
+#endif // CGAL_GLOBAL_ODT_MESH_3_INTERNAL_SURFACE_SURFACE_TRIANGULATION_3_H

@@ -1,0 +1,169 @@
+// Copyright (c) 2026 The Global_odt_mesh_3 authors.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_GLOBAL_ODT_MESH_3_INTERNAL_TRIANGULATION_CONSTRAINED_TRIANGULATION_3_H
+#define CGAL_GLOBAL_ODT_MESH_3_INTERNAL_TRIANGULATION_CONSTRAINED_TRIANGULATION_3_H
+
+#include <CGAL/Global_odt_mesh_3/internal/geometry/Angle_deficit_3.h>
+#include <CGAL/Global_odt_mesh_3/internal/geometry/Cell_products_3.h>
+#include <CGAL/Global_odt_mesh_3/internal/geometry/Site.h>
+#include <CGAL/Global_odt_mesh_3/internal/triangulation/Flat_triangulation_3.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <vector>
+
+namespace CGAL {
+namespace Global_odt_mesh_3 {
+namespace internal {
+
+// A triangulation of weighted sites whose constrained facets stay.
+//
+// The vertices [0, number_of_interior_vertices) move in space, and no constrained facet touches
+// them; those up to number_of_movable_vertices move along with their constrained facets.
+//
+// A constrained facet is a facet of the restricted triangulation as long as the dual points of
+// its cells lie on either side of the surface. The surface is known by its height
+// over the constrained facet where the dual line of the constrained facet crosses both.
+struct Constrained_triangulation_3
+{
+  Flat_triangulation_3 topology;
+  std::vector<Site> sites;
+  std::vector<double> surface_heights;     // positive toward side 1
+  int number_of_interior_vertices = 0;
+  int number_of_movable_vertices = 0;
+
+  Cell_products products(int cell) const
+  {
+    return products(topology.vertex(4 * cell), topology.vertex(4 * cell + 1),
+                    topology.vertex(4 * cell + 2), topology.vertex(4 * cell + 3));
+  }
+
+  Cell_products products(int a, int b, int c, int d) const
+  {
+    return Cell_products(sites[a], sites[b], sites[c], sites[d]);
+  }
+
+  double determinant(int a, int b, int c, int d) const { return products(a, b, c, d).determinant; }
+
+  // What the angles of the cell lack, or 0 if it is not alive.
+  double deficit(int cell, const Angle_deficit_3& angle_deficit) const
+  {
+    const int* const v = topology.cell_vertices() + 4 * cell;
+    return topology.is_alive(cell) ? angle_deficit(sites[v[0]], sites[v[1]], sites[v[2]], sites[v[3]]) : 0.;
+  }
+
+  // Six times the volumes of the cells that flip_2_3(slot) would make.
+  std::array<double, 3> volumes_after_2_3(int slot) const
+  {
+    const int a = topology.vertex(slot), b = topology.vertex(topology.neighbor(slot));
+    const int c = slot - slot % 4;
+    const std::array<int, 3>& f = Flat_triangulation_3::facet_vertices(slot % 4);
+    std::array<double, 3> volume;
+    for(int k = 0; k < 3; ++k)
+      volume[k] = determinant(a, b, topology.vertex(c + f[(k + 1) % 3]),
+                              topology.vertex(c + f[(k + 2) % 3]));
+    return volume;
+  }
+
+  double squared_distance(int u, int v) const { return squared_distance(sites[u], sites[v]); }
+
+  static double squared_distance(const Site& a, const Site& b)
+  {
+    const double x = a.x - b.x, y = a.y - b.y, z = a.z - b.z;
+    return x * x + y * y + z * z;
+  }
+
+  // Flips must gain more than rounding can feign, or they would cycle: the
+  // power is compared with a length to the fifth around the tested vertex.
+  static bool is_irregular(double power, double squared_length)
+  {
+    return power < 0 && power < -1e-11 * squared_length * squared_length * std::sqrt(squared_length);
+  }
+
+  // Appends the facets of the cell that flips may remove.
+  void push_facets(int cell, std::vector<int>& facets) const
+  {
+    for(int i = 0; i < 4; ++i)
+      if(!Flat_triangulation_3::is_constrained(topology.neighbor(4 * cell + i)))
+        facets.push_back(4 * cell + i);
+  }
+
+  // Whether the dual point of a cell is beyond the surface at the constrained facet opposite to
+  // its vertex i.
+  bool is_beyond_surface(const Cell_products& t, const int* v, int i, int across) const
+  {
+    const std::array<int, 3>& f = Flat_triangulation_3::facet_vertices(i);
+    const Site& origin = sites[v[0]];
+    const Site& p = sites[v[f[0]]];
+    const Site& q = sites[v[f[1]]];
+    const Site& r = sites[v[f[2]]];
+    const double ax = q.x - p.x, ay = q.y - p.y, az = q.z - p.z;
+    const double bx = r.x - p.x, by = r.y - p.y, bz = r.z - p.z;
+    // The normal points out of the cell.
+    const double mx = ay * bz - az * by, my = az * bx - ax * bz, mz = ax * by - ay * bx;
+    const double g = 2 * t.determinant;
+    const double above = mx * (t.nx - g * (p.x - origin.x)) + my * (t.ny - g * (p.y - origin.y))
+                         + mz * (t.nz - g * (p.z - origin.z));
+    const double height = surface_heights[Flat_triangulation_3::constrained_facet(across)]
+                          * (Flat_triangulation_3::constrained_side(across) == 0 ? 1 : -1);
+    return above > height * g * std::sqrt(mx * mx + my * my + mz * mz);
+  }
+
+  // The mean length of the edges of each movable vertex; an edge counts once for
+  // each of its cells.
+  void mean_edge_lengths(std::vector<double>& length) const
+  {
+    length.assign(number_of_movable_vertices, 0);
+    std::vector<int> count(number_of_movable_vertices, 0);
+    for_each_edge([&](int u, int v, double squared_length)
+    {
+      for(int w : { u, v })
+        if(w < number_of_movable_vertices)
+        {
+          length[w] += std::sqrt(squared_length);
+          ++count[w];
+        }
+    });
+    for(int v = 0; v < number_of_movable_vertices; ++v)
+      length[v] /= (std::max)(1, count[v]);
+  }
+
+  // The shortest edge of each movable vertex.
+  void shortest_edges(std::vector<double>& length) const
+  {
+    length.assign(number_of_movable_vertices, (std::numeric_limits<double>::max)());
+    for_each_edge([&](int u, int v, double squared_length)
+    {
+      for(int w : { u, v })
+        if(w < number_of_movable_vertices && squared_length < length[w])
+          length[w] = squared_length;
+    });
+    for(double& l : length)
+      l = std::sqrt(l);
+  }
+
+private:
+  // Calls f(u, v, squared length) for the edges of all cells.
+  template <class F>
+  void for_each_edge(const F& f) const
+  {
+    for(int c = 0; c < topology.number_of_cell_slots(); ++c)
+      for(int i = 0; i < 3 && topology.is_alive(c); ++i)
+        for(int j = i + 1; j < 4; ++j)
+        {
+          const int u = topology.vertex(4 * c + i), v = topology.vertex(4 * c + j);
+          f(u, v, squared_distance(sites[u], sites[v]));
+        }
+  }
+};
+
+} // namespace internal
+} // namespace Global_odt_mesh_3
+} // namespace CGAL
+
+#endif // CGAL_GLOBAL_ODT_MESH_3_INTERNAL_TRIANGULATION_CONSTRAINED_TRIANGULATION_3_H

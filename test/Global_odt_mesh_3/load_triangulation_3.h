@@ -1,0 +1,71 @@
+// Copyright (c) 2026 The Global_odt_mesh_3 authors.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef GLOBAL_ODT_MESH_3_TEST_LOAD_TRIANGULATION_3_H
+#define GLOBAL_ODT_MESH_3_TEST_LOAD_TRIANGULATION_3_H
+
+#include <CGAL/Global_odt_mesh_3/internal/geometry/Point_coordinates.h>
+#include <CGAL/Global_odt_mesh_3/internal/geometry/Spatial_order.h>
+#include <CGAL/Global_odt_mesh_3/internal/triangulation/Flatten_triangulation_3.h>
+#include <CGAL/Global_odt_mesh_3/internal/triangulation/Moving_triangulation_3.h>
+
+#include <CGAL/Time_stamper.h>
+#include <CGAL/Unique_hash_map.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <limits>
+#include <vector>
+
+namespace CGAL {
+namespace Global_odt_mesh_3 {
+namespace internal {
+
+// Loads all finite cells of a regular triangulation. Vertices move unless they carry
+// weight or lie on the convex hull, whose facets are constrained facets that repel nothing.
+template <class Triangulation>
+Moving_triangulation_3 load_triangulation_3(const Triangulation& tr)
+{
+  typedef typename Triangulation::Vertex_handle Vertex_handle;
+  typedef CGAL::Hash_handles_with_or_without_timestamps Hash;
+  Moving_triangulation_3 mesh;
+  CGAL::Unique_hash_map<Vertex_handle, int, Hash> number;
+  std::vector<Site> sites;
+  for(auto v = tr.finite_vertices_begin(); v != tr.finite_vertices_end(); ++v)
+  {
+    number[v] = static_cast<int>(sites.size());
+    sites.push_back(weighted_site(tr.point(v)));
+  }
+  const auto constrained_facets = flatten_triangulation_3(
+    tr, [&number](Vertex_handle v) { return number[v]; },
+    [](typename Triangulation::Cell_handle) { return true; },
+    [](const typename Triangulation::Facet&) { return false; }, mesh.topology);
+
+  std::vector<char> moves(sites.size());
+  for(std::size_t v = 0; v < sites.size(); ++v)
+    moves[v] = sites[v].weight == 0;
+  for(const auto& w : constrained_facets)
+    for(int v : w.vertices)
+      moves[v] = false;
+  std::vector<std::size_t> order = hilbert_order(sites);
+  const auto first_fixed = std::stable_partition(order.begin(), order.end(), [&](std::size_t v) { return moves[v]; });
+  mesh.number_of_movable_vertices = mesh.number_of_interior_vertices = static_cast<int>(first_fixed - order.begin());
+  std::vector<int> place(order.size());
+  for(std::size_t n = 0; n < order.size(); ++n)
+  {
+    place[order[n]] = static_cast<int>(n);
+    mesh.sites.push_back(sites[order[n]]);
+  }
+  mesh.topology.renumber_vertices(place);
+  mesh.topology.compact();
+  mesh.surface_heights.assign(constrained_facets.size(), (std::numeric_limits<double>::max)());
+  return mesh;
+}
+
+} // namespace internal
+} // namespace Global_odt_mesh_3
+} // namespace CGAL
+
+#endif // GLOBAL_ODT_MESH_3_TEST_LOAD_TRIANGULATION_3_H
