@@ -50,7 +50,7 @@ optimize_periodic(C3T3& c3t3, const MeshDomain& domain, const Odt_parameters& p)
 
 template <class C3T3, class MeshDomain, class Visitor>
 Mesh_optimization_return_code
-optimize(C3T3& c3t3, const MeshDomain& domain, const Odt_parameters& p, Visitor& visitor,
+optimize(C3T3& c3t3, const MeshDomain& domain, Odt_task task, const Odt_parameters& p, Visitor& visitor,
          const User_fields_3<C3T3>& fields = User_fields_3<C3T3>())
 {
   p.check();
@@ -59,7 +59,7 @@ optimize(C3T3& c3t3, const MeshDomain& domain, const Odt_parameters& p, Visitor&
   if constexpr (std::is_same<typename C3T3::Triangulation::Periodic_tag, Tag_true>::value)
     return optimize_periodic(c3t3, domain, p);
   else
-    return Odt_mesh_optimizer_3<C3T3, MeshDomain, Visitor>(c3t3, domain, p, visitor, fields)();
+    return Odt_mesh_optimizer_3<C3T3, MeshDomain, Visitor>(c3t3, domain, task, p, visitor, fields)();
 }
 
 } // namespace internal
@@ -247,7 +247,7 @@ odt_optimize_mesh_3(C3T3& c3t3, const MeshDomain& domain, const NamedParameters&
   odt::Odt_parameters parameters;
   odt::read_arguments(parameters, 0, np...);
   auto visitor = odt::find_visitor(Mesh_3::Null_global_optimizer_visitor<C3T3>(), np...);
-  return odt::optimize(c3t3, domain, parameters, odt::unwrap(visitor), odt::read_fields<C3T3>(np...));
+  return odt::optimize(c3t3, domain, odt::Odt_task::OPTIMIZE, parameters, odt::unwrap(visitor), odt::read_fields<C3T3>(np...));
 }
 
 #ifndef DOXYGEN_RUNNING
@@ -267,7 +267,7 @@ odt_optimize_mesh_3_impl(C3T3& c3t3, const MeshDomain& domain, const double time
   parameters.freeze_bound = freeze_ratio;
   parameters.do_freeze = do_freeze;
   Mesh_3::Null_global_optimizer_visitor<C3T3> visitor;
-  return odt::optimize(c3t3, domain, parameters, visitor);
+  return odt::optimize(c3t3, domain, odt::Odt_task::OPTIMIZE, parameters, visitor);
 }
 
 #endif // DOXYGEN_RUNNING

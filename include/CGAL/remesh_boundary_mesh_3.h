@@ -94,9 +94,8 @@ remesh_boundary_mesh_3(C3T3& c3t3, const MeshDomain& domain, const NamedParamete
   namespace odt = Global_odt_mesh_3::internal;
   odt::Odt_parameters parameters;
   odt::read_arguments(parameters, 0, np...);
-  parameters.optimize_boundary = parameters.remesh_boundary = true;
   auto visitor = odt::find_visitor(Mesh_3::Null_global_optimizer_visitor<C3T3>(), np...);
-  return odt::optimize(c3t3, domain, parameters, odt::unwrap(visitor), odt::read_fields<C3T3>(np...));
+  return odt::optimize(c3t3, domain, odt::Odt_task::REMESH_BOUNDARY, parameters, odt::unwrap(visitor), odt::read_fields<C3T3>(np...));
 }
 
 } // namespace CGAL

@@ -33,7 +33,6 @@ struct Odt_parameters
   double freeze_bound = parameters::default_values_for_mesh_3::odt_freeze_ratio;
   bool do_freeze = true;
   bool optimize_boundary = true;
-  bool remesh_boundary = false;         // by the restricted CVT, instead of with the interior
   Quadrature_choice quadrature;
   Annealing_schedule annealing_schedule;
   std::size_t number_of_rounds = usual_number_of_rounds;    // of the schedule
