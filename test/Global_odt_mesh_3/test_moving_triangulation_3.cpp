@@ -19,6 +19,7 @@
 #include <iostream>
 #include <random>
 #include <set>
+#include <vector>
 
 using namespace CGAL::Global_odt_mesh_3::internal;
 
@@ -143,6 +144,89 @@ static void minimization(double shift, std::mt19937& random)
   check::that(energy < avv.value(), "AVV finds a lower energy: ", avv.value(), " < ", energy);
 }
 
+// A rejected trial, whether it was feasible or not, leaves no trace in the objective nor in the mesh.
+static void rejected_trials(std::mt19937& random)
+{
+  Moving_triangulation_3 mesh = random_cube(4, 200, 0, false, random);
+  const auto density = [](int, const Site& s) { return 1 + s.x * s.x + s.y; };
+  for(const Site& s : mesh.sites)
+    mesh.density.push_back(density(0, s));
+  Odt_objective_3 f(mesh, density);
+  std::uniform_real_distribution<double> u(-1, 1);
+  int feasible = 0;
+  for(int n = 0; n < 40; ++n)
+  {
+    const Eigen::VectorXd x = f.point(), g = f.gradient(), d = f.diagonal();
+    const double value = f.value();
+    const std::vector<double> densities = mesh.density;
+    Eigen::VectorXd trial = x;
+    for(double& t : trial)
+      t += (n % 2 == 0 ? 0.02 : 1) * u(random);
+    if(f.evaluate(trial))
+    {
+      ++feasible;
+      check::that(f.value() != value && f.point() != x && f.gradient() != g && f.diagonal() != d,
+                  "a trial changes nothing");
+    }
+    f.reject();
+    check::that(f.value() == value && f.point() == x && f.gradient() == g && f.diagonal() == d,
+                "a rejected trial leaves a trace in the objective");
+    check::that(mesh.energy() == value && mesh.density == densities && mesh.topology.is_valid(),
+                "a rejected trial leaves a trace in the mesh");
+    for(int v = 0; v < mesh.number_of_movable_vertices; ++v)
+    {
+      const Site_gradient& h = mesh.gradient()[v];
+      const Site& s = mesh.sites[v];
+      check::that(Eigen::Vector3d(s.x, s.y, s.z) == x.segment<3>(3 * v)
+                  && (f.is_frozen(v) || Eigen::Vector3d(h.x, h.y, h.z) == g.segment<3>(3 * v)) && h.diagonal == d[3 * v],
+                  "a rejected trial leaves a trace at a vertex of the mesh");
+    }
+    if(n % 4 == 0 && f.evaluate(x - (g.array() / d.array()).matrix()))
+      f.accept();
+  }
+  check::that(feasible >= 20 && feasible < 40, feasible, " of 40 trials feasible, not all kinds tried");
+}
+
+// The objective, of which some trials are said not to be feasible; what is tried is recorded.
+struct Obstinate_function
+{
+  Odt_objective_3& f;
+  int refusals = 0;
+  std::vector<Eigen::VectorXd> trials = {};
+
+  double value() const { return f.value(); }
+  const Eigen::VectorXd& point() const { return f.point(); }
+  const Eigen::VectorXd& gradient() const { return f.gradient(); }
+  const Eigen::VectorXd& diagonal() const { return f.diagonal(); }
+  bool evaluate(const Eigen::VectorXd& x)
+  {
+    trials.push_back(x);
+    return f.evaluate(x) && refusals-- <= 0;
+  }
+  void accept() { f.accept(); }
+  void reject() { f.reject(); }
+};
+
+// Where the direction that curvature gives leads nowhere, the next one is that of the diagonal of the current point.
+static void second_direction(std::mt19937& random)
+{
+  Moving_triangulation_3 mesh = random_cube(4, 200, 0, false, random);
+  Odt_objective_3 objective(mesh);
+  Obstinate_function f = { objective };
+  Limited_memory_bfgs_parameters parameters;
+  Limited_memory_bfgs minimizer(parameters);
+  for(int n = 0; n < 5; ++n)
+    check::that(minimizer.iterate(f) == Limited_memory_bfgs::STEP_TAKEN, "no step from a random start");
+  const Eigen::VectorXd wanted = f.point() - (f.gradient().array() / f.diagonal().array()).matrix();
+  f.trials.clear();
+  f.refusals = parameters.max_halvings;
+  minimizer.iterate(f);
+  check::that(f.trials.size() > static_cast<std::size_t>(parameters.max_halvings), "the minimizer gives up");
+  if(f.trials.size() > static_cast<std::size_t>(parameters.max_halvings))
+    check::that((f.trials[parameters.max_halvings] - wanted).norm() <= 1e-14 * wanted.norm(),
+                "the second direction is not that of the current point");
+}
+
 int main()
 {
   const unsigned int seed = 11;
@@ -152,6 +236,8 @@ int main()
   random_walk(false, 0, random);
   random_walk(true, 0, random);
   random_walk(false, 1000, random);
+  rejected_trials(random);
+  second_direction(random);
   minimization(0, random);
   minimization(1000, random);
   return check::result();

@@ -262,7 +262,10 @@ private:
       end_iteration(order);
     }
     if(!search.accepts(objective))
+    {
       mesh_ = before;
+      objective.start();
+    }
   }
 
   void minimize(Odt_objective_3& objective, const Round_plan& plan)
@@ -272,11 +275,7 @@ private:
     for(int n = 0; n < plan.iterations() && begin_iteration(plan); ++n)
     {
       if(minimizer.iterate(objective) == Limited_memory_bfgs::NO_STEP_FOUND)
-      {
-        // It has last been evaluated at a step not taken.
-        objective.start();
         break;
-      }
       end_iteration(order);
     }
   }

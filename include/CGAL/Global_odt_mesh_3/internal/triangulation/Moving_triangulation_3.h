@@ -51,16 +51,24 @@ public:
   const std::vector<Site_gradient>& gradient() const { return gradient_; }
   const Statistics& statistics() const { return statistics_; }
 
-  // Remembers positions and topology for restore().
+  // Remembers the state for restore(): positions, density, topology, energy and gradient.
   void keep()
   {
     kept_sites_ = sites;
+    kept_density_ = density;
+    kept_energy_ = energy_;
+    has_kept_gradient_ = true;
     topology.begin_trial();
   }
 
   void restore()
   {
     sites = kept_sites_;
+    density = kept_density_;
+    energy_ = kept_energy_;
+    if(!has_kept_gradient_)
+      gradient_.swap(kept_gradient_);
+    has_kept_gradient_ = true;
     topology.undo_trial();
     ++statistics_.restorations;
   }
@@ -115,6 +123,9 @@ private:
 
   void pass()
   {
+    if(has_kept_gradient_)
+      gradient_.swap(kept_gradient_);
+    has_kept_gradient_ = false;
     gradient_.assign(sites.size(), Site_gradient{ 0, 0, 0, 0 });
     inverted_.clear();
     irregular_.clear();
@@ -478,10 +489,12 @@ private:
 
   static constexpr std::size_t most_cells_held_back = 16;
 
-  std::vector<Site_gradient> gradient_;
-  double energy_ = 0;
+  std::vector<Site_gradient> gradient_, kept_gradient_;
+  bool has_kept_gradient_ = false;    // whether the gradient is that of the kept state
+  double energy_ = 0, kept_energy_ = 0;
   std::vector<int> inverted_, irregular_, intruders_, stuck_, star_, retreated_;
   std::vector<Site> kept_sites_, trial_sites_;
+  std::vector<double> kept_density_;
   Statistics statistics_;
 };
 
