@@ -12,13 +12,16 @@
 
 #include <CGAL/Global_odt_mesh_3/internal/optimization/Limited_memory_bfgs.h>
 #include <CGAL/Global_odt_mesh_3/internal/optimization/Odt_objective_3.h>
+#include <CGAL/Global_odt_mesh_3/internal/triangulation/Lawson_flips_3.h>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstddef>
 #include <iostream>
 #include <random>
 #include <set>
+#include <stdexcept>
 #include <vector>
 
 using namespace CGAL::Global_odt_mesh_3::internal;
@@ -107,6 +110,50 @@ static void random_walk(bool weighted, double shift, std::mt19937& random)
   check::that(failures < 10, failures, " of 40 steps could not be mended");
   check::that(stuck <= 1, stuck, " of 40 steps did not end on the exact triangulation");
   check::that(mesh.statistics().flips > 1000, "the walk hardly flipped");
+}
+
+// Takes back what it flips, as rounding may do.
+struct Vain_flips
+{
+  Flat_triangulation_3& t;
+  std::size_t most, number = 0;
+
+  std::array<int, 3> flip_2_3(int slot)
+  {
+    if(++number > most)
+      throw std::runtime_error("endless flips");
+    const std::array<int, 3> three = t.flip_2_3(slot);
+    std::array<int, 3> ring;
+    t.has_degree_3(three[0], 0, 1, ring);
+    const std::array<int, 2> two = t.flip_3_2(ring);
+    return {{ two[0], two[1], two[1] }};
+  }
+
+  std::array<int, 2> flip_3_2(const std::array<int, 3>& ring)
+  {
+    if(++number > most)
+      throw std::runtime_error("endless flips");
+    const std::array<int, 2> two = t.flip_3_2(ring);
+    const std::array<int, 3> three = t.flip_2_3(4 * two[0]);
+    return {{ three[0], three[1] }};
+  }
+};
+
+// Lawson's flips end even if they lead nowhere, and say that facets are left.
+static void endless_flips(std::mt19937& random)
+{
+  Moving_triangulation_3 mesh = random_cube(3, 60, 0, false, random);
+  std::uniform_real_distribution<double> u(-0.03, 0.03);
+  for(int v = 0; v < mesh.number_of_movable_vertices; ++v)
+    mesh.sites[v].x += u(random);
+  std::vector<int> facets;
+  for(int c = 0; c < mesh.topology.number_of_cell_slots(); ++c)
+    mesh.push_facets(c, facets);
+  Vain_flips flips = { mesh.topology, 100 * (1000 + 40 * facets.size()) };
+  bool is_regular = true;
+  try { is_regular = Lawson_flips_3<Vain_flips>(mesh, flips, facets).make_regular(); }
+  catch(const std::runtime_error& e) { check::that(false, e.what()); }
+  check::that(flips.number > 0 && !is_regular && facets.empty(), "facets are left, and nothing is said of them");
 }
 
 // L-BFGS lowers the energy step by step and reaches a vanishing gradient, lower
@@ -238,6 +285,7 @@ int main()
   random_walk(false, 1000, random);
   rejected_trials(random);
   second_direction(random);
+  endless_flips(random);
   minimization(0, random);
   minimization(1000, random);
   return check::result();

@@ -73,8 +73,8 @@ public:
     ++statistics_.restorations;
   }
 
-  // Energy and gradient at the current positions after mending the topology;
-  // false if some cells stay inverted, whereupon the caller has to restore().
+  // Energy and gradient at the current positions after mending the topology; false if some cells
+  // stay inverted or flips do not come to an end, whereupon the caller has to restore().
   // Some vertices may be moved in the course.
   bool evaluate()
   {
@@ -90,9 +90,7 @@ public:
       if(!untangle() && (stuck_.size() > 20 + damage || !hold_back()))
         return false;
     }
-    make_regular();
-    retreat_from_surfaces();
-    return true;
+    return make_regular() && retreat_from_surfaces();
   }
 
   // Whether all cells are positive and, up to rounding, locally regular, and their
@@ -222,7 +220,7 @@ private:
     return cells;
   }
 
-  void make_regular() { Lawson_flips_3<Moving_triangulation_3>(*this, *this, irregular_).make_regular(); }
+  bool make_regular() { return Lawson_flips_3<Moving_triangulation_3>(*this, *this, irregular_).make_regular(); }
 
   // Gives all cells positive volume, first by flips that lower the sum of the
   // negative volumes, then, if much is left, by moving vertices into the kernel
@@ -232,7 +230,7 @@ private:
     statistics_.untangled_cells += inverted_.size();
     std::size_t budget = 100 + 8 * inverted_.size();
     stuck_.clear();
-    while(!inverted_.empty() && budget-- > 0)
+    for( ; !inverted_.empty() && budget > 0; --budget)
     {
       const int c = inverted_.back();
       inverted_.pop_back();
@@ -453,8 +451,8 @@ private:
   }
 
   // A vertex that has pushed the dual point of its cell beyond a constrained facet goes back
-  // toward where it was.
-  void retreat_from_surfaces()
+  // toward where it was. False if the flips that follow do not come to an end.
+  bool retreat_from_surfaces()
   {
     // Flips change which vertices face constrained facets: look again around the flips only
     // at the next evaluation.
@@ -473,7 +471,7 @@ private:
       ++statistics_.retreats;
       retreated_.push_back(v);
     }
-    make_regular();
+    return make_regular();
   }
 
   // The same for all cells of star_.
