@@ -12,13 +12,17 @@
 
 #include <CGAL/Global_odt_mesh_3/internal/optimization/Limited_memory_bfgs.h>
 #include <CGAL/Global_odt_mesh_3/internal/optimization/Odt_objective_3.h>
+#include <CGAL/Global_odt_mesh_3/internal/triangulation/Lawson_flips_3.h>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstddef>
 #include <iostream>
 #include <random>
 #include <set>
+#include <stdexcept>
+#include <vector>
 
 using namespace CGAL::Global_odt_mesh_3::internal;
 
@@ -108,6 +112,54 @@ static void random_walk(bool weighted, double shift, std::mt19937& random)
   check::that(mesh.statistics().flips > 1000, "the walk hardly flipped");
 }
 
+// Takes back what it flips, as rounding may do.
+struct Vain_flips
+{
+  Flat_triangulation_3& t;
+  std::size_t most, number = 0;
+
+  std::array<int, 3> flip_2_3(int slot)
+  {
+    if(++number > most)
+      throw std::runtime_error("endless flips");
+    const std::array<int, 3> three = t.flip_2_3(slot);
+    std::array<int, 3> ring;
+    t.has_degree_3(three[0], 0, 1, ring);
+    const std::array<int, 2> two = t.flip_3_2(ring);
+    return {{ two[0], two[1], two[1] }};
+  }
+
+  std::array<int, 2> flip_3_2(const std::array<int, 3>& ring)
+  {
+    if(++number > most)
+      throw std::runtime_error("endless flips");
+    const std::array<int, 2> two = t.flip_3_2(ring);
+    const std::array<int, 3> three = t.flip_2_3(4 * two[0]);
+    return {{ three[0], three[1] }};
+  }
+};
+
+// Lawson's flips end even if they lead nowhere, whether other facets wait for them or not, and say that facets are left.
+static void endless_flips(std::mt19937& random)
+{
+  std::uniform_real_distribution<double> u(-0.1, 0.1);
+  for(int n = 0; n < 20; ++n)
+  {
+    Moving_triangulation_3 mesh = random_cube(3, 60, 0, false, random);
+    for(int v = 0; v < mesh.number_of_movable_vertices; ++v)
+      mesh.sites[v].x += u(random);
+    std::vector<int> facets;
+    for(int c = 0; c < mesh.topology.number_of_cell_slots(); ++c)
+      mesh.push_facets(c, facets);
+    std::shuffle(facets.begin(), facets.end(), random);
+    Vain_flips flips = { mesh.topology, 1000 + 40 * facets.size() };
+    bool is_regular = true;
+    try { is_regular = Lawson_flips_3<Vain_flips>(mesh, flips, facets).make_regular(); }
+    catch(const std::runtime_error& e) { check::that(false, e.what()); }
+    check::that(flips.number > 0 && !is_regular && facets.empty(), "facets are left, and nothing is said of them");
+  }
+}
+
 // L-BFGS lowers the energy step by step and reaches a vanishing gradient, lower
 // than the AVV iteration ends.
 static void minimization(double shift, std::mt19937& random)
@@ -143,6 +195,89 @@ static void minimization(double shift, std::mt19937& random)
   check::that(energy < avv.value(), "AVV finds a lower energy: ", avv.value(), " < ", energy);
 }
 
+// A rejected trial, whether it was feasible or not, leaves no trace in the objective nor in the mesh.
+static void rejected_trials(std::mt19937& random)
+{
+  Moving_triangulation_3 mesh = random_cube(4, 200, 0, false, random);
+  const auto density = [](int, const Site& s) { return 1 + s.x * s.x + s.y; };
+  for(const Site& s : mesh.sites)
+    mesh.density.push_back(density(0, s));
+  Odt_objective_3 f(mesh, density);
+  std::uniform_real_distribution<double> u(-1, 1);
+  int feasible = 0;
+  for(int n = 0; n < 40; ++n)
+  {
+    const Eigen::VectorXd x = f.point(), g = f.gradient(), d = f.diagonal();
+    const double value = f.value();
+    const std::vector<double> densities = mesh.density;
+    Eigen::VectorXd trial = x;
+    for(double& t : trial)
+      t += (n % 2 == 0 ? 0.02 : 1) * u(random);
+    if(f.evaluate(trial))
+    {
+      ++feasible;
+      check::that(f.value() != value && f.point() != x && f.gradient() != g && f.diagonal() != d,
+                  "a trial changes nothing");
+    }
+    f.reject();
+    check::that(f.value() == value && f.point() == x && f.gradient() == g && f.diagonal() == d,
+                "a rejected trial leaves a trace in the objective");
+    check::that(mesh.energy() == value && mesh.density == densities && mesh.topology.is_valid(),
+                "a rejected trial leaves a trace in the mesh");
+    for(int v = 0; v < mesh.number_of_movable_vertices; ++v)
+    {
+      const Site_gradient& h = mesh.gradient()[v];
+      const Site& s = mesh.sites[v];
+      check::that(Eigen::Vector3d(s.x, s.y, s.z) == x.segment<3>(3 * v)
+                  && (f.is_frozen(v) || Eigen::Vector3d(h.x, h.y, h.z) == g.segment<3>(3 * v)) && h.diagonal == d[3 * v],
+                  "a rejected trial leaves a trace at a vertex of the mesh");
+    }
+    if(n % 4 == 0 && f.evaluate(x - (g.array() / d.array()).matrix()))
+      f.accept();
+  }
+  check::that(feasible >= 20 && feasible < 40, feasible, " of 40 trials feasible, not all kinds tried");
+}
+
+// The objective, of which some trials are said not to be feasible; what is tried is recorded.
+struct Obstinate_function
+{
+  Odt_objective_3& f;
+  int refusals = 0;
+  std::vector<Eigen::VectorXd> trials = {};
+
+  double value() const { return f.value(); }
+  const Eigen::VectorXd& point() const { return f.point(); }
+  const Eigen::VectorXd& gradient() const { return f.gradient(); }
+  const Eigen::VectorXd& diagonal() const { return f.diagonal(); }
+  bool evaluate(const Eigen::VectorXd& x)
+  {
+    trials.push_back(x);
+    return f.evaluate(x) && refusals-- <= 0;
+  }
+  void accept() { f.accept(); }
+  void reject() { f.reject(); }
+};
+
+// Where the direction that curvature gives leads nowhere, the next one is that of the diagonal of the current point.
+static void second_direction(std::mt19937& random)
+{
+  Moving_triangulation_3 mesh = random_cube(4, 200, 0, false, random);
+  Odt_objective_3 objective(mesh);
+  Obstinate_function f = { objective };
+  Limited_memory_bfgs_parameters parameters;
+  Limited_memory_bfgs minimizer(parameters);
+  for(int n = 0; n < 5; ++n)
+    check::that(minimizer.iterate(f) == Limited_memory_bfgs::STEP_TAKEN, "no step from a random start");
+  const Eigen::VectorXd wanted = f.point() - (f.gradient().array() / f.diagonal().array()).matrix();
+  f.trials.clear();
+  f.refusals = parameters.max_halvings;
+  minimizer.iterate(f);
+  check::that(f.trials.size() > static_cast<std::size_t>(parameters.max_halvings), "the minimizer gives up");
+  if(f.trials.size() > static_cast<std::size_t>(parameters.max_halvings))
+    check::that((f.trials[parameters.max_halvings] - wanted).norm() <= 1e-14 * wanted.norm(),
+                "the second direction is not that of the current point");
+}
+
 int main()
 {
   const unsigned int seed = 11;
@@ -152,6 +287,9 @@ int main()
   random_walk(false, 0, random);
   random_walk(true, 0, random);
   random_walk(false, 1000, random);
+  rejected_trials(random);
+  second_direction(random);
+  endless_flips(random);
   minimization(0, random);
   minimization(1000, random);
   return check::result();

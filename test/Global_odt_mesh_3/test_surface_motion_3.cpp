@@ -40,13 +40,14 @@ typedef std::array<double, 3> Vector;
 static double dot(const Vector& a, const Vector& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
 
 // The derivative of the objective when one vertex moves along a tangent, against its gradient
-// and what is known to be left out of it.
+// and what is known to be left out of it. Rejected, the trial leaves no trace.
 template <class Objective>
 static double gradient_error(Objective& objective, int v, const Eigen::Vector3d& tangent, double h,
                              const Eigen::Vector3d& left_out = Eigen::Vector3d::Zero())
 {
   const double expected = tangent.dot(objective.gradient().template segment<3>(3 * v) + left_out);
-  const Eigen::VectorXd x = objective.point();
+  const Eigen::VectorXd x = objective.point(), g = objective.gradient(), d = objective.diagonal();
+  const double value_at_x = objective.value();
   double value[2];
   for(int side = 0; side < 2; ++side)
   {
@@ -55,6 +56,8 @@ static double gradient_error(Objective& objective, int v, const Eigen::Vector3d&
     check::that(objective.evaluate(y), "a small step is not feasible");
     value[side] = objective.value();
     objective.reject();
+    check::that(objective.value() == value_at_x && objective.point() == x && objective.gradient() == g
+                && objective.diagonal() == d, "a rejected trial leaves a trace");
   }
   return std::abs((value[0] - value[1]) / (2 * h) - expected);
 }

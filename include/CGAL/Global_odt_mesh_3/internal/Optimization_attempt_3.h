@@ -224,11 +224,7 @@ private:
     for(int n = 0; n < plan_->iterations() && begin_iteration(); ++n)
     {
       if(minimizer.iterate(objective) == Limited_memory_bfgs::NO_STEP_FOUND)
-      {
-        // It has last been evaluated at a step not taken.
-        objective.start();
         break;
-      }
       end_iteration(order);
     }
   }

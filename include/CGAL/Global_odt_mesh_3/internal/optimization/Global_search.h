@@ -74,11 +74,7 @@ public:
       momentum_.iterate(f, done);
       return true;
     }
-    if(minimizer_.iterate(f) == Limited_memory_bfgs::STEP_TAKEN)
-      return true;
-    // The function has last been evaluated at a step not taken.
-    f.start();
-    return false;
+    return minimizer_.iterate(f) == Limited_memory_bfgs::STEP_TAKEN;
   }
 
   // Whether the round is to be kept, or what was before it.

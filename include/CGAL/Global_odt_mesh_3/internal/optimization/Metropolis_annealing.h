@@ -59,7 +59,6 @@ public:
       }
       f.reject();
     }
-    f.start();
   }
 
   // Step (6). Where the answer is no, the caller goes back to the state before the round.
@@ -104,11 +103,7 @@ private:
     minimizer.reset();
     for(int n = 0; n < iterations; ++n)
       if(minimizer.iterate(f) == Limited_memory_bfgs::NO_STEP_FOUND)
-      {
-        // The function has last been evaluated at a step not taken.
-        f.start();
         return;
-      }
   }
 
   Metropolis_annealing_schedule schedule_;

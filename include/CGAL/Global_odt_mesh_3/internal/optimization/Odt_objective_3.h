@@ -24,6 +24,10 @@ namespace internal {
 // The energy of a moving triangulation as a function of the coordinates of its
 // movable vertices, in the form that the minimizer wants. Frozen vertices are
 // held by a zero gradient, those on surfaces by its tangential part.
+//
+// evaluate() leads from the current point to a trial, of which value(), point(), gradient() and
+// diagonal() are then, unless it is not feasible. Either accept() or keep() makes it the current
+// point, or reject() goes back, with all four.
 class Odt_objective_3
 {
 public:
@@ -39,9 +43,8 @@ public:
     , motions_(std::move(motions))
     , frozen_(mesh.number_of_movable_vertices, false)
     , retreats_(mesh.number_of_movable_vertices, 0)
-    , point_(3 * mesh.number_of_movable_vertices)
-    , gradient_(point_.size())
-    , diagonal_(point_.size())
+    , current_(mesh.number_of_movable_vertices)
+    , other_(mesh.number_of_movable_vertices)
   {
     for(int v = mesh.number_of_interior_vertices; v < mesh.number_of_movable_vertices; ++v)
       if(motion(v) == nullptr || motion(v)->is_at_rest())
@@ -57,15 +60,15 @@ public:
     update_density();
     is_feasible_ = mesh_.evaluate();
     gather();
-    mesh_.keep();
+    keep();
     return is_feasible_;
   }
 
   bool is_feasible() const { return is_feasible_; }
-  double value() const { return mesh_.energy(); }
-  const Eigen::VectorXd& point() const { return point_; }
-  const Eigen::VectorXd& gradient() const { return gradient_; }
-  const Eigen::VectorXd& diagonal() const { return diagonal_; }
+  double value() const { return current_.value; }
+  const Eigen::VectorXd& point() const { return current_.point; }
+  const Eigen::VectorXd& gradient() const { return current_.gradient; }
+  const Eigen::VectorXd& diagonal() const { return current_.diagonal; }
 
   bool evaluate(const Eigen::VectorXd& x)
   {
@@ -83,6 +86,8 @@ public:
     update_density();
     if(!mesh_.evaluate())
       return false;
+    std::swap(current_, other_);
+    is_on_trial_ = true;
     gather();
     return true;
   }
@@ -93,11 +98,23 @@ public:
     for(int v : mesh_.retreated_vertices())
       if(++retreats_[v] == most_retreats)
         freeze(v);
-    mesh_.keep();
+    keep();
   }
-  // The last point becomes the current one, without that.
-  void keep() { mesh_.keep(); }
-  void reject() { mesh_.restore(); }
+
+  // The same without that.
+  void keep()
+  {
+    mesh_.keep();
+    is_on_trial_ = false;
+  }
+
+  void reject()
+  {
+    mesh_.restore();
+    if(is_on_trial_)
+      std::swap(current_, other_);
+    is_on_trial_ = false;
+  }
 
   int number_of_vertices() const { return mesh_.number_of_movable_vertices; }
   void mean_edge_lengths(std::vector<double>& length) const { mesh_.mean_edge_lengths(length); }
@@ -115,11 +132,19 @@ public:
     if(!frozen_[v])
       ++number_of_frozen_vertices_;
     frozen_[v] = true;
-    gradient_.segment<3>(3 * v).setZero();
+    current_.gradient.segment<3>(3 * v).setZero();
   }
 
 private:
   static constexpr int most_retreats = 3;
+
+  struct Evaluation
+  {
+    double value = 0;
+    Eigen::VectorXd point, gradient, diagonal;
+
+    explicit Evaluation(int vertices) : point(3 * vertices), gradient(3 * vertices), diagonal(3 * vertices) {}
+  };
 
   const Tangential_motion* motion(int v) const
   {
@@ -137,18 +162,20 @@ private:
   void gather()
   {
     const std::vector<Site_gradient>& g = mesh_.gradient();
+    Eigen::VectorXd &point = current_.point, &gradient = current_.gradient, &diagonal = current_.diagonal;
+    current_.value = mesh_.energy();
     for(int v = 0; v < mesh_.number_of_movable_vertices; ++v)
     {
       const Site& s = mesh_.sites[v];
-      point_.segment<3>(3 * v) << s.x, s.y, s.z;
-      diagonal_.segment<3>(3 * v).setConstant(g[v].diagonal);
+      point.segment<3>(3 * v) << s.x, s.y, s.z;
+      diagonal.segment<3>(3 * v).setConstant(g[v].diagonal);
       if(frozen_[v])
-        gradient_.segment<3>(3 * v).setZero();
+        gradient.segment<3>(3 * v).setZero();
       else
       {
-        gradient_.segment<3>(3 * v) << g[v].x, g[v].y, g[v].z;
+        gradient.segment<3>(3 * v) << g[v].x, g[v].y, g[v].z;
         if(v >= mesh_.number_of_interior_vertices)
-          gradient_.segment<3>(3 * v) = motion(v)->tangential_part(gradient_.segment<3>(3 * v));
+          gradient.segment<3>(3 * v) = motion(v)->tangential_part(gradient.segment<3>(3 * v));
       }
     }
   }
@@ -159,7 +186,8 @@ private:
   std::vector<char> frozen_;
   std::vector<int> retreats_;
   int number_of_frozen_vertices_ = 0;
-  Eigen::VectorXd point_, gradient_, diagonal_;
+  Evaluation current_, other_;    // that of the current point is the other one on trial
+  bool is_on_trial_ = false;
   bool is_feasible_ = false;
 };
 

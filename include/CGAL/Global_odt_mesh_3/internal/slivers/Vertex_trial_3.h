@@ -63,7 +63,8 @@ public:
       touch(slot / 4);
       mesh_.push_facets(slot / 4, irregular_);
     }
-    Lawson_flips_3<Vertex_trial_3>(mesh_, *this, irregular_).make_regular();
+    if(!Lawson_flips_3<Vertex_trial_3>(mesh_, *this, irregular_).make_regular())
+      return (std::numeric_limits<double>::infinity)();
     for(int c : touched_)
       if(mesh_.topology.is_alive(c))
       {

@@ -31,6 +31,8 @@ namespace internal {
 // Section 5.1 of the paper restricts Voronoi cells to the input surface. Here it is to the
 // surfaces of the complex, which follow the vertices: their tangential planes
 // touch the input surface in second order, and cells need not be clipped.
+//
+// Points are current or on trial as those of Odt_objective_3 are.
 class Surface_cvt_objective_3
 {
 public:
@@ -40,29 +42,26 @@ public:
   // `motions` are those of the vertices from number `first` on.
   Surface_cvt_objective_3(const Boundary_complex_3& boundary, std::vector<Site>& sites, int first,
                           std::vector<Tangential_motion> motions, Density density = Density())
-    : surface_(boundary)
-    , sites_(sites)
+    : sites_(sites)
     , first_(first)
     , motions_(std::move(motions))
     , density_(std::move(density))
     , densities_(sites.size(), 1)
-    , point_(3 * motions_.size())
-    , gradient_(point_.size())
-    , diagonal_(point_.size())
+    , current_(boundary, motions_.size())
+    , other_(current_)
   {
     if(density_)
-      for(int f = 0; f < surface_.number_of_facets(); ++f)
-        for(int v : surface_.vertices(f))
+      for(int f = 0; f < surface().number_of_facets(); ++f)
+        for(int v : surface().vertices(f))
           densities_[v] = density_(v, sites_[v]);
     compute();
-    accept();
   }
 
-  double value() const { return energy_; }
-  const Eigen::VectorXd& point() const { return point_; }
-  const Eigen::VectorXd& gradient() const { return gradient_; }
-  const Eigen::VectorXd& diagonal() const { return diagonal_; }
-  const Surface_triangulation_3& surface() const { return surface_; }
+  double value() const { return current_.value; }
+  const Eigen::VectorXd& point() const { return current_.point; }
+  const Eigen::VectorXd& gradient() const { return current_.gradient; }
+  const Eigen::VectorXd& diagonal() const { return current_.diagonal; }
+  const Surface_triangulation_3& surface() const { return current_.surface; }
 
   bool evaluate(const Eigen::VectorXd& x)
   {
@@ -77,83 +76,80 @@ public:
       if(density_)
         densities_[v] = density_(v, s);
     }
+    std::swap(current_, other_);
+    current_.surface = other_.surface;
     compute();
-    return std::isfinite(energy_);
+    return std::isfinite(value());
   }
 
-  void accept()
-  {
-    kept_.surface = surface_;
-    kept_.energy = energy_;
-    kept_.point = point_;
-    kept_.gradient = gradient_;
-    kept_.diagonal = diagonal_;
-  }
+  // The trial is the current point already.
+  void accept() {}
 
   void reject()
   {
-    surface_ = kept_.surface;
-    energy_ = kept_.energy;
-    point_ = kept_.point;
-    gradient_ = kept_.gradient;
-    diagonal_ = kept_.diagonal;
+    std::swap(current_, other_);
     for(std::size_t n = 0; n < motions_.size(); ++n)
     {
       Site& s = sites_[first_ + n];
-      s = { point_[3 * n], point_[3 * n + 1], point_[3 * n + 2], s.weight };
+      s = { point()[3 * n], point()[3 * n + 1], point()[3 * n + 2], s.weight };
     }
   }
 
 private:
+  struct Evaluation
+  {
+    Surface_triangulation_3 surface;
+    double value = 0;
+    Eigen::VectorXd point, gradient, diagonal;
+
+    Evaluation(const Boundary_complex_3& boundary, std::size_t vertices)
+      : surface(boundary)
+      , point(3 * vertices)
+      , gradient(3 * vertices)
+      , diagonal(3 * vertices)
+    {}
+  };
+
   void compute()
   {
-    surface_.make_delaunay(sites_);
-    energy_ = 0;
-    gradient_.setZero();
-    diagonal_.setZero();
+    Evaluation& e = current_;
+    e.surface.make_delaunay(sites_);
+    e.value = 0;
+    e.gradient.setZero();
+    e.diagonal.setZero();
     const int last = first_ + static_cast<int>(motions_.size());
-    for(int f = 0; f < surface_.number_of_facets(); ++f)
+    for(int f = 0; f < e.surface.number_of_facets(); ++f)
     {
-      const std::array<int, 3>& t = surface_.vertices(f);
+      const std::array<int, 3>& t = e.surface.vertices(f);
       const Surface_cvt_contribution_3 c(t, sites_, {{ densities_[t[0]], densities_[t[1]], densities_[t[2]] }});
-      energy_ += c.energy;
+      e.value += c.energy;
       for(int k = 0; k < 3; ++k)
         if(t[k] >= first_ && t[k] < last)
         {
-          gradient_.segment<3>(3 * (t[k] - first_)) += c.gradient[k];
-          diagonal_.segment<3>(3 * (t[k] - first_)).array() += 2 * c.mass[k];
+          e.gradient.segment<3>(3 * (t[k] - first_)) += c.gradient[k];
+          e.diagonal.segment<3>(3 * (t[k] - first_)).array() += 2 * c.mass[k];
         }
     }
     for(std::size_t n = 0; n < motions_.size(); ++n)
     {
       const Site& s = sites_[first_ + n];
-      point_.segment<3>(3 * n) << s.x, s.y, s.z;
+      e.point.segment<3>(3 * n) << s.x, s.y, s.z;
       if(motions_[n].is_at_rest())
-        gradient_.segment<3>(3 * n).setZero();
+        e.gradient.segment<3>(3 * n).setZero();
       else
-        gradient_.segment<3>(3 * n) = motions_[n].tangential_part(gradient_.segment<3>(3 * n));
+        e.gradient.segment<3>(3 * n) = motions_[n].tangential_part(e.gradient.segment<3>(3 * n));
       // Cells may be empty where weights are large.
-      if(!(diagonal_[3 * n] > 0))
-        diagonal_.segment<3>(3 * n).setConstant((std::numeric_limits<double>::max)());
+      if(!(e.diagonal[3 * n] > 0))
+        e.diagonal.segment<3>(3 * n).setConstant((std::numeric_limits<double>::max)());
     }
   }
 
-  struct State
-  {
-    Surface_triangulation_3 surface;
-    double energy = 0;
-    Eigen::VectorXd point, gradient, diagonal;
-  };
-
-  Surface_triangulation_3 surface_;
   std::vector<Site>& sites_;
   int first_;
   std::vector<Tangential_motion> motions_;
   Density density_;
   std::vector<double> densities_;
-  double energy_ = 0;
-  Eigen::VectorXd point_, gradient_, diagonal_;
-  State kept_;
+  Evaluation current_, other_;    // that of the current point is the other one on trial
 };
 
 } // namespace internal

@@ -35,45 +35,55 @@ public:
     , irregular_(irregular)
   {}
 
-  void make_regular()
+  // False if facets are left because there were too many flips: each lowers the lifted surface, so
+  // that only rounding can make them go on.
+  bool make_regular()
   {
-    // Each flip lowers the lifted surface; the bound only guards against
-    // rounding.
     std::size_t budget = 1000 + 40 * irregular_.size();
     std::vector<int> waiting;
-    std::size_t flips = 0;
-    for(;;)
+    for(bool has_flipped = true; has_flipped; irregular_.swap(waiting))
     {
-      while(!irregular_.empty() && budget-- > 0)
+      has_flipped = false;
+      for( ; !irregular_.empty(); --budget)
       {
+        if(budget == 0)
+        {
+          irregular_.clear();
+          return false;
+        }
         const int slot = irregular_.back();
         irregular_.pop_back();
-        const int c = slot / 4;
-        if(!mesh_.topology.is_alive(c))
+        if(!is_irregular(slot))
           continue;
-        const int across = mesh_.topology.neighbor(slot);
-        if(Flat_triangulation_3::is_constrained(across))
-          continue;
-        const int origin = mesh_.topology.vertex(4 * c), q = mesh_.topology.vertex(across);
-        const Cell_products t = mesh_.products(c);
-        if(!mesh_.is_irregular(t.power(mesh_.sites[origin], mesh_.sites[q]), mesh_.squared_distance(origin, q)))
-          continue;
-        if(mend_facet(slot, t.determinant + mesh_.products(across / 4).determinant))
-          ++flips;
+        if(remove_facet(slot))
+          has_flipped = true;
         else
           waiting.push_back(slot);
       }
-      irregular_.clear();
-      if(flips == 0)
-        return;
-      irregular_.swap(waiting);
-      flips = 0;
     }
+    irregular_.clear();
+    return true;
   }
 
 private:
-  bool mend_facet(int slot, double volume)
+  bool is_irregular(int slot)
   {
+    const int c = slot / 4;
+    if(!mesh_.topology.is_alive(c))
+      return false;
+    const int across = mesh_.topology.neighbor(slot);
+    if(Flat_triangulation_3::is_constrained(across))
+      return false;
+    const int origin = mesh_.topology.vertex(4 * c), q = mesh_.topology.vertex(across);
+    const Cell_products t = mesh_.products(c);
+    determinant_ = t.determinant;
+    return mesh_.is_irregular(t.power(mesh_.sites[origin], mesh_.sites[q]), mesh_.squared_distance(origin, q));
+  }
+
+  // By a flip, if there is one.
+  bool remove_facet(int slot)
+  {
+    const double volume = determinant_ + mesh_.products(mesh_.topology.neighbor(slot) / 4).determinant;
     const std::array<double, 3> after = mesh_.volumes_after_2_3(slot);
     const double flat = 1e-12 * volume;
     const int k = static_cast<int>(std::min_element(after.begin(), after.end()) - after.begin());
@@ -89,18 +99,17 @@ private:
     const std::array<int, 3>& f = Flat_triangulation_3::facet_vertices(slot % 4);
     const int u = f[(k + 1) % 3], v = f[(k + 2) % 3];
     std::array<int, 3> ring;
-    if(mesh_.topology.has_degree_3(slot / 4, u, v, ring))
-    {
-      for(int c : flips_.flip_3_2(ring))
-        mesh_.push_facets(c, irregular_);
-      return true;
-    }
-    return false;
+    if(!mesh_.topology.has_degree_3(slot / 4, u, v, ring))
+      return false;
+    for(int c : flips_.flip_3_2(ring))
+      mesh_.push_facets(c, irregular_);
+    return true;
   }
 
   const Constrained_triangulation_3& mesh_;
   Flips& flips_;
   std::vector<int>& irregular_;
+  double determinant_ = 0;        // of the cell of the facet that was last looked at
 };
 
 } // namespace internal

@@ -51,22 +51,30 @@ public:
   const std::vector<Site_gradient>& gradient() const { return gradient_; }
   const Statistics& statistics() const { return statistics_; }
 
-  // Remembers positions and topology for restore().
+  // Remembers the state for restore(): positions, density, topology, energy and gradient.
   void keep()
   {
     kept_sites_ = sites;
+    kept_density_ = density;
+    kept_energy_ = energy_;
+    has_kept_gradient_ = true;
     topology.begin_trial();
   }
 
   void restore()
   {
     sites = kept_sites_;
+    density = kept_density_;
+    energy_ = kept_energy_;
+    if(!has_kept_gradient_)
+      gradient_.swap(kept_gradient_);
+    has_kept_gradient_ = true;
     topology.undo_trial();
     ++statistics_.restorations;
   }
 
-  // Energy and gradient at the current positions after mending the topology;
-  // false if some cells stay inverted, whereupon the caller has to restore().
+  // Energy and gradient at the current positions after mending the topology; false if some cells
+  // stay inverted or flips do not come to an end, whereupon the caller has to restore().
   // Some vertices may be moved in the course.
   bool evaluate()
   {
@@ -82,9 +90,7 @@ public:
       if(!untangle() && (stuck_.size() > 20 + damage || !hold_back()))
         return false;
     }
-    make_regular();
-    retreat_from_surfaces();
-    return true;
+    return make_regular() && retreat_from_surfaces();
   }
 
   // Whether all cells are positive and, up to rounding, locally regular, and their
@@ -115,6 +121,9 @@ private:
 
   void pass()
   {
+    if(has_kept_gradient_)
+      gradient_.swap(kept_gradient_);
+    has_kept_gradient_ = false;
     gradient_.assign(sites.size(), Site_gradient{ 0, 0, 0, 0 });
     inverted_.clear();
     irregular_.clear();
@@ -211,7 +220,7 @@ private:
     return cells;
   }
 
-  void make_regular() { Lawson_flips_3<Moving_triangulation_3>(*this, *this, irregular_).make_regular(); }
+  bool make_regular() { return Lawson_flips_3<Moving_triangulation_3>(*this, *this, irregular_).make_regular(); }
 
   // Gives all cells positive volume, first by flips that lower the sum of the
   // negative volumes, then, if much is left, by moving vertices into the kernel
@@ -221,7 +230,7 @@ private:
     statistics_.untangled_cells += inverted_.size();
     std::size_t budget = 100 + 8 * inverted_.size();
     stuck_.clear();
-    while(!inverted_.empty() && budget-- > 0)
+    for( ; !inverted_.empty() && budget > 0; --budget)
     {
       const int c = inverted_.back();
       inverted_.pop_back();
@@ -442,8 +451,8 @@ private:
   }
 
   // A vertex that has pushed the dual point of its cell beyond a constrained facet goes back
-  // toward where it was.
-  void retreat_from_surfaces()
+  // toward where it was. False if the flips that follow do not come to an end.
+  bool retreat_from_surfaces()
   {
     // Flips change which vertices face constrained facets: look again around the flips only
     // at the next evaluation.
@@ -462,7 +471,7 @@ private:
       ++statistics_.retreats;
       retreated_.push_back(v);
     }
-    make_regular();
+    return make_regular();
   }
 
   // The same for all cells of star_.
@@ -478,10 +487,12 @@ private:
 
   static constexpr std::size_t most_cells_held_back = 16;
 
-  std::vector<Site_gradient> gradient_;
-  double energy_ = 0;
+  std::vector<Site_gradient> gradient_, kept_gradient_;
+  bool has_kept_gradient_ = false;    // whether the gradient is that of the kept state
+  double energy_ = 0, kept_energy_ = 0;
   std::vector<int> inverted_, irregular_, intruders_, stuck_, star_, retreated_;
   std::vector<Site> kept_sites_, trial_sites_;
+  std::vector<double> kept_density_;
   Statistics statistics_;
 };
 
