@@ -9,6 +9,8 @@
 #include <CGAL/Bbox_3.h>
 #include <CGAL/assertions.h>
 
+#include <Eigen/Core>
+
 #include <boost/math/interpolators/cardinal_cubic_b_spline.hpp>
 
 #include <algorithm>
@@ -28,7 +30,7 @@ namespace internal {
 class Tricubic_spline_3
 {
 public:
-  typedef std::array<double, 3> Triple;
+  typedef Eigen::Vector3d Triple;
 
   // The formula for derivatives at the ends of a line takes that many.
   static constexpr int fewest_nodes = 5;
@@ -40,8 +42,8 @@ public:
     std::array<int, 3> nodes;
 
     Grid(const Bbox_3& box, int nx, int ny, int nz)
-      : low{{ box.xmin(), box.ymin(), box.zmin() }}
-      , high{{ box.xmax(), box.ymax(), box.zmax() }}
+      : low(box.xmin(), box.ymin(), box.zmin())
+      , high(box.xmax(), box.ymax(), box.zmax())
       , nodes{{ nx, ny, nz }}
     {
       for(int axis = 0; axis < 3; ++axis)
