@@ -12,12 +12,12 @@
 
 #include <CGAL/Density_quadratures_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/Named_parameters.h>
-#include <CGAL/Global_odt_mesh_3/internal/Odt_parameters.h>
 #include <CGAL/Global_odt_mesh_3/internal/User_fields_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/density/Density_moments_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/density/Density_quadrature_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/density/Field_density_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/density/Make_density_quadrature_3.h>
+#include <CGAL/Global_odt_mesh_3/internal/density/Quadrature_choice.h>
 #include <CGAL/Global_odt_mesh_3/internal/energy/Reference_energy_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/geometry/Point_coordinates.h>
 
@@ -32,6 +32,9 @@ namespace CGAL {
 
 namespace Global_odt_mesh_3 {
 namespace internal {
+
+// What odt_energy_3() reads.
+typedef Parameter_list<tags::sizing_field, internal_np::density_t, internal_np::quadrature_t> Energy_parameters;
 
 template <class C3t3>
 double odt_energy(const C3t3& c3t3, const User_fields_3<C3t3>& fields, Quadrature_choice choice)
@@ -129,9 +132,12 @@ template <class C3T3, class... NamedParameters>
 double odt_energy_3(const C3T3& c3t3, const NamedParameters&... np)
 {
   namespace odt = Global_odt_mesh_3::internal;
-  odt::Odt_parameters parameters;
-  odt::read_arguments(parameters, 0, np...);
-  return odt::odt_energy(c3t3, odt::read_fields<C3T3>(np...), parameters.quadrature);
+  const auto arguments = odt::named_arguments<odt::Energy_parameters>(np...);
+  odt::User_fields_3<C3T3> fields;
+  fields.read(arguments);
+  odt::Quadrature_choice quadrature;
+  arguments.template read<internal_np::quadrature_t>(quadrature);
+  return odt::odt_energy(c3t3, fields, quadrature);
 }
 
 } // namespace CGAL

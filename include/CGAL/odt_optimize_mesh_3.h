@@ -17,6 +17,8 @@
 
 #include <CGAL/Global_odt_mesh_3/internal/Named_parameters.h>
 #include <CGAL/Global_odt_mesh_3/internal/Odt_mesh_optimizer_3.h>
+#include <CGAL/Global_odt_mesh_3/internal/Odt_parameters.h>
+#include <CGAL/Global_odt_mesh_3/internal/Parameter_check.h>
 #include <CGAL/Global_odt_mesh_3/internal/User_fields_3.h>
 #include <CGAL/Mesh_3/Mesh_global_optimizer.h>
 #include <CGAL/Mesh_3/Mesh_sizing_field.h>
@@ -48,18 +50,53 @@ optimize_periodic(C3T3& c3t3, const MeshDomain& domain, const Odt_parameters& p)
   return optimizer(p.max_iteration_number == 0 ? 1000 : static_cast<int>(p.max_iteration_number));
 }
 
-template <class C3T3, class MeshDomain, class Visitor>
-Mesh_optimization_return_code
-optimize(C3T3& c3t3, const MeshDomain& domain, const Odt_parameters& p, Visitor& visitor,
-         const User_fields_3<C3T3>& fields = User_fields_3<C3T3>())
+template <class C3T3>
+constexpr bool is_periodic = std::is_same<typename C3T3::Triangulation::Periodic_tag, Tag_true>::value;
+
+// What odt_optimize_mesh_3() reads; the optimizer of Mesh_3 knows the first five.
+template <class C3T3>
+using Optimization_parameters = std::conditional_t<
+  is_periodic<C3T3>,
+  Parameter_list<tags::time_limit, tags::max_iteration_number, tags::convergence, tags::freeze_bound, tags::do_freeze>,
+  Parameter_list<tags::time_limit, tags::max_iteration_number, tags::convergence, tags::freeze_bound, tags::do_freeze,
+                 tags::sliver_bound, tags::sizing_field, internal_np::density_t, internal_np::quadrature_t,
+                 internal_np::annealing_schedule_t, internal_np::number_of_rounds_t, internal_np::optimize_boundary_t,
+                 internal_np::random_seed_t, internal_np::callback_t, internal_np::visitor_t> >;
+
+template <class T>
+T& unwrap(T& t) { return t; }
+
+template <class T>
+T& unwrap(std::reference_wrapper<T>& t) { return t.get(); }
+
+// The visitor among the arguments, or else one that does nothing.
+template <class C3T3, class Arguments>
+auto find_visitor(const Arguments& arguments)
 {
+  if constexpr (Arguments::template has<internal_np::visitor_t>)
+    return arguments.template get<internal_np::visitor_t>();
+  else
+    return Mesh_3::Null_global_optimizer_visitor<C3T3>();
+}
+
+template <class C3T3, class MeshDomain, class Arguments>
+Mesh_optimization_return_code
+optimize(C3T3& c3t3, const MeshDomain& domain, Odt_task task, const Odt_parameters& p, const Arguments& arguments)
+{
+  User_fields_3<C3T3> fields;
+  fields.read(arguments);
   p.check();
   fields.check();
-  CGAL_precondition(!Mesh_3::internal::has_non_protecting_weights(c3t3.triangulation(), domain));
-  if constexpr (std::is_same<typename C3T3::Triangulation::Periodic_tag, Tag_true>::value)
+  CGAL_GLOBAL_ODT_MESH_3_CHECK_PARAMETER(!Mesh_3::internal::has_non_protecting_weights(c3t3.triangulation(), domain),
+                                         "c3t3 must not have weights on vertices off the features");
+  if constexpr (is_periodic<C3T3>)
     return optimize_periodic(c3t3, domain, p);
   else
-    return Odt_mesh_optimizer_3<C3T3, MeshDomain, Visitor>(c3t3, domain, p, visitor, fields)();
+  {
+    auto visitor = find_visitor<C3T3>(arguments);
+    typedef std::decay_t<decltype(unwrap(visitor))> Visitor;
+    return Odt_mesh_optimizer_3<C3T3, MeshDomain, Visitor>(c3t3, domain, task, p, unwrap(visitor), fields)();
+  }
 }
 
 } // namespace internal
@@ -202,7 +239,7 @@ version of %CGAL in use knows: `parameters::time_limit = 10, parameters::do_free
     \cgalParamDescription{the dihedral angle, in degrees, that all cells should exceed in the end; 0 switches the removal of slivers off.
                           From \cgal 5.6 on also called `lower_sliver_bound`.}
     \cgalParamType{`double`}
-    \cgalParamPrecondition{`0 <= sliver_bound < 180`}
+    \cgalParamPrecondition{`0 <= sliver_bound <= 70.5`, the regular tetrahedron having angles of 70.53 degrees}
     \cgalParamDefault{20}
   \cgalParamNEnd
   \cgalParamNBegin{random_seed}
@@ -244,10 +281,10 @@ Mesh_optimization_return_code
 odt_optimize_mesh_3(C3T3& c3t3, const MeshDomain& domain, const NamedParameters&... np)
 {
   namespace odt = Global_odt_mesh_3::internal;
+  const auto arguments = odt::named_arguments<odt::Optimization_parameters<C3T3> >(np...);
   odt::Odt_parameters parameters;
-  odt::read_arguments(parameters, 0, np...);
-  auto visitor = odt::find_visitor(Mesh_3::Null_global_optimizer_visitor<C3T3>(), np...);
-  return odt::optimize(c3t3, domain, parameters, odt::unwrap(visitor), odt::read_fields<C3T3>(np...));
+  parameters.read(arguments);
+  return odt::optimize(c3t3, domain, odt::Odt_task::OPTIMIZE, parameters, arguments);
 }
 
 #ifndef DOXYGEN_RUNNING
@@ -266,8 +303,7 @@ odt_optimize_mesh_3_impl(C3T3& c3t3, const MeshDomain& domain, const double time
   parameters.convergence = convergence;
   parameters.freeze_bound = freeze_ratio;
   parameters.do_freeze = do_freeze;
-  Mesh_3::Null_global_optimizer_visitor<C3T3> visitor;
-  return odt::optimize(c3t3, domain, parameters, visitor);
+  return odt::optimize(c3t3, domain, odt::Odt_task::OPTIMIZE, parameters, odt::named_arguments<odt::Parameter_list<> >());
 }
 
 #endif // DOXYGEN_RUNNING

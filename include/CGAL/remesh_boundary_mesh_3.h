@@ -10,12 +10,21 @@
 
 #include <CGAL/disable_warnings.h>
 
+#include <CGAL/Global_odt_mesh_3/internal/Named_parameters.h>
+#include <CGAL/Global_odt_mesh_3/internal/Odt_parameters.h>
 #include <CGAL/odt_optimize_mesh_3.h>
-#include <CGAL/tags.h>
-
-#include <type_traits>
 
 namespace CGAL {
+
+namespace Global_odt_mesh_3 {
+namespace internal {
+
+// What remesh_boundary_mesh_3() reads.
+typedef Parameter_list<tags::time_limit, tags::max_iteration_number, tags::sizing_field, internal_np::density_t,
+                       internal_np::callback_t, internal_np::visitor_t> Remeshing_parameters;
+
+} // namespace internal
+} // namespace Global_odt_mesh_3
 
 /*!
 \ingroup PkgGlobalOdtMesh3Functions
@@ -89,14 +98,12 @@ template <class C3T3, class MeshDomain, class... NamedParameters>
 Mesh_optimization_return_code
 remesh_boundary_mesh_3(C3T3& c3t3, const MeshDomain& domain, const NamedParameters&... np)
 {
-  static_assert(!std::is_same<typename C3T3::Triangulation::Periodic_tag, Tag_true>::value,
-                "remesh_boundary_mesh_3() does not know periodic triangulations");
   namespace odt = Global_odt_mesh_3::internal;
+  static_assert(!odt::is_periodic<C3T3>, "remesh_boundary_mesh_3() does not know periodic triangulations");
+  const auto arguments = odt::named_arguments<odt::Remeshing_parameters>(np...);
   odt::Odt_parameters parameters;
-  odt::read_arguments(parameters, 0, np...);
-  parameters.optimize_boundary = parameters.remesh_boundary = true;
-  auto visitor = odt::find_visitor(Mesh_3::Null_global_optimizer_visitor<C3T3>(), np...);
-  return odt::optimize(c3t3, domain, parameters, odt::unwrap(visitor), odt::read_fields<C3T3>(np...));
+  parameters.read(arguments);
+  return odt::optimize(c3t3, domain, odt::Odt_task::REMESH_BOUNDARY, parameters, arguments);
 }
 
 } // namespace CGAL

@@ -124,12 +124,15 @@ static void grading(const domains::Labeled_domain& domain)
   using namespace domains;
   namespace odt = CGAL::Global_odt_mesh_3::internal;
   Labeled_c3t3 uniform = mesh(domain, 0.2), graded = graded_mesh(domain, 0.05);
-  odt::Moving_triangulation_3 flat;
-  odt::C3t3_bridge_3<Labeled_c3t3, Labeled_domain> uniform_bridge(uniform, domain), graded_bridge(graded, domain);
-  uniform_bridge.load(flat, true);
-  check::that(odt::Input_density_3(flat).is_uniform(), "a uniform mesh is not taken for uniform");
-  graded_bridge.load(flat, true);
-  check::that(!odt::Input_density_3(flat).is_uniform(), "a graded mesh is taken for uniform");
+  const auto is_uniform = [&domain](const Labeled_c3t3& c3t3)
+  {
+    odt::Numbered_domain_3<Labeled_triangulation, Labeled_domain> numbered(domain);
+    odt::Moving_triangulation_3 flat;
+    odt::C3t3_reader_3<Labeled_c3t3, decltype(numbered)>(c3t3, numbered).read(flat, true);
+    return odt::Input_density_3(flat).is_uniform();
+  };
+  check::that(is_uniform(uniform), "a uniform mesh is not taken for uniform");
+  check::that(!is_uniform(graded), "a graded mesh is taken for uniform");
 
   const auto before = edge_length_profile(graded);
   const auto check_sizes = [&](const char* name, const auto& quadrature)

@@ -13,6 +13,7 @@
 #include <CGAL/Global_odt_mesh_3/internal/optimization/Limited_memory_bfgs.h>
 #include <CGAL/Global_odt_mesh_3/internal/optimization/Odt_objective_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/surface/Boundary_complex_3.h>
+#include <CGAL/Global_odt_mesh_3/internal/surface/Boundary_topology_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/surface/Surface_cvt_objective_3.h>
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
@@ -339,14 +340,14 @@ static void topology_guard()
   const Boundary_complex_3 before(both, vertices);
   check::that(before.junctions().empty(), "a closed surface has no junctions");
   check::that(before.facets_and_components().at(0) == std::make_pair(both.size(), std::size_t(2)), "facets or components miscounted");
-  check::that(before.difference(before).empty(), "a complex differs from itself");
+  check::that(topology_changes(before, before).empty(), "a complex differs from itself");
   for(int v : { 0, 1, 2, 11, 15 })
-    check::that(before.number_of_umbrellas(v) == 1 && before.is_disk(v, 0), "vertex ", v, " is not inside a disk");
+    check::that(before.number_of_umbrellas(v) == 1 && before.umbrella(v, 0).is_disk, "vertex ", v, " is not inside a disk");
   check::that(!before.has_facets(9), "vertex 9 is on no surface");
 
   const auto differs = [&](const char* what, const std::vector<Boundary_facet>& facets, const std::set<int>& at_least)
   {
-    const std::set<int> found = before.difference(Boundary_complex_3(facets, vertices));
+    const std::set<int> found = topology_changes(before, Boundary_complex_3(facets, vertices));
     check::that(!found.empty(), what, ": not noticed");
     for(int v : at_least)
       check::that(found.count(v) > 0, what, ": vertex ", v, " not noticed");
@@ -357,8 +358,8 @@ static void topology_guard()
     flipped[0].vertices = {{ 2, 0, 1 }};
     flipped[1].vertices = {{ 0, 3, 1 }};
     const Boundary_complex_3 after(flipped, vertices);
-    check::that(before.difference(after).empty(), "a flip changes no topology");
-    check::that(before.other_facets(after).size() == 4, "a flip exchanges two facets for two");
+    check::that(topology_changes(before, after).empty(), "a flip changes no topology");
+    check::that(exchanged_facets(before, after).size() == 4, "a flip exchanges two facets for two");
   }
   {
     std::vector<Boundary_facet> hole(both.begin() + 1, both.end());

@@ -59,11 +59,12 @@ void print(const char* what, const C3t3& c3t3, double input_volume, const Cost& 
 }
 
 template <class C3t3, class Domain>
-void run(C3t3& c3t3, const Domain& domain, const odt::Odt_parameters& parameters, Cost& cost)
+void run(C3t3& c3t3, const Domain& domain, const odt::Odt_parameters& parameters, Cost& cost,
+         odt::Odt_task task = odt::Odt_task::OPTIMIZE)
 {
   typedef CGAL::Mesh_3::Null_global_optimizer_visitor<C3t3> Visitor;
   Visitor visitor;
-  odt::Odt_mesh_optimizer_3<C3t3, Domain, Visitor> optimizer(c3t3, domain, parameters, visitor);
+  odt::Odt_mesh_optimizer_3<C3t3, Domain, Visitor> optimizer(c3t3, domain, task, parameters, visitor);
   cost.seconds += seconds([&] { optimizer(); });
   const odt::Oracle_statistics& s = optimizer.oracle_statistics();
   cost.oracle_seconds += s.seconds;
@@ -96,9 +97,8 @@ void compare(const char* name, const C3t3& input, const Domain& domain)
   odt::Odt_parameters together;
   together.number_of_rounds = 0;
   together.sliver_bound = 0;
-  odt::Odt_parameters fixed = together, remeshing = together, searching = together;
+  odt::Odt_parameters fixed = together, searching = together;
   fixed.optimize_boundary = false;
-  remeshing.remesh_boundary = true;
   searching.number_of_rounds = search_rounds;
   // Goes on from `c3t3`, at that cost, and prints the result.
   const auto measure = [&](const std::string& what, C3t3 c3t3, const odt::Odt_parameters& parameters, Cost cost = Cost())
@@ -110,7 +110,7 @@ void compare(const char* name, const C3t3& input, const Domain& domain)
   {
     C3t3 remeshed(input);
     Cost cost;
-    run(remeshed, domain, remeshing, cost);
+    run(remeshed, domain, together, cost, odt::Odt_task::REMESH_BOUNDARY);
     print("remeshed", remeshed, volume, cost);
     measure("remeshed, then fixed", remeshed, fixed, cost);
     measure("remeshed, then together", remeshed, together, cost);

@@ -50,6 +50,12 @@ public:
   // The fraction of the time that has passed, or 0 if there is no limit.
   double elapsed() const { return parameters_.time_limit > 0 ? timer_.time() / parameters_.time_limit : 0.; }
 
+  // The part that has passed of the time between two fractions of it; all if it was over when it began.
+  double progress_between(double begin, double end) const
+  {
+    return !(parameters_.time_limit > 0) ? 0. : begin < end ? (elapsed() - begin) / (end - begin) : 1.;
+  }
+
   // The largest fraction reported so far.
   double reported() const { return fraction_; }
 

@@ -6,8 +6,6 @@
 #ifndef CGAL_GLOBAL_ODT_MESH_3_INTERNAL_NAMED_PARAMETERS_H
 #define CGAL_GLOBAL_ODT_MESH_3_INTERNAL_NAMED_PARAMETERS_H
 
-#include <CGAL/Global_odt_mesh_3/internal/Odt_parameters.h>
-
 #include <CGAL/Named_function_parameters.h>
 #include <CGAL/version.h>
 
@@ -20,24 +18,84 @@
 
 #include <cstddef>
 #include <functional>
+#include <tuple>
 #include <type_traits>
+#include <utility>
 
 namespace CGAL {
 
 namespace internal_np {
 
-enum annealing_schedule_t { annealing_schedule };
-enum density_t { density };
-enum number_of_rounds_t { number_of_rounds };
-enum optimize_boundary_t { optimize_boundary };
-enum quadrature_t { quadrature };
+// The tags of the named parameters of this package's own.
+template <class Name>
+struct Global_odt_tag {};
+
+typedef Global_odt_tag<struct Annealing_schedule_name> annealing_schedule_t;
+typedef Global_odt_tag<struct Density_name> density_t;
+typedef Global_odt_tag<struct Number_of_rounds_name> number_of_rounds_t;
+typedef Global_odt_tag<struct Optimize_boundary_name> optimize_boundary_t;
+typedef Global_odt_tag<struct Quadrature_name> quadrature_t;
 #if CGAL_VERSION_NR >= 1050600000
-enum sizing_field_t { sizing_field };
+typedef Global_odt_tag<struct Sizing_field_name> sizing_field_t;
 #endif
+
+// Functions of CGAL, such as parameters::odt(), look up what they know in a sequence of named parameters and
+// ignore the rest. They come here if one of this package is among them.
+template <class Tag>
+struct Refuse_global_odt_parameter
+{
+  static_assert(std::is_void<Tag>::value,
+                "this named parameter is read by odt_optimize_mesh_3(), remesh_boundary_mesh_3() or odt_energy_3() alone; "
+                "instead of odt() with it, give no_odt() to make_mesh_3() and call odt_optimize_mesh_3() afterwards");
+  typedef Param_not_found type;
+  typedef Param_not_found reference;
+};
+
+template <class T, class Name, class Query_tag>
+struct Get_param<Named_params_impl<T, Global_odt_tag<Name>, No_property>, Query_tag>
+  : Refuse_global_odt_parameter<Global_odt_tag<Name> >
+{};
+
+template <class T, class Name, class Base, class Query_tag>
+struct Get_param<Named_params_impl<T, Global_odt_tag<Name>, Base>, Query_tag>
+  : Refuse_global_odt_parameter<Global_odt_tag<Name> >
+{};
 
 } // namespace internal_np
 
 namespace parameters {
+
+#if CGAL_VERSION_NR < 1050600000
+// The functions of CGAL 5.5 would take it for a number without name.
+template <class K, class Tag>
+struct Global_odt_named_value : Named_function_parameters<K, Tag>
+{
+  using Named_function_parameters<K, Tag>::Named_function_parameters;
+
+  template <class Number, class = std::enable_if_t<std::is_arithmetic<Number>::value> >
+  operator Number() const
+  {
+    typename internal_np::Refuse_global_odt_parameter<std::pair<Tag, Number> >::type();
+    return Number();
+  }
+};
+
+template <class T>
+struct Is_global_odt_named_value : std::false_type {};
+
+template <class K, class Tag>
+struct Is_global_odt_named_value<Global_odt_named_value<K, Tag> > : std::true_type {};
+
+// After a value with a name of CGAL's, there is no function odt() that would take it.
+template <class... Arguments, class = std::enable_if_t<(Is_global_odt_named_value<Arguments>::value || ...)> >
+void odt(const Arguments&...)
+{
+  typename internal_np::Refuse_global_odt_parameter<std::tuple<Arguments...> >::type();
+}
+#else
+template <class K, class Tag>
+using Global_odt_named_value = Named_function_parameters<K, Tag>;
+#endif
 
 // A named parameter of this package's own, spelled `name = value` or `name(value)`
 // whatever the version of CGAL.
@@ -45,13 +103,13 @@ template <class Tag>
 struct Global_odt_parameter
 {
   template <class K>
-  Named_function_parameters<K, Tag> operator()(const K& k) const
+  Global_odt_named_value<K, Tag> operator()(const K& k) const
   {
-    return Named_function_parameters<K, Tag>(k);
+    return Global_odt_named_value<K, Tag>(k);
   }
 
   template <class K>
-  Named_function_parameters<K, Tag> operator=(const K& k) const
+  Global_odt_named_value<K, Tag> operator=(const K& k) const
   {
     return (*this)(k);
   }
@@ -71,114 +129,203 @@ inline constexpr Global_odt_parameter<internal_np::sizing_field_t> sizing_field{
 namespace Global_odt_mesh_3 {
 namespace internal {
 
-template <class T>
-struct Is_named_function_parameters : std::false_type {};
-
-template <class T, class Tag, class Base>
-struct Is_named_function_parameters<Named_function_parameters<T, Tag, Base> > : std::true_type {};
-
-template <class Named_parameters, class Tag>
-constexpr bool has_parameter
-  = !std::is_same<typename internal_np::Get_param<typename Named_parameters::base, Tag>::type,
-                  internal_np::Param_not_found>::value;
-
-// Reads one parameter if the chain `np` has it.
-template <class Tag, class Named_parameters, class Value>
-void read_parameter(const Named_parameters& np, Tag tag, Value& value)
-{
-  if constexpr (has_parameter<Named_parameters, Tag>)
-    value = static_cast<Value>(parameters::get_parameter(np, tag));
-}
-
-// Reads what one argument, in either of CGAL's styles, says.
-template <class Argument>
-void read_argument(const Argument& argument, Odt_parameters& p)
-{
-  if constexpr (Is_named_function_parameters<Argument>::value)
-  {
-    read_parameter(argument, internal_np::annealing_schedule, p.annealing_schedule);
-    read_parameter(argument, internal_np::number_of_rounds, p.number_of_rounds);
-    read_parameter(argument, internal_np::optimize_boundary, p.optimize_boundary);
-    read_parameter(argument, internal_np::quadrature, p.quadrature);
-    read_parameter(argument, internal_np::random_seed, p.random_seed);
-    read_parameter(argument, internal_np::callback, p.callback);
-#if CGAL_VERSION_NR >= 1050600000
-    read_parameter(argument, internal_np::maximum_running_time, p.time_limit);
-    read_parameter(argument, internal_np::number_of_iterations, p.max_iteration_number);
-    read_parameter(argument, internal_np::convergence_ratio, p.convergence);
-    read_parameter(argument, internal_np::vertex_freeze_bound, p.freeze_bound);
-    read_parameter(argument, internal_np::freeze, p.do_freeze);
-    read_parameter(argument, internal_np::lower_sliver_bound, p.sliver_bound);
-#endif
-  }
+// The parameters that CGAL spells differently in its versions.
+namespace tags {
 #if CGAL_VERSION_NR < 1050600000
-  else
+typedef parameters::tag::time_limit_ time_limit;
+typedef parameters::tag::max_iteration_number_ max_iteration_number;
+typedef parameters::tag::convergence_ convergence;
+typedef parameters::tag::freeze_bound_ freeze_bound;
+typedef parameters::tag::do_freeze_ do_freeze;
+typedef parameters::tag::sliver_bound_ sliver_bound;
+typedef parameters::tag::sizing_field_ sizing_field;
+#else
+typedef internal_np::maximum_running_time_t time_limit;
+typedef internal_np::number_of_iterations_t max_iteration_number;
+typedef internal_np::convergence_ratio_t convergence;
+typedef internal_np::vertex_freeze_bound_t freeze_bound;
+typedef internal_np::freeze_t do_freeze;
+typedef internal_np::lower_sliver_bound_t sliver_bound;
+typedef internal_np::sizing_field_t sizing_field;
+#endif
+} // namespace tags
+
+template <class... Tags>
+struct Parameter_list {};
+
+// An argument of another kind is no parameter. `number` is how many parameters it is that have an effect.
+template <class Argument, class = void>
+struct Argument_traits
+{
+  static constexpr bool is_parameter = false;
+};
+
+template <class T, class Own_tag, class Base>
+struct Argument_traits<Named_function_parameters<T, Own_tag, Base> >
+{
+  typedef Named_function_parameters<T, Own_tag, Base> Chain;
+  static constexpr bool is_parameter = true;
+  static constexpr bool has_next = !std::is_same<Base, internal_np::No_property>::value;
+  static constexpr int is_default = std::is_same<Own_tag, internal_np::all_default_t>::value ? 1 : 0;
+
+  static constexpr int number()
   {
-    p.time_limit = argument[parameters::time_limit | p.time_limit];
-    p.max_iteration_number = argument[parameters::max_iteration_number | p.max_iteration_number];
-    p.convergence = argument[parameters::convergence | p.convergence];
-    p.freeze_bound = argument[parameters::freeze_bound | p.freeze_bound];
-    p.do_freeze = argument[parameters::do_freeze | p.do_freeze];
-    p.sliver_bound = argument[parameters::sliver_bound | p.sliver_bound];
-  }
-#endif
-}
-
-#if CGAL_VERSION_NR < 1050600000
-// Boost.Parameter also allows values without name, in this order.
-template <class Value>
-void read_positional(std::size_t position, const Value& value, Odt_parameters& p)
-{
-  if constexpr (std::is_arithmetic<Value>::value)
-    switch(position)
-    {
-    case 0: p.time_limit = static_cast<double>(value); break;
-    case 1: p.max_iteration_number = static_cast<std::size_t>(value); break;
-    case 2: p.convergence = static_cast<double>(value); break;
-    case 3: p.freeze_bound = static_cast<double>(value); break;
-    default: p.do_freeze = value != Value(0);
-    }
-}
-#endif
-
-inline void read_arguments(Odt_parameters&, std::size_t) {}
-
-template <class First, class... Rest>
-void read_arguments(Odt_parameters& p, std::size_t position, const First& first, const Rest&... rest)
-{
-#if CGAL_VERSION_NR < 1050600000
-  if constexpr (std::is_arithmetic<First>::value)
-    read_positional(position, first, p);
-  else
-#endif
-    read_argument(first, p);
-  read_arguments(p, position + 1, rest...);
-}
-
-// The visitor among the arguments, a copy or what a reference wrapper refers to,
-// or else `default_visitor`.
-template <class Default>
-Default find_visitor(const Default& default_visitor) { return default_visitor; }
-
-template <class Default, class First, class... Rest>
-auto find_visitor(const Default& default_visitor, const First& first, const Rest&... rest)
-{
-  if constexpr (Is_named_function_parameters<First>::value)
-  {
-    if constexpr (has_parameter<First, internal_np::visitor_t>)
-      return parameters::get_parameter(first, internal_np::visitor);
+    if constexpr (has_next)
+      return 1 - is_default + Argument_traits<Base>::number();
     else
-      return find_visitor(default_visitor, rest...);
+      return 1 - is_default;
   }
+
+  // How often it is among them.
+  template <class Tag>
+  static constexpr int count()
+  {
+    constexpr int here = std::is_same<Own_tag, Tag>::value ? 1 : 0;
+    if constexpr (has_next)
+      return here + Argument_traits<Base>::template count<Tag>();
+    else
+      return here;
+  }
+
+  // As it was given: a copy, or the wrapper of a reference.
+  template <class Tag>
+  static const auto& get(const Chain& chain)
+  {
+    if constexpr (std::is_same<Own_tag, Tag>::value)
+      return chain.v;
+    else
+      return Argument_traits<Base>::template get<Tag>(chain);
+  }
+};
+
+#if CGAL_VERSION_NR < 1050600000
+template <class K, class Tag>
+struct Argument_traits<parameters::Global_odt_named_value<K, Tag> >
+  : Argument_traits<Named_function_parameters<K, Tag> >
+{};
+
+// The tags of Boost.Parameter, unlike others.
+template <class Tag, class = void>
+struct Is_keyword_tag : std::false_type {};
+
+template <class Tag>
+struct Is_keyword_tag<Tag, std::void_t<typename Tag::qualifier> > : std::true_type {};
+
+// What Boost.Parameter makes of `name = value`.
+template <class Argument>
+struct Argument_traits<Argument, std::enable_if_t<boost::parameter::aux::is_tagged_argument<Argument>::value> >
+{
+  struct None {};
+  static constexpr bool is_parameter = true;
+
+  static constexpr int number() { return 1; }
+
+  template <class Tag>
+  static constexpr int count()
+  {
+    if constexpr (Is_keyword_tag<Tag>::value)
+    {
+      typedef boost::parameter::keyword<Tag> Keyword;
+      typedef decltype(std::declval<const Argument&>()[std::declval<const Keyword&>() | std::declval<const None&>()]) Found;
+      return std::is_same<std::decay_t<Found>, None>::value ? 0 : 1;
+    }
+    else
+      return 0;
+  }
+
+  template <class Tag>
+  static const auto& get(const Argument& argument) { return argument[boost::parameter::keyword<Tag>::instance]; }
+};
+#endif
+
+// Values without name, which Boost.Parameter allows in CGAL 5.5, are named by their position.
+template <std::size_t position, class Argument>
+decltype(auto) with_name(const Argument& argument)
+{
+#if CGAL_VERSION_NR < 1050600000
+  typedef std::tuple<tags::time_limit, tags::max_iteration_number, tags::convergence, tags::freeze_bound, tags::do_freeze>
+    Positions;
+  if constexpr (std::is_arithmetic<Argument>::value && position < std::tuple_size<Positions>::value)
+    return boost::parameter::keyword<std::tuple_element_t<position, Positions> >::instance = argument;
   else
-    return find_visitor(default_visitor, rest...);
+#endif
+    return (argument);
 }
 
-template <class T>
-T& unwrap(T& t) { return t; }
+// The arguments of a function that reads the parameters of that list.
+template <class List, class... Arguments>
+class Named_arguments;
 
-template <class T>
-T& unwrap(std::reference_wrapper<T>& t) { return t.get(); }
+template <class... Tags, class... Arguments>
+class Named_arguments<Parameter_list<Tags...>, Arguments...>
+{
+  template <class Argument>
+  struct Check
+  {
+    static constexpr bool is_read()
+    {
+      if constexpr (Argument_traits<Argument>::is_parameter)
+        return ((Argument_traits<Argument>::template count<Tags>() > 0 ? 1 : 0) + ... + 0)
+               == Argument_traits<Argument>::number();
+      else
+        return true;
+    }
+    static_assert(Argument_traits<Argument>::is_parameter,
+                  "an argument is no named parameter: write parameters::name = value");
+    static_assert(is_read(), "a named parameter is none of those that this function reads, or is given twice");
+    static constexpr bool value = Argument_traits<Argument>::is_parameter && is_read();
+  };
+  static constexpr bool are_read = (Check<std::decay_t<Arguments> >::value && ...);
+
+  template <class Tag>
+  static constexpr int count()
+  {
+    if constexpr (are_read)
+      return (Argument_traits<std::decay_t<Arguments> >::template count<Tag>() + ... + 0);
+    else
+      return 0;
+  }
+  static_assert(((count<Tags>() <= 1) && ...), "a named parameter is given twice");
+
+public:
+  explicit Named_arguments(Arguments... arguments) : arguments_(arguments...) {}
+
+  template <class Tag>
+  static constexpr bool has = count<Tag>() > 0;
+
+  // As it was given.
+  template <class Tag, std::size_t n = 0>
+  const auto& get() const
+  {
+    typedef Argument_traits<std::decay_t<std::tuple_element_t<n, std::tuple<Arguments...> > > > Traits;
+    if constexpr (Traits::template count<Tag>() > 0)
+      return Traits::template get<Tag>(std::get<n>(arguments_));
+    else
+      return get<Tag, n + 1>();
+  }
+
+  template <class Tag, class Value>
+  void read(Value& value) const
+  {
+    if constexpr (has<Tag>)
+      value = static_cast<Value>(get<Tag>());
+  }
+
+private:
+  std::tuple<Arguments...> arguments_;
+};
+
+template <class List, std::size_t... positions, class... Arguments>
+auto named_arguments(std::index_sequence<positions...>, const Arguments&... arguments)
+{
+  return Named_arguments<List, decltype(with_name<positions>(arguments))...>(with_name<positions>(arguments)...);
+}
+
+template <class List, class... Arguments>
+auto named_arguments(const Arguments&... arguments)
+{
+  return named_arguments<List>(std::index_sequence_for<Arguments...>(), arguments...);
+}
 
 } // namespace internal
 } // namespace Global_odt_mesh_3

@@ -6,16 +6,17 @@
 #ifndef CGAL_GLOBAL_ODT_MESH_3_INTERNAL_ODT_PARAMETERS_H
 #define CGAL_GLOBAL_ODT_MESH_3_INTERNAL_ODT_PARAMETERS_H
 
+#include <CGAL/Global_odt_mesh_3/internal/Named_parameters.h>
+#include <CGAL/Global_odt_mesh_3/internal/Parameter_check.h>
 #include <CGAL/Global_odt_mesh_3/internal/density/Quadrature_choice.h>
 #include <CGAL/Global_odt_mesh_3/internal/optimization/Annealing_schedule.h>
 
 #include <CGAL/Mesh_3/parameters_defaults.h>
 #include <CGAL/Named_function_parameters.h>
-#include <CGAL/assertions.h>
 
-#include <cmath>
 #include <cstddef>
 #include <functional>
+#include <limits>
 #include <variant>
 
 namespace CGAL {
@@ -33,7 +34,6 @@ struct Odt_parameters
   double freeze_bound = parameters::default_values_for_mesh_3::odt_freeze_ratio;
   bool do_freeze = true;
   bool optimize_boundary = true;
-  bool remesh_boundary = false;         // by the restricted CVT, instead of with the interior
   Quadrature_choice quadrature;
   Annealing_schedule annealing_schedule;
   std::size_t number_of_rounds = usual_number_of_rounds;    // of the schedule
@@ -41,14 +41,45 @@ struct Odt_parameters
   unsigned int random_seed = 0;
   std::function<bool(double)> callback;
 
+  template <class Arguments>
+  void read(const Arguments& arguments)
+  {
+    arguments.template read<tags::time_limit>(time_limit);
+    read_count<tags::max_iteration_number>(arguments, max_iteration_number, "max_iteration_number must be a number, not negative");
+    arguments.template read<tags::convergence>(convergence);
+    arguments.template read<tags::freeze_bound>(freeze_bound);
+    arguments.template read<tags::do_freeze>(do_freeze);
+    arguments.template read<internal_np::optimize_boundary_t>(optimize_boundary);
+    arguments.template read<internal_np::quadrature_t>(quadrature);
+    arguments.template read<internal_np::annealing_schedule_t>(annealing_schedule);
+    read_count<internal_np::number_of_rounds_t>(arguments, number_of_rounds, "number_of_rounds must be a number, not negative");
+    arguments.template read<tags::sliver_bound>(sliver_bound);
+    arguments.template read<internal_np::random_seed_t>(random_seed);
+    arguments.template read<internal_np::callback_t>(callback);
+  }
+
   void check() const
   {
-    CGAL_precondition_msg(time_limit >= 0, "time_limit must be a number of seconds, not negative");
-    CGAL_precondition_msg(convergence >= 0 && convergence <= 1, "convergence must be in [0, 1]");
-    CGAL_precondition_msg(freeze_bound >= 0 && freeze_bound <= 1, "freeze_bound must be in [0, 1]");
+    CGAL_GLOBAL_ODT_MESH_3_CHECK_PARAMETER(time_limit >= 0, "time_limit must be a number of seconds, not negative");
+    CGAL_GLOBAL_ODT_MESH_3_CHECK_PARAMETER(convergence >= 0 && convergence <= 1, "convergence must be in [0, 1]");
+    CGAL_GLOBAL_ODT_MESH_3_CHECK_PARAMETER(freeze_bound >= 0 && freeze_bound <= 1, "freeze_bound must be in [0, 1]");
     internal::check(quadrature);
     std::visit([](const auto& schedule) { schedule.check(); }, annealing_schedule);
-    CGAL_precondition_msg(sliver_bound >= 0 && sliver_bound < 180, "sliver_bound must be in [0, 180) degrees");
+    CGAL_GLOBAL_ODT_MESH_3_CHECK_PARAMETER(sliver_bound >= 0 && sliver_bound <= 70.5,
+                                           "sliver_bound must be in [0, 70.5] degrees");
+  }
+
+private:
+  // Negative numbers would become large ones.
+  template <class Tag, class Arguments>
+  static void read_count(const Arguments& arguments, std::size_t& count, const char* message)
+  {
+    if constexpr (Arguments::template has<Tag>)
+    {
+      const double number = static_cast<double>(arguments.template get<Tag>());
+      CGAL_GLOBAL_ODT_MESH_3_CHECK_PARAMETER(number >= 0 && number <= double((std::numeric_limits<std::size_t>::max)()), message);
+      arguments.template read<Tag>(count);
+    }
   }
 };
 

@@ -12,10 +12,14 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
+#include <limits>
 
 namespace CGAL {
 namespace Global_odt_mesh_3 {
 namespace internal {
+
+// What the caller wants: a mesh with better cells, or the surfaces spaced by the restricted CVT.
+enum class Odt_task { OPTIMIZE, REMESH_BOUNDARY };
 
 // How many rounds of which kind, with how many iterations, lie ahead.
 class Round_plan
@@ -27,21 +31,40 @@ public:
 
   static constexpr int iterations_on_surface = 20;      // of the CVT, in a round of remeshing
 
-  Round_plan(const Odt_parameters& p, bool boundary_moves, bool is_careful)
-    : Round_plan(p, p.number_of_rounds == Odt_parameters::usual_number_of_rounds
-                      ? Global_search::usual_rounds(p.annealing_schedule)
-                      : static_cast<int>((std::min)(p.number_of_rounds, most_rounds)),
-                 boundary_moves, is_careful)
-  {}
+  // On rough surfaces, steps hide what is gained, so that the number of rounds is given.
+  Round_plan(Odt_task task, const Odt_parameters& p, bool boundary_moves, bool is_rough)
+    : task_(task)
+    , stops_without_gain_{{ task == Odt_task::REMESH_BOUNDARY, false, !is_rough }}
+    , iterations_{{ iterations_inside_while_remeshing,
+                    Global_search::iterations_in_round(p.annealing_schedule, boundary_moves), 0 }}
+  {
+    const int minimizer_rounds = is_rough ? rounds_of_minimizer_on_rough_surfaces : most_rounds_of_minimizer;
+    if(task == Odt_task::REMESH_BOUNDARY)
+      plan_remeshing(boundary_moves, minimizer_rounds);
+    else
+      plan_optimization(p, boundary_moves, minimizer_rounds);
+    search_rounds_ = rounds_[SEARCH];
+  }
 
   bool is_done() const { return rounds_[REMESH] + rounds_[SEARCH] + rounds_[MINIMIZE] <= 0; }
   Stage stage() const { return rounds_[REMESH] > 0 ? REMESH : rounds_[SEARCH] > 0 ? SEARCH : MINIMIZE; }
   int iterations() const { return iterations_[stage()]; }
   bool stops_without_gain() const { return stops_without_gain_[stage()]; }
 
+  // Whether the interior goes to its minimum after the rounds, and slivers are removed.
+  bool optimizes() const { return task_ == Odt_task::OPTIMIZE; }
+
   void advance() { --rounds_[stage()]; }
   void skip(Stage s) { rounds_[s] = 0; }
-  void add(Stage s) { ++rounds_[s]; }
+  void add(Stage s, int rounds) { rounds_[s] += rounds; }
+
+  // The fraction of the time, if there is a limit, after which no round of the stage is begun.
+  double end_of_time(Stage s) const
+  {
+    if(!optimizes() || s == MINIMIZE)
+      return (std::numeric_limits<double>::infinity)();
+    return s == REMESH ? 0.2 : 0.65;
+  }
 
   // The fraction of the search that is behind at iteration n of the round.
   double search_progress(int n) const
@@ -59,31 +82,33 @@ private:
   static constexpr std::size_t most_rounds = 1000000;
   static constexpr int rounds_of_remeshing = 4, rounds_of_remeshing_before_search = 2;
   static constexpr int iterations_inside_while_remeshing = 10;
-  static constexpr int most_rounds_of_minimizer = 12, careful_rounds_of_minimizer = 2;
+  static constexpr int most_rounds_of_minimizer = 12, rounds_of_minimizer_on_rough_surfaces = 2;
   static constexpr int iterations_of_minimizer = 20;
   // If the user bounds the number of iterations, most remain for the other stages.
   static constexpr int iterations_per_round_of_remeshing = 60;
   static constexpr double share_of_search = 0.7;
 
-  Round_plan(const Odt_parameters& p, int number_of_rounds, bool boundary_moves, bool is_careful)
-    : stops_without_gain_{{ p.remesh_boundary, false, !is_careful }}
-    , iterations_{{ iterations_inside_while_remeshing,
-                    Global_search::iterations_in_round(p.annealing_schedule, boundary_moves),
-                    !boundary_moves ? 0 : number_of_rounds > 0 ? Global_search::final_iterations(p.annealing_schedule)
-                                                                 : iterations_of_minimizer }}
+  void plan_remeshing(bool boundary_moves, int minimizer_rounds)
   {
-    // Steps on a rough surface hide what is gained, so that the number of rounds is given.
-    const int minimizer_rounds = is_careful ? careful_rounds_of_minimizer : most_rounds_of_minimizer;
-    if(p.remesh_boundary)
-      rounds_ = {{ boundary_moves ? rounds_of_remeshing + minimizer_rounds : 0, 0, boundary_moves ? 0 : 1 }};
-    else if(number_of_rounds > 0)
-      rounds_ = {{ boundary_moves ? rounds_of_remeshing_before_search : 0, number_of_rounds, 1 }};
+    rounds_ = {{ boundary_moves ? rounds_of_remeshing + minimizer_rounds : 0, 0, boundary_moves ? 0 : 1 }};
+    planned_iterations_ = planned_iterations();
+  }
+
+  void plan_optimization(const Odt_parameters& p, bool boundary_moves, int minimizer_rounds)
+  {
+    const int search_rounds = p.number_of_rounds == Odt_parameters::usual_number_of_rounds
+                                ? Global_search::usual_rounds(p.annealing_schedule)
+                                : static_cast<int>((std::min)(p.number_of_rounds, most_rounds));
+    if(search_rounds > 0)
+      rounds_ = {{ boundary_moves ? rounds_of_remeshing_before_search : 0, search_rounds, 1 }};
     else
       rounds_ = {{ boundary_moves ? rounds_of_remeshing : 0, 0, boundary_moves ? minimizer_rounds : 1 }};
+    if(boundary_moves)
+      iterations_[MINIMIZE] = search_rounds > 0 ? Global_search::final_iterations(p.annealing_schedule)
+                                                : iterations_of_minimizer;
     planned_iterations_ = planned_iterations();
-    if(p.max_iteration_number > 0 && !p.remesh_boundary)
+    if(p.max_iteration_number > 0)
       shorten(static_cast<int>((std::min)(p.max_iteration_number, std::size_t(planned_iterations_))));
-    search_rounds_ = rounds_[SEARCH];
   }
 
   int planned_iterations() const
@@ -106,6 +131,7 @@ private:
     planned_iterations_ = planned_iterations();
   }
 
+  Odt_task task_;
   std::array<bool, 3> stops_without_gain_;
   std::array<int, 3> iterations_, rounds_;
   int search_rounds_ = 0, planned_iterations_ = 0;

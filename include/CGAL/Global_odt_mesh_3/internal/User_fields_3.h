@@ -7,12 +7,12 @@
 #define CGAL_GLOBAL_ODT_MESH_3_INTERNAL_USER_FIELDS_3_H
 
 #include <CGAL/Global_odt_mesh_3/internal/Named_parameters.h>
+#include <CGAL/Global_odt_mesh_3/internal/Parameter_check.h>
 #include <CGAL/Global_odt_mesh_3/internal/density/Field_density_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/density/Quadratic_polynomial_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/geometry/Site.h>
 #include <CGAL/Quadratic_density_3.h>
 
-#include <CGAL/assertions.h>
 #include <CGAL/number_utils.h>
 
 #include <functional>
@@ -56,34 +56,19 @@ struct User_fields_3
 
   void check() const
   {
-    CGAL_precondition_msg(!sizing_field || !density, "sizing_field and density exclude each other");
+    CGAL_GLOBAL_ODT_MESH_3_CHECK_PARAMETER(!sizing_field || !density, "sizing_field and density exclude each other");
   }
 
-  template <class Argument>
-  void read(const Argument& argument)
+  template <class Arguments>
+  void read(const Arguments& arguments)
   {
-    if constexpr (Is_named_function_parameters<Argument>::value)
-    {
-#if CGAL_VERSION_NR >= 1050600000
-      if constexpr (has_parameter<Argument, internal_np::sizing_field_t>)
-        set_sizing_field(parameters::get_parameter(argument, internal_np::sizing_field));
-#endif
-      if constexpr (has_parameter<Argument, internal_np::density_t>)
-        set_density(parameters::get_parameter(argument, internal_np::density));
-    }
-#if CGAL_VERSION_NR < 1050600000
-    else if constexpr (!std::is_arithmetic<Argument>::value)
-    {
-      typedef std::decay_t<decltype(argument[parameters::sizing_field | std::declval<const No_field&>()])> Field;
-      if constexpr (!std::is_same<Field, No_field>::value)
-        set_sizing_field<Field>(argument[parameters::sizing_field]);
-    }
-#endif
+    if constexpr (Arguments::template has<tags::sizing_field>)
+      set_sizing_field(arguments.template get<tags::sizing_field>());
+    if constexpr (Arguments::template has<internal_np::density_t>)
+      set_density(arguments.template get<internal_np::density_t>());
   }
 
 private:
-  struct No_field {};
-
   template <class Field>
   void set_density(const Field& field)
   {
@@ -107,14 +92,6 @@ private:
                      { return CGAL::to_double(field(p, dimension, index)); };
   }
 };
-
-template <class C3t3, class... Arguments>
-User_fields_3<C3t3> read_fields(const Arguments&... arguments)
-{
-  User_fields_3<C3t3> fields;
-  (fields.read(arguments), ...);
-  return fields;
-}
 
 } // namespace internal
 } // namespace Global_odt_mesh_3

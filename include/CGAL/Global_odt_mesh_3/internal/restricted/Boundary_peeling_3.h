@@ -8,14 +8,13 @@
 
 #include <CGAL/Global_odt_mesh_3/internal/geometry/Cell_shape_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/restricted/Boundary_extraction_3.h>
-#include <CGAL/Global_odt_mesh_3/internal/restricted/Boundary_fidelity_3.h>
-#include <CGAL/Global_odt_mesh_3/internal/restricted/Boundary_preservation_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/restricted/Cell_knowledge.h>
-#include <CGAL/Global_odt_mesh_3/internal/restricted/Restricted_draft_3.h>
+#include <CGAL/Global_odt_mesh_3/internal/restricted/Fidelity_check_3.h>
+#include <CGAL/Global_odt_mesh_3/internal/restricted/Restricted_candidate_3.h>
+#include <CGAL/Global_odt_mesh_3/internal/restricted/Topology_check_3.h>
 
 #include <algorithm>
 #include <array>
-#include <cstddef>
 #include <map>
 #include <set>
 #include <utility>
@@ -29,41 +28,35 @@ namespace internal {
 // A sliver with two facets on the boundary stems from four vertices in nearly one
 // plane and on one circle, so that it may as well be on the other side: where that keeps
 // the topology, two boundary facets are replaced by the two others.
-template <class Triangulation, class Mesh_domain>
+template <class Domain>
 class Boundary_peeling_3
 {
 public:
-  typedef Restricted_draft_3<Triangulation, Mesh_domain> Draft;
-  typedef typename Draft::Complex Complex;
-  typedef Boundary_extraction_3<Triangulation, Mesh_domain> Boundary_extraction;
-  typedef Boundary_preservation_3<Triangulation, Mesh_domain> Boundary_preservation;
-  typedef Boundary_fidelity_3<Triangulation, Mesh_domain> Boundary_fidelity;
+  typedef Restricted_candidate_3<typename Domain::Triangulation> Candidate;
 
-  Boundary_peeling_3(Complex& complex, Draft& draft, Boundary_extraction& extraction,
-                     const Boundary_preservation& preservation, Boundary_fidelity& fidelity)
-    : complex_(complex)
-    , draft_(draft)
+  Boundary_peeling_3(Candidate& candidate, Domain& domain, Boundary_extraction_3<Domain>& extraction,
+                     const Fidelity_check_3<Domain>& fidelity)
+    : candidate_(candidate)
+    , domain_(domain)
     , extraction_(extraction)
-    , preservation_(preservation)
     , fidelity_(fidelity)
   {}
 
   void peel()
   {
-    std::set<Cell_handle> refused;
-    for(int pass = 0; pass < 4; ++pass)
+    for(int pass = 0; pass < most_passes; ++pass)
     {
-      Peeled_cells peeled = flat_cells(refused);
+      Peeled_cells peeled = flat_cells();
       if(peeled.empty())
         break;
       for(const auto& p : peeled)
       {
-        p.first->set_subdomain_index(complex_.labels.value(p.second.second));
+        p.first->set_subdomain_index(domain_.subdomain(p.second.second));
         forget(p.first, IS_SETTLED);
       }
       extraction_.find_boundary();
-      put_back_harmful(peeled, refused);
-      for(auto& c : draft_.boundary_cells)
+      put_back_harmful(peeled);
+      for(auto& c : candidate_.boundary_cells)
       {
         const auto p = peeled.find(c.first);
         if(p != peeled.end())
@@ -73,24 +66,25 @@ public:
   }
 
 private:
-  typedef typename Draft::Cell_handle Cell_handle;
-  typedef typename Draft::Quadruple Quadruple;
+  typedef typename Candidate::Cell_handle Cell_handle;
+  typedef typename Candidate::Quadruple Quadruple;
   typedef std::map<Cell_handle, std::pair<int, int> > Peeled_cells;     // with old and new label
 
-  static constexpr double sliver_angle = 20, flat_angle = 35;
-  static constexpr int no_subdomain = Complex::no_subdomain;
+  static constexpr int most_passes = 4;                       // cells lie upon each other
+  static constexpr double sliver_angle = 20, flat_angle = 35; // degrees
+  static constexpr int no_subdomain = Candidate::State::no_subdomain;
 
   // Cells to be peeled that have no vertices in common.
-  Peeled_cells flat_cells(const std::set<Cell_handle>& refused)
+  Peeled_cells flat_cells() const
   {
     Peeled_cells cells;
     std::set<int> used;
-    for(const auto& c : draft_.boundary_cells)
+    for(const auto& c : candidate_.boundary_cells)
     {
-      const int label = refused.count(c.first) > 0 ? int(no_subdomain) : label_after_peeling(c.first, c.second);
+      const int label = refused_.count(c.first) > 0 ? int(no_subdomain) : label_after_peeling(c.first, c.second);
       if(label == no_subdomain)
         continue;
-      const Quadruple q = draft_.numbers(c.first);
+      const Quadruple q = candidate_.numbers(c.first);
       if(std::any_of(q.begin(), q.end(), [&](int v) { return used.count(v) > 0; }))
         continue;
       used.insert(q.begin(), q.end());
@@ -100,9 +94,9 @@ private:
   }
 
   // The label beyond both boundary facets of a flat sliver, or no_subdomain.
-  int label_after_peeling(Cell_handle c, int label)
+  int label_after_peeling(Cell_handle c, int label) const
   {
-    if(label == complex_.outside())
+    if(label == domain_.outside())
       return no_subdomain;
     std::array<int, 4> facet;
     int count = 0;
@@ -111,27 +105,28 @@ private:
         facet[count++] = i;
     if(count != 2 || c->neighbor(facet[0])->subdomain_index() != c->neighbor(facet[1])->subdomain_index())
       return no_subdomain;
-    const Quadruple q = draft_.numbers(c);
-    const Cell_shape_3 shape(draft_.sites[q[0]], draft_.sites[q[1]], draft_.sites[q[2]], draft_.sites[q[3]]);
+    const Quadruple q = candidate_.numbers(c);
+    const Cell_shape_3 shape(candidate_.sites[q[0]], candidate_.sites[q[1]], candidate_.sites[q[2]], candidate_.sites[q[3]]);
     const double between = shape.angles[facet[0] == 0 ? facet[1] - 1 : facet[0] + facet[1]];
     if(between < 180 - flat_angle || *std::min_element(shape.angles.begin(), shape.angles.end()) > sliver_angle)
       return no_subdomain;
     for(int i = 0; i < 4; ++i)
-      if(i != facet[0] && i != facet[1] && !fidelity_.is_faithful({{ q[(i + 1) % 4], q[(i + 2) % 4], q[(i + 3) % 4] }}))
+      if(i != facet[0] && i != facet[1]
+         && !fidelity_.is_faithful(candidate_, {{ q[(i + 1) % 4], q[(i + 2) % 4], q[(i + 3) % 4] }}))
         return no_subdomain;
-    return complex_.labels.number(c->neighbor(facet[0])->subdomain_index());
+    return domain_.label(c->neighbor(facet[0])->subdomain_index());
   }
 
   // Cells that change the topology of the boundary stay where they were: those at vertices where
   // it has changed or, if there are none, all.
-  void put_back_harmful(Peeled_cells& peeled, std::set<Cell_handle>& refused)
+  void put_back_harmful(Peeled_cells& peeled)
   {
-    for(std::set<int> changed; !peeled.empty() && !(changed = preservation_.changes()).empty();
+    for(std::set<int> changed; !peeled.empty() && !(changed = topology_changes(candidate_)).empty();
         extraction_.find_boundary())
     {
       const auto is_harmful = [&](Cell_handle c)
       {
-        const Quadruple q = draft_.numbers(c);
+        const Quadruple q = candidate_.numbers(c);
         return std::any_of(q.begin(), q.end(), [&](int v) { return changed.count(v) > 0; });
       };
       const bool any = std::any_of(peeled.begin(), peeled.end(),
@@ -141,18 +136,18 @@ private:
           ++p;
         else
         {
-          refused.insert(p->first);
-          p->first->set_subdomain_index(complex_.labels.value(p->second.first));
+          refused_.insert(p->first);
+          p->first->set_subdomain_index(domain_.subdomain(p->second.first));
           p = peeled.erase(p);
         }
     }
   }
 
-  Complex& complex_;
-  Draft& draft_;
-  Boundary_extraction& extraction_;
-  const Boundary_preservation& preservation_;
-  Boundary_fidelity& fidelity_;
+  Candidate& candidate_;
+  Domain& domain_;
+  Boundary_extraction_3<Domain>& extraction_;
+  const Fidelity_check_3<Domain>& fidelity_;
+  std::set<Cell_handle> refused_;
 };
 
 } // namespace internal

@@ -8,13 +8,11 @@
 
 #include <CGAL/Global_odt_mesh_3/internal/geometry/Cell_products_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/geometry/Site.h>
+#include <CGAL/Global_odt_mesh_3/internal/restricted/Boundary_motion.h>
 #include <CGAL/Global_odt_mesh_3/internal/restricted/Cell_knowledge.h>
-#include <CGAL/Global_odt_mesh_3/internal/restricted/Cell_mending_3.h>
-#include <CGAL/Global_odt_mesh_3/internal/restricted/Domain_oracle_3.h>
-#include <CGAL/Global_odt_mesh_3/internal/restricted/Guilty_vertices_3.h>
-#include <CGAL/Global_odt_mesh_3/internal/restricted/Restricted_draft_3.h>
-#include <CGAL/Global_odt_mesh_3/internal/restricted/Restricted_update.h>
-#include <CGAL/Global_odt_mesh_3/internal/surface/Boundary_complex_3.h>
+#include <CGAL/Global_odt_mesh_3/internal/restricted/Dual_side_3.h>
+#include <CGAL/Global_odt_mesh_3/internal/restricted/Restricted_candidate_3.h>
+#include <CGAL/Global_odt_mesh_3/internal/restricted/Restricted_report_3.h>
 
 #include <algorithm>
 #include <array>
@@ -24,127 +22,135 @@ namespace CGAL {
 namespace Global_odt_mesh_3 {
 namespace internal {
 
-// Labels the cells of a draft.
+// Labels the cells of a candidate, and reports those that have no label that fits.
 //
 // Where a vertex has no boundary facet, its subdomain is the label. A cell with all
 // vertices on the boundary is labelled by the side on which its dual point lies, as seen
 // from its vertices where these agree and see it clearly, and else as the domain says.
-template <class Triangulation, class Mesh_domain>
+template <class Domain>
 class Cell_labels_3
 {
 public:
-  typedef Restricted_draft_3<Triangulation, Mesh_domain> Draft;
-  typedef typename Draft::Complex Complex;
-  typedef Domain_oracle_3<Mesh_domain> Oracle;
-  typedef Guilty_vertices_3<Triangulation, Mesh_domain> Guilty_vertices;
-  typedef Cell_mending_3<Triangulation, Mesh_domain> Cell_mending;
+  typedef Restricted_candidate_3<typename Domain::Triangulation> Candidate;
+  typedef Restricted_report_3<Candidate> Report;
 
-  Cell_labels_3(Complex& complex, Draft& draft, Oracle& oracle, Guilty_vertices& guilty, Cell_mending& mending)
-    : complex_(complex)
-    , draft_(draft)
-    , oracle_(oracle)
-    , guilty_(guilty)
-    , mending_(mending)
+  Cell_labels_3(Candidate& candidate, Domain& domain)
+    : candidate_(candidate)
+    , domain_(domain)
   {}
 
-  // For a new draft.
-  void start()
+  // Once more as long as normals are found not to tell sides; each time, that is so at other vertices.
+  Report label_cells()
   {
-    doubted_.assign(complex_.sites.size(), false);
-    has_doubts_ = false;
-  }
-
-  // Once more as long as normals are found not to tell sides.
-  void label_cells()
-  {
-    do
+    for(;;)
     {
-      guilty_.clear();
+      Report report(candidate_);
       has_new_doubts_ = false;
-      label_unsettled_cells();
+      label_unsettled_cells(report);
+      if(!has_new_doubts_)
+        return report;
     }
-    while(has_new_doubts_);
   }
 
 private:
-  typedef typename Draft::Quadruple Quadruple;
-  typedef typename Draft::Cell_handle Cell_handle;
+  typedef typename Candidate::Triangulation Triangulation;
+  typedef typename Candidate::Quadruple Quadruple;
+  typedef typename Candidate::Cell_handle Cell_handle;
   typedef std::array<double, 3> Vector;
 
-  static constexpr double good_margin = 0.3, some_margin = 0.05;
-  static constexpr int no_subdomain = Complex::no_subdomain;
+  // The sine between the direction to a dual point and the tangential planes that is clear enough:
+  // in the end, and on the way.
+  static constexpr double final_margin = 0.3, margin_on_the_way = 0.05;
+  static constexpr int no_subdomain = Candidate::State::no_subdomain;
 
-  bool is_on_boundary(int v) const { return complex_.is_on_boundary(v); }
+  bool is_on_boundary(int v) const { return candidate_.numbering.is_on_boundary(v); }
 
-  void label_unsettled_cells()
+  void label_unsettled_cells(Report& report)
   {
-    Triangulation& tr = draft_.numbered.triangulation();
-    draft_.boundary_cells.clear();
+    Triangulation& tr = candidate_.numbered->triangulation();
+    candidate_.boundary_cells.clear();
     for(auto c = tr.all_cells_begin(); c != tr.all_cells_end(); ++c)
     {
       if(!is_settled(c))
       {
         forget(Cell_handle(c));
-        label_cell(c);
+        label_cell(c, report);
       }
       if(knows(Cell_handle(c), IS_BOUNDARY_CELL))
-        draft_.boundary_cells.emplace_back(c, complex_.labels.number(c->subdomain_index()));
+        candidate_.boundary_cells.emplace_back(c, domain_.label(c->subdomain_index()));
     }
   }
 
   bool is_settled(Cell_handle c) const
   {
-    if(!knows(c, IS_SETTLED) || !has_doubts_ || knows(c, IS_FROM_ORACLE) || draft_.triangulation().is_infinite(c))
+    if(!knows(c, IS_SETTLED) || !candidate_.has_doubts || knows(c, IS_FROM_ORACLE) || candidate_.triangulation().is_infinite(c))
       return knows(c, IS_SETTLED);
-    const Quadruple q = draft_.numbers(c);
-    return std::none_of(q.begin(), q.end(), [this](int v) { return doubted_[v]; });
+    const Quadruple q = candidate_.numbers(c);
+    return std::none_of(q.begin(), q.end(), [this](int v) { return candidate_.is_doubted[v]; });
   }
 
-  void label_cell(Cell_handle c)
+  // The numbers of the vertices, and -1 for the infinite one.
+  Quadruple numbers_or_infinite(Cell_handle c) const
   {
-    const Triangulation& tr = draft_.triangulation();
     Quadruple q;
-    int label = no_subdomain;
     for(int i = 0; i < 4; ++i)
+      q[i] = candidate_.triangulation().is_infinite(c->vertex(i)) ? -1 : candidate_.numbered->number(c->vertex(i));
+    return q;
+  }
+
+  // The one label of the vertices that are not on the boundary, or no_subdomain if there are none; false if
+  // they have several.
+  bool find_label(const Quadruple& q, int& label) const
+  {
+    label = no_subdomain;
+    for(int v : q)
     {
-      q[i] = tr.is_infinite(c->vertex(i)) ? -1 : draft_.numbered.number(c->vertex(i));
-      const int l = q[i] < 0 ? complex_.outside() : complex_.subdomain[q[i]];
+      const int l = v < 0 ? domain_.outside() : candidate_.numbering.subdomain[v];
       if(l == no_subdomain || l == label)
         continue;
       if(label != no_subdomain)
-      {
-        guilty_.blame(q);
-        return;
-      }
+        return false;
       label = l;
     }
-    if(tr.is_infinite(c))
-      label = complex_.outside();
+    return true;
+  }
+
+  void label_cell(Cell_handle c, Report& report)
+  {
+    const Quadruple q = numbers_or_infinite(c);
+    int label;
+    if(!find_label(q, label))
+    {
+      report.send_back(q);
+      return;
+    }
+    bool fits = true;
+    if(candidate_.triangulation().is_infinite(c))
+      label = domain_.outside();
     else if(label == no_subdomain)
     {
       label = label_of_boundary_cell(c, q);
       note(c, IS_BOUNDARY_CELL);
     }
-    else if(std::any_of(q.begin(), q.end(), [this](int v) { return is_on_boundary(v); })
-            && dual_label(c, q) != label && !mending_.is_excused(q))
-    {
-      mending_.mend_cell(q, label);
-      c->set_subdomain_index(complex_.labels.value(label));
-      return;
-    }
-    c->set_subdomain_index(complex_.labels.value(label));
-    note(c, IS_SETTLED);
+    else
+      fits = std::none_of(q.begin(), q.end(), [this](int v) { return is_on_boundary(v); })
+             || dual_label(c, q) == label || is_tolerated(candidate_, q);
+    c->set_subdomain_index(domain_.subdomain(label));
+    if(fits)
+      note(c, IS_SETTLED);
+    else
+      report_cell_beyond_surface(candidate_, q, label, report);
   }
 
   int label_of_boundary_cell(Cell_handle c, const Quadruple& q)
   {
-    if(draft_.are_home(q))
+    if(candidate_.are_home(q))
     {
-      const int label = complex_.label_of_boundary_cell(q);
+      const int label = candidate_.state.label_of_boundary_cell(q);
       if(label != no_subdomain)
         return label;
     }
-    return draft_.mode.boundary_moves ? dual_label(c, q) : label_from_oracle(c);
+    return candidate_.boundary_moves() ? dual_label(c, q) : label_from_domain(c);
   }
 
   // The subdomain in which the dual point of the cell lies: as the normals at its
@@ -152,16 +158,16 @@ private:
   // clear; where it contradicts them nevertheless, they are not believed any more.
   int dual_label(Cell_handle c, const Quadruple& q)
   {
-    const Restricted_update::Evidence evidence = draft_.mode.evidence;
-    const double margin = evidence == Restricted_update::SOME_EVIDENCE ? some_margin : good_margin;
-    const bool is_doubtful = evidence == Restricted_update::ORACLE
-      || std::any_of(q.begin(), q.end(), [this](int v) { return is_on_boundary(v) && doubted_[v]; });
+    const double margin = candidate_.is_final ? final_margin : margin_on_the_way;
+    const bool asks_domain = candidate_.motion == Boundary_motion::BY_DOMAIN;
+    const bool is_doubtful = asks_domain
+      || std::any_of(q.begin(), q.end(), [this](int v) { return is_on_boundary(v) && candidate_.is_doubted[v]; });
     const int seen = is_doubtful ? int(no_subdomain) : label_seen_from_boundary(q, margin);
     if(seen != no_subdomain)
       return seen;
-    const int label = label_from_oracle(c);
+    const int label = label_from_domain(c);
     note(c, IS_FROM_ORACLE);
-    if(evidence == Restricted_update::GOOD_EVIDENCE)
+    if(candidate_.is_final && !asks_domain)
     {
       const int expected = label_seen_from_boundary(q, margin / 2);
       if(expected != no_subdomain && expected != label)
@@ -170,22 +176,19 @@ private:
     return label;
   }
 
-  int label_from_oracle(Cell_handle c)
-  {
-    return complex_.labels.number(oracle_.subdomain(draft_.triangulation().dual(c)));
-  }
+  int label_from_domain(Cell_handle c) { return domain_.label_at(candidate_.triangulation().dual(c)); }
 
   void doubt(const Quadruple& q)
   {
     for(int v : q)
-      if(is_on_boundary(v) && !doubted_[v])
-        doubted_[v] = has_doubts_ = has_new_doubts_ = true;
+      if(is_on_boundary(v) && !candidate_.is_doubted[v])
+        candidate_.is_doubted[v] = candidate_.has_doubts = has_new_doubts_ = true;
   }
 
   // The label of the dual point if all vertices on the boundary agree about it.
   int label_seen_from_boundary(const Quadruple& q, double margin) const
   {
-    const std::vector<Site>& sites = draft_.sites;
+    const std::vector<Site>& sites = candidate_.sites;
     const Site& origin = sites[q[0]];
     const Cell_products t(origin, sites[q[1]], sites[q[2]], sites[q[3]]);
     const double f = 1 / (2 * t.determinant);
@@ -196,7 +199,7 @@ private:
       if(!is_on_boundary(v))
         continue;
       const Site& s = sites[v];
-      const int l = draft_.measured_boundary.label_toward(
+      const int l = candidate_.measured_boundary.label_toward(
         v, {{ dual[0] - (s.x - origin.x), dual[1] - (s.y - origin.y), dual[2] - (s.z - origin.z) }}, margin);
       if(l == no_subdomain || (label != no_subdomain && l != label))
         return no_subdomain;
@@ -205,13 +208,9 @@ private:
     return label;
   }
 
-  Complex& complex_;
-  Draft& draft_;
-  Oracle& oracle_;
-  Guilty_vertices& guilty_;
-  Cell_mending& mending_;
-  std::vector<char> doubted_;               // vertices whose normals do not tell sides
-  bool has_doubts_ = false, has_new_doubts_ = false;
+  Candidate& candidate_;
+  Domain& domain_;
+  bool has_new_doubts_ = false;
 };
 
 } // namespace internal

@@ -8,6 +8,9 @@
 
 #include <CGAL/Global_odt_mesh_3/internal/geometry/Point_coordinates.h>
 
+#include <CGAL/Kernel_traits.h>
+#include <CGAL/Mesh_3/config.h>
+
 #include <array>
 #include <cmath>
 #ifdef CGAL_GLOBAL_ODT_MESH_3_PROFILING
@@ -38,7 +41,7 @@ struct Has_aabb_tree<Mesh_domain,
 struct Oracle_statistics
 {
   std::size_t locations = 0;        // is_in_domain
-  std::size_t intersections = 0;    // do_intersect_surface followed by construct_intersection
+  std::size_t intersections = 0;    // construct_intersection
   std::size_t projections = 0;      // closest points from the AABB tree
   std::size_t failures = 0;         // intersections and projections that found nothing of use
   double seconds = 0;               // spent in the domain, if CGAL_GLOBAL_ODT_MESH_3_PROFILING is defined
@@ -71,8 +74,8 @@ public:
 #endif
 };
 
-// All questions to the domain go through here. They are those of the concept
-// MeshDomain_3; where there is an AABB tree, it projects.
+// All questions to the domain go through here. They are no more than those of Mesh_3 itself, since
+// domains need not have all members of the concept MeshDomain_3; where there is an AABB tree, it projects.
 template <class Mesh_domain>
 class Domain_oracle_3
 {
@@ -81,7 +84,7 @@ public:
   typedef typename Mesh_domain::Surface_patch_index Surface_patch_index;
   typedef typename Mesh_domain::Index Index;
   typedef typename Mesh_domain::Point_3 Point_3;
-  typedef typename Mesh_domain::Segment_3 Segment_3;
+  typedef typename Kernel_traits<Point_3>::Kernel::Segment_3 Segment_3;
   typedef std::array<double, 3> Vector;
 
   explicit Domain_oracle_3(const Mesh_domain& domain)
@@ -160,7 +163,7 @@ public:
                               p[2] - half_length * direction[2]),
                       Point_3(p[0] + half_length * direction[0], p[1] + half_length * direction[1],
                               p[2] + half_length * direction[2]));
-    if(domain_.do_intersect_surface_object()(s))
+    if(may_intersect(s))
     {
       const typename Mesh_domain::Intersection i = domain_.construct_intersection_object()(s);
       if(std::get<2>(i) >= 2)
@@ -175,6 +178,16 @@ public:
   }
 
 private:
+  // Where Mesh_3 still asks the predicate first, domains rely on that.
+  bool may_intersect([[maybe_unused]] const Segment_3& s) const
+  {
+#ifdef CGAL_MESH_3_NO_LONGER_CALLS_DO_INTERSECT_3
+    return true;
+#else
+    return bool(domain_.do_intersect_surface_object()(s));
+#endif
+  }
+
   static double distance(const Vector& a, const Vector& b)
   {
     return std::sqrt((a[0] - b[0]) * (a[0] - b[0]) + (a[1] - b[1]) * (a[1] - b[1]) + (a[2] - b[2]) * (a[2] - b[2]));

@@ -8,7 +8,7 @@
 
 #include <CGAL/Global_odt_mesh_3/internal/geometry/Facet_dual_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/geometry/Site.h>
-#include <CGAL/Global_odt_mesh_3/internal/surface/Boundary_complex_3.h>
+#include <CGAL/Global_odt_mesh_3/internal/surface/Boundary_geometry_3.h>
 
 #include <algorithm>
 #include <array>
@@ -22,7 +22,7 @@ namespace internal {
 // Where the dual line meets the surface of which the normals at the vertices are
 // known: on a sphere, and so in second order, half as high over the facet as the
 // tangential planes at the vertices.
-inline std::array<double, 3> estimated_surface_center(const std::array<int, 3>& t, const Boundary_complex_3& boundary,
+inline std::array<double, 3> estimated_surface_center(const std::array<int, 3>& t, const Boundary_geometry_3& boundary,
                                                       const std::vector<Site>& sites)
 {
   const Facet_dual_3 dual(t, sites);
@@ -30,11 +30,11 @@ inline std::array<double, 3> estimated_surface_center(const std::array<int, 3>& 
   int count = 0;
   for(int v : t)
   {
-    if(boundary.number_of_umbrellas(v) != 1)
+    if(boundary.complex().number_of_umbrellas(v) != 1)
       continue;
-    const std::array<double, 3>& n = boundary.umbrella(v, 0).normal;
+    const std::array<double, 3>& n = boundary.shape(v, 0).normal;
     const double cosine = n[0] * dual.normal[0] + n[1] * dual.normal[1] + n[2] * dual.normal[2];
-    if(std::abs(cosine) < Boundary_complex_3::smallest_cosine)
+    if(std::abs(cosine) < Boundary_geometry_3::smallest_cosine)
       continue;
     const Site& s = sites[v];
     height += (n[0] * (s.x - dual.center[0]) + n[1] * (s.y - dual.center[1]) + n[2] * (s.z - dual.center[2]))

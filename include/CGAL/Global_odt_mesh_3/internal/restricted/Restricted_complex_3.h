@@ -6,154 +6,210 @@
 #ifndef CGAL_GLOBAL_ODT_MESH_3_INTERNAL_RESTRICTED_RESTRICTED_COMPLEX_3_H
 #define CGAL_GLOBAL_ODT_MESH_3_INTERNAL_RESTRICTED_RESTRICTED_COMPLEX_3_H
 
-#include <CGAL/Global_odt_mesh_3/internal/geometry/Facet_dual_3.h>
-#include <CGAL/Global_odt_mesh_3/internal/geometry/Index_table.h>
 #include <CGAL/Global_odt_mesh_3/internal/geometry/Site.h>
-#include <CGAL/Global_odt_mesh_3/internal/geometry/Vertex_tuples.h>
-#include <CGAL/Global_odt_mesh_3/internal/restricted/Estimated_surface_center_3.h>
-#include <CGAL/Global_odt_mesh_3/internal/restricted/Numbered_triangulation_3.h>
-#include <CGAL/Global_odt_mesh_3/internal/surface/Boundary_complex_3.h>
+#include <CGAL/Global_odt_mesh_3/internal/restricted/Boundary_extraction_3.h>
+#include <CGAL/Global_odt_mesh_3/internal/restricted/Boundary_motion.h>
+#include <CGAL/Global_odt_mesh_3/internal/restricted/Boundary_peeling_3.h>
+#include <CGAL/Global_odt_mesh_3/internal/restricted/Cell_labels_3.h>
+#include <CGAL/Global_odt_mesh_3/internal/restricted/Fidelity_check_3.h>
+#include <CGAL/Global_odt_mesh_3/internal/restricted/Flatten_state_3.h>
+#include <CGAL/Global_odt_mesh_3/internal/restricted/Numbered_domain_3.h>
+#include <CGAL/Global_odt_mesh_3/internal/restricted/Restricted_candidate_3.h>
+#include <CGAL/Global_odt_mesh_3/internal/restricted/Restricted_report_3.h>
+#include <CGAL/Global_odt_mesh_3/internal/restricted/Restricted_state_3.h>
+#include <CGAL/Global_odt_mesh_3/internal/restricted/Surface_centers_3.h>
+#include <CGAL/Global_odt_mesh_3/internal/restricted/Surface_projection_3.h>
+#include <CGAL/Global_odt_mesh_3/internal/restricted/Topology_check_3.h>
+#include <CGAL/Global_odt_mesh_3/internal/triangulation/Moving_triangulation_3.h>
 
 #include <algorithm>
 #include <array>
-#include <cmath>
-#include <cstddef>
-#include <unordered_map>
+#include <iterator>
+#include <set>
+#include <utility>
 #include <vector>
 
 namespace CGAL {
 namespace Global_odt_mesh_3 {
 namespace internal {
 
-// A complex as the restriction of a regular triangulation to the domain: the
-// vertices, the labels of their cells, and the boundary facets between them.
+// A complex that goes from one valid state to the next.
 //
-// A vertex that no boundary facet touches belongs to one subdomain for good, and
-// so do the cells around it. The cells with all vertices on the boundary have labels
-// of their own.
-template <class Triangulation_, class Mesh_domain>
+// advance() makes a candidate for new positions and checks it. Vertices that alter the topology of the
+// boundary, pierce it, get hidden, or leave a cell of their subdomain with its dual point in
+// another, go back toward where they were, until all is well. Then the candidate takes the
+// state's place; or else, also if anything throws, the state is as it was.
+template <class Triangulation, class Mesh_domain>
 class Restricted_complex_3
 {
 public:
-  typedef Triangulation_ Triangulation;
-  typedef typename Triangulation::Vertex_handle Vertex_handle;
-  typedef typename Triangulation::Facet Facet;
-  typedef typename Triangulation::Bare_point Bare_point;
-  typedef typename Triangulation::Vertex::Index Index;
-  typedef typename Mesh_domain::Subdomain_index Subdomain_index;
-  typedef typename Mesh_domain::Surface_patch_index Surface_patch_index;
-  typedef std::array<double, 3> Vector;
-  typedef std::array<int, 3> Triple;
-  typedef std::array<int, 4> Quadruple;
+  typedef Numbered_domain_3<Triangulation, Mesh_domain> Domain;
+  typedef Restricted_state_3<Triangulation> State;
 
-  static constexpr int no_subdomain = -1;
-
-  // What belongs to a boundary facet beside vertices, labels and patch.
-  struct Surface_center
-  {
-    Vector point;
-    Bare_point stored;              // what the complex is told
-    Index index;
-    bool is_exact;                  // on the surface; or else estimated from the normals
-    bool is_faithful = false;       // the facet's centroid is known to be close enough to the surface
-  };
-
-  // Indexed by the numbers of vertices and of boundary facets.
-  const Triangulation* triangulation;
-  std::vector<Vertex_handle> vertices;
-  std::vector<Site> sites;
-  std::vector<int> subdomain;               // of a vertex without boundary facets, or no_subdomain
-  Boundary_complex_3 boundary;
-  std::vector<Facet> facets;                // of the triangulation, on side 0
-  std::vector<Surface_center> centers;
-  Index_table<Subdomain_index> labels;
-  Index_table<Surface_patch_index> patches;
-  int number_of_interior_vertices = 0;      // these come first, followed by
-  int number_of_movable_vertices = 0;       // those that move on the surface
-
-  Restricted_complex_3()
-    : outside_(labels.number(Subdomain_index()))
+  Restricted_complex_3(const Mesh_domain& domain, Boundary_motion motion)
+    : domain_(domain)
+    , motion_(motion)
+    , fidelity_(domain_)
   {}
 
-  int outside() const { return outside_; }
-  bool is_on_boundary(int v) const { return subdomain[v] == no_subdomain; }
+  // The checks refer to the domain.
+  Restricted_complex_3(const Restricted_complex_3&) = delete;
+  Restricted_complex_3& operator=(const Restricted_complex_3&) = delete;
 
-  // Whether the triangulation is another than the one that was read.
-  bool has_changed() const { return triangulation == &own_.triangulation(); }
-  Triangulation& own_triangulation() { return own_.triangulation(); }
-
-  // Takes over a triangulation of the same vertices, and gives its own one away.
-  void swap_triangulation(Numbered_triangulation_3<Triangulation>& other)
+  void start(State input)
   {
-    own_.swap(other);
-    triangulation = &own_.triangulation();
-    for(std::size_t v = 0; v < vertices.size(); ++v)
-      vertices[v] = own_.vertex(static_cast<int>(v));
+    state_ = std::move(input);
+    if(state_.numbering->number_of_surface_vertices() > 0)
+      fidelity_.measure(state_);
   }
 
-  // The label of a cell with all vertices on the boundary, or no_subdomain if there is none.
-  int label_of_boundary_cell(const Quadruple& cell) const
+  const State& state() const { return state_; }
+  // The last one, of which nothing is left here.
+  State take_state() { return std::move(state_); }
+  Domain& domain() { return domain_; }
+  const Domain& domain() const { return domain_; }
+  Boundary_motion motion() const { return motion_; }
+  bool is_surface_rough() const { return motion_ == Boundary_motion::BY_DOMAIN; }
+
+  // Loads the state into a mesh.
+  void flatten(Moving_triangulation_3& mesh) const { flatten_state_3(state_, mesh); }
+
+  // Moves a site for a vertex on a surface to that surface; false if that cannot be done.
+  bool put_on_surface(int v, Site& s) { return internal::put_on_surface(domain_, state_.boundary, v, s); }
+
+  // Whether that is close enough to the surface for the centroid of a boundary facet.
+  bool is_close_to_surface(const std::array<double, 3>& point) const { return fidelity_.is_close(point); }
+
+  // Goes to new positions of the movable vertices, as far as possible; false if nothing could be done.
+  // In a final state, all vertices are on their surfaces and all boundary facets have surface centers.
+  bool advance(const std::vector<Site>& target, bool is_final)
   {
-    const auto it = boundary_cells_.find(sorted(cell));
-    return it == boundary_cells_.end() ? int(no_subdomain) : it->second;
-  }
-
-  void add_boundary_cell(const Quadruple& cell, int label) { boundary_cells_.emplace(sorted(cell), label); }
-  void clear_boundary_cells() { boundary_cells_.clear(); }
-
-  // The number of the boundary facet with these vertices, or -1.
-  int facet_number(const Triple& facet) const
-  {
-    const auto it = facet_number_.find(sorted(facet));
-    return it == facet_number_.end() ? -1 : it->second;
-  }
-
-  bool has_unseparating_facets() const { return has_unseparating_facets_; }
-
-  // To be called when the boundary has been replaced.
-  void number_facets()
-  {
-    facet_number_.clear();
-    has_unseparating_facets_ = false;
-    for(std::size_t n = 0; n < boundary.facets().size(); ++n)
+    Candidate candidate(state_, target, motion_, is_final);
+    Surface_projection_3<Domain> projection(candidate, domain_);
+    if(candidate.boundary_moves())
+      projection.project_all();
+    candidate.build();
+    for(int attempt = 0; attempt < most_attempts; ++attempt)
     {
-      const Boundary_facet& f = boundary.facets()[n];
-      facet_number_.emplace(sorted(f.vertices), static_cast<int>(n));
-      has_unseparating_facets_ = has_unseparating_facets_ || f.labels[0] == f.labels[1];
+      const Report report = check(candidate);
+      if(report.is_clean())
+      {
+        state_ = candidate.finish(domain_);
+        return true;
+      }
+      if(report.is_beyond_repair() || !apply(report, candidate, projection, attempt))
+        return false;
     }
-  }
-
-  // The signed height of the surface over the plane of a boundary facet, where the
-  // dual line crosses both, positive toward side 1.
-  double height(const Triple& facet) const
-  {
-    return Facet_dual_3(facet, sites).height(centers[facet_number_.at(sorted(facet))].point);
-  }
-
-  // A complex that was not made by the mesher may lack surface centers; then a
-  // point of the dual line stands in, without being told to anybody.
-  void mend_surface_centers()
-  {
-    number_facets();
-    for(std::size_t n = 0; n < centers.size(); ++n)
-    {
-      const Triple& t = boundary.facets()[n].vertices;
-      std::array<double, 3> power;
-      for(int k = 0; k < 3; ++k)
-        power[k] = squared_distance(sites[t[k]], centers[n].point) - sites[t[k]].weight;
-      const double spread = *std::max_element(power.begin(), power.end())
-                            - *std::min_element(power.begin(), power.end());
-      if(!(spread <= 1e-4 * std::abs(power[0])))
-        centers[n].point = estimated_surface_center(t, boundary, sites);
-    }
+    return false;
   }
 
 private:
-  int outside_;
-  std::unordered_map<Triple, int, Hash_vertex_tuple> facet_number_;
-  bool has_unseparating_facets_ = false;
-  std::unordered_map<Quadruple, int, Hash_vertex_tuple> boundary_cells_;
-  Numbered_triangulation_3<Triangulation> own_;
+  typedef Restricted_candidate_3<Triangulation> Candidate;
+  typedef Restricted_report_3<Candidate> Report;
+  typedef Surface_projection_3<Domain> Surface_projection;
+
+  static constexpr int most_attempts = 40;
+  // In these, vertices go back half way first; then home, along with more and more neighbors.
+  static constexpr int patient_attempts = 10, attempts_per_ring = 3;
+  static constexpr int halfway_returns = 2, halfway_returns_on_surface = 1;
+  // If more vertices go back, a new triangulation is faster than moving them.
+  static constexpr double most_moved_one_by_one = 1 / 20.;
+
+  // Completes the candidate until something is found wrong.
+  Report check(Candidate& candidate)
+  {
+    if(!candidate.numbered->is_complete())
+      return hidden_vertices(candidate);
+    const Report labels = Cell_labels_3<Domain>(candidate, domain_).label_cells();
+    if(!labels.is_clean())
+      return labels;
+    Boundary_extraction_3<Domain> extraction(candidate, domain_);
+    extraction.find_boundary();
+    const Report topology = candidate.boundary_moves() ? check_topology(candidate) : check_facets_stay(candidate);
+    if(!topology.is_clean())
+      return topology;
+    if(candidate.boundary_moves())
+      Boundary_peeling_3<Domain>(candidate, domain_, extraction, fidelity_).peel();
+    const Report centers = Surface_centers_3<Domain>(candidate, domain_).find_surface_centers();
+    return candidate.boundary_moves() && centers.is_clean() ? fidelity_.check(candidate) : centers;
+  }
+
+  static Report hidden_vertices(const Candidate& candidate)
+  {
+    Report report(candidate);
+    for(int v = 0; v < candidate.numbering.number_of_vertices(); ++v)
+      if(!candidate.numbered->is_visible(v))
+        report.send_back(std::vector<int>(1, v));
+    if(report.offending_vertices().empty())
+      report.give_up();
+    return report;
+  }
+
+  // Pushes vertices, and moves the offending ones toward where they were; false if one cannot be put back onto
+  // its surface.
+  bool apply(const Report& report, Candidate& candidate, Surface_projection& projection, int attempt)
+  {
+    std::set<int> offending = report.offending_vertices();
+    for(const auto& p : report.pushes())
+      push(candidate, p.first, p.second, offending.count(p.first) > 0);
+    for(int ring = patient_attempts; ring <= attempt; ring += attempts_per_ring)
+      candidate.numbered->grow(offending);
+    const bool rebuilds = double(offending.size()) > most_moved_one_by_one * candidate.numbering.number_of_vertices()
+                          || !candidate.numbered->is_complete();
+    for(int v : offending)
+    {
+      if(!candidate.numbering.is_movable(v) || candidate.is_home(v))
+        continue;
+      if(!send_back(candidate, projection, v, attempt))
+        return false;
+      if(!rebuilds)
+        candidate.move(v);
+    }
+    if(rebuilds)
+      candidate.build();
+    else
+      for(const auto& p : report.pushes())
+        candidate.move(p.first);
+    const auto has_moved = [&](int v) { return offending.count(v) > 0 || report.pushes().count(v) > 0; };
+    forget_facets(candidate.known_centers, has_moved);
+    forget_facets(candidate.known_distances, has_moved);
+    candidate.measure();
+    return true;
+  }
+
+  static void push(Candidate& candidate, int v, const std::array<double, 3>& by, bool goes_back)
+  {
+    ++candidate.times_pushed[v];
+    if(goes_back)
+      return;
+    Site& s = candidate.sites[v];
+    s = { s.x + by[0], s.y + by[1], s.z + by[2], s.weight };
+  }
+
+  bool send_back(Candidate& candidate, Surface_projection& projection, int v, int attempt)
+  {
+    const bool on_surface = !candidate.numbering.is_interior(v);
+    // On the way, few attempts matter more than long ways.
+    const bool is_patient = attempt < patient_attempts && (!on_surface || candidate.is_thorough());
+    const int most = on_surface ? halfway_returns_on_surface : halfway_returns;
+    const bool is_halfway = is_patient && candidate.times_sent_back[v]++ < most;
+    Site& s = candidate.sites[v];
+    const Site& home = candidate.homes[v];
+    s = is_halfway ? Site{ (s.x + home.x) / 2, (s.y + home.y) / 2, (s.z + home.z) / 2, home.weight } : home;
+    return !on_surface || projection.return_to_surface(v, is_halfway);
+  }
+
+  template <class Answers, class Predicate>
+  static void forget_facets(Answers& answers, const Predicate& has_moved)
+  {
+    for(auto it = answers.begin(); it != answers.end(); )
+      it = std::any_of(it->first.begin(), it->first.end(), has_moved) ? answers.erase(it) : std::next(it);
+  }
+
+  Domain domain_;
+  Boundary_motion motion_;
+  Fidelity_check_3<Domain> fidelity_;
+  State state_;
 };
 
 } // namespace internal

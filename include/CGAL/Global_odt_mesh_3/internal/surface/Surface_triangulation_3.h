@@ -8,6 +8,7 @@
 
 #include <CGAL/Global_odt_mesh_3/internal/geometry/Site.h>
 #include <CGAL/Global_odt_mesh_3/internal/surface/Boundary_complex_3.h>
+#include <CGAL/Global_odt_mesh_3/internal/surface/Boundary_geometry_3.h>
 
 #include <Eigen/Core>
 #include <Eigen/Geometry>
@@ -126,7 +127,7 @@ private:
     const Eigen::Vector3d ps = edge(p, s), normal = (above + below).normalized();
     const Eigen::Vector3d first = pq.cross(ps), second = ps.cross(pr);
     // A flip does not bend the surface more than a smooth umbrella.
-    constexpr double cosine = Boundary_complex_3::smallest_cosine;
+    constexpr double cosine = Boundary_geometry_3::smallest_cosine;
     return first.dot(normal) > cosine * first.norm() && second.dot(normal) > cosine * second.norm()
            && !is_edge(c, vertex(d));
   }

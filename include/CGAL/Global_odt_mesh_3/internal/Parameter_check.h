@@ -1,0 +1,16 @@
+// Copyright (c) 2026 The Global_odt_mesh_3 authors.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_GLOBAL_ODT_MESH_3_INTERNAL_PARAMETER_CHECK_H
+#define CGAL_GLOBAL_ODT_MESH_3_INTERNAL_PARAMETER_CHECK_H
+
+#include <CGAL/assertions.h>
+
+// A precondition on what the caller says. It is checked in each build, since a check costs nothing beside
+// the call and a bad value would pass silently.
+#define CGAL_GLOBAL_ODT_MESH_3_CHECK_PARAMETER(condition, message) \
+  ((condition) ? static_cast<void>(0) : ::CGAL::precondition_fail(#condition, __FILE__, __LINE__, message))
+
+#endif // CGAL_GLOBAL_ODT_MESH_3_INTERNAL_PARAMETER_CHECK_H

@@ -1,0 +1,97 @@
+// Copyright (c) 2026 The Global_odt_mesh_3 authors.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_GLOBAL_ODT_MESH_3_INTERNAL_RESTRICTED_DUAL_SIDE_3_H
+#define CGAL_GLOBAL_ODT_MESH_3_INTERNAL_RESTRICTED_DUAL_SIDE_3_H
+
+#include <CGAL/Global_odt_mesh_3/internal/geometry/Vertex_tuples.h>
+#include <CGAL/Global_odt_mesh_3/internal/restricted/Restricted_candidate_3.h>
+#include <CGAL/Global_odt_mesh_3/internal/restricted/Restricted_report_3.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace CGAL {
+namespace Global_odt_mesh_3 {
+namespace internal {
+
+// Whether a cell with its dual point in another subdomain is one of the input, which may be as it likes.
+template <class Candidate>
+bool is_tolerated(Candidate& candidate, const typename Candidate::Quadruple& q)
+{
+  if(!candidate.are_home(q))
+    return false;
+  const auto& state = candidate.state;
+  if(!state.is_input())
+    return candidate.tolerated_cells.count(sorted(q)) > 0;
+  typename Candidate::Cell_handle c;
+  if(!state.triangulation().is_cell(state.vertex(q[0]), state.vertex(q[1]), state.vertex(q[2]), state.vertex(q[3]), c))
+    return false;
+  candidate.tolerated_cells.insert(sorted(q));
+  return true;
+}
+
+// The direction away from the boundary into the subdomain, as the normals at the vertices of a cell
+// tell, and the longest of the shortest edges there.
+template <class Candidate>
+std::array<double, 3> inward(const Candidate& candidate, const typename Candidate::Quadruple& q, int label, double& edge)
+{
+  std::array<double, 3> sum = {{ 0, 0, 0 }};
+  edge = 0;
+  const Boundary_geometry_3& boundary = candidate.measured_boundary;
+  for(int w : q)
+    for(int n = 0; n < boundary.complex().number_of_umbrellas(w); ++n)
+    {
+      const std::array<int, 2>& labels = boundary.complex().umbrella(w, n).labels;
+      const Umbrella_shape& shape = boundary.shape(w, n);
+      const double sign = labels[0] == label ? -1 : labels[1] == label ? 1 : 0;
+      for(int i = 0; i < 3; ++i)
+        sum[i] += sign * shape.normal[i];
+      edge = (std::max)(edge, shape.shortest_edge);
+    }
+  return sum;
+}
+
+// Of a cell of the subdomain `label` whose dual point is beyond the surface: its vertices have come too close to
+// the boundary, or else its vertex of the interior is to move away from it.
+template <class Candidate>
+void report_cell_beyond_surface(const Candidate& candidate, const typename Candidate::Quadruple& q, int label,
+                                Restricted_report_3<Candidate>& report)
+{
+  constexpr double step_from_boundary = 0.05;       // over an edge on the boundary
+  constexpr int most_pushes = 5, most_returns = 2;
+  const auto times = [](const auto& counts, int v)
+  {
+    const auto it = counts.find(v);
+    return it == counts.end() ? 0 : it->second;
+  };
+  const auto may_go_back = [&](int v)
+  {
+    return candidate.numbering.is_movable(v) && !candidate.is_home(v) && times(candidate.times_sent_back, v) < most_returns;
+  };
+  const auto v = std::find_if(q.begin(), q.end(), [&](int w) { return candidate.numbering.is_interior(w); });
+  double edge = 0;
+  std::array<double, 3> by = {{ 0, 0, 0 }};
+  if(v != q.end() && std::none_of(q.begin(), q.end(), may_go_back) && times(candidate.times_pushed, *v) < most_pushes)
+    by = inward(candidate, q, label, edge);
+  const double length = std::sqrt(by[0] * by[0] + by[1] * by[1] + by[2] * by[2]);
+  if(!(length > 0))
+  {
+    report.send_back(q);
+    return;
+  }
+  // The more often, the farther.
+  const double step = step_from_boundary * edge * (1 + times(candidate.times_pushed, *v));
+  for(double& x : by)
+    x *= step / length;
+  report.push(*v, by);
+}
+
+} // namespace internal
+} // namespace Global_odt_mesh_3
+} // namespace CGAL
+
+#endif // CGAL_GLOBAL_ODT_MESH_3_INTERNAL_RESTRICTED_DUAL_SIDE_3_H

@@ -1,0 +1,70 @@
+// Copyright (c) 2026 The Global_odt_mesh_3 authors.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_GLOBAL_ODT_MESH_3_INTERNAL_RESTRICTED_NUMBERED_DOMAIN_3_H
+#define CGAL_GLOBAL_ODT_MESH_3_INTERNAL_RESTRICTED_NUMBERED_DOMAIN_3_H
+
+#include <CGAL/Global_odt_mesh_3/internal/geometry/Index_table.h>
+#include <CGAL/Global_odt_mesh_3/internal/restricted/Domain_oracle_3.h>
+
+#include <array>
+
+namespace CGAL {
+namespace Global_odt_mesh_3 {
+namespace internal {
+
+// The domain, with numbers for subdomains (labels) and surface patches.
+template <class Triangulation_, class Mesh_domain>
+class Numbered_domain_3
+{
+public:
+  typedef Triangulation_ Triangulation;
+  typedef typename Triangulation::Bare_point Bare_point;
+  typedef typename Mesh_domain::Index Index;
+  typedef typename Mesh_domain::Subdomain_index Subdomain_index;
+  typedef typename Mesh_domain::Surface_patch_index Surface_patch_index;
+  typedef std::array<double, 3> Vector;
+
+  // Whether it has an AABB tree, which makes closest points cheap.
+  static constexpr bool tells_distances = Has_aabb_tree<Mesh_domain>::value;
+
+  explicit Numbered_domain_3(const Mesh_domain& domain)
+    : oracle_(domain)
+    , outside_(labels_.number(Subdomain_index()))
+  {}
+
+  int outside() const { return outside_; }
+  int label(const Subdomain_index& subdomain) { return labels_.number(subdomain); }
+  const Subdomain_index& subdomain(int label) const { return labels_.value(label); }
+  int patch_number(const Surface_patch_index& patch) { return patches_.number(patch); }
+  const Surface_patch_index& patch(int number) const { return patches_.value(number); }
+
+  // The label of the subdomain in which the point lies.
+  int label_at(const Bare_point& p) { return label(oracle_.subdomain(p)); }
+
+  // The patch of a point that intersect() has found.
+  int patch_at(const Index& index) { return patch_number(oracle_.surface_patch(index)); }
+
+  // As those of the oracle.
+  bool project(Vector& p, const Vector& normal, double reach, int patch_number)
+  { return oracle_.project(p, normal, reach, patch(patch_number)); }
+  bool intersect(Vector& p, const Vector& direction, double half_length, Index& index)
+  { return oracle_.intersect(p, direction, half_length, index); }
+  double distance_to_surface(const Vector& p) { return oracle_.distance_to_surface(p); }
+
+  const Oracle_statistics& statistics() const { return oracle_.statistics(); }
+
+private:
+  Domain_oracle_3<Mesh_domain> oracle_;
+  Index_table<Subdomain_index> labels_;
+  Index_table<Surface_patch_index> patches_;
+  int outside_;
+};
+
+} // namespace internal
+} // namespace Global_odt_mesh_3
+} // namespace CGAL
+
+#endif // CGAL_GLOBAL_ODT_MESH_3_INTERNAL_RESTRICTED_NUMBERED_DOMAIN_3_H

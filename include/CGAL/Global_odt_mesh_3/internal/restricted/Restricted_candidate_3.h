@@ -1,0 +1,216 @@
+// Copyright (c) 2026 The Global_odt_mesh_3 authors.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_GLOBAL_ODT_MESH_3_INTERNAL_RESTRICTED_RESTRICTED_CANDIDATE_3_H
+#define CGAL_GLOBAL_ODT_MESH_3_INTERNAL_RESTRICTED_RESTRICTED_CANDIDATE_3_H
+
+#include <CGAL/Global_odt_mesh_3/internal/geometry/Site.h>
+#include <CGAL/Global_odt_mesh_3/internal/geometry/Vertex_tuples.h>
+#include <CGAL/Global_odt_mesh_3/internal/restricted/Boundary_motion.h>
+#include <CGAL/Global_odt_mesh_3/internal/restricted/Cell_knowledge.h>
+#include <CGAL/Global_odt_mesh_3/internal/restricted/Numbered_triangulation_3.h>
+#include <CGAL/Global_odt_mesh_3/internal/restricted/Restricted_state_3.h>
+#include <CGAL/Global_odt_mesh_3/internal/surface/Boundary_complex_3.h>
+#include <CGAL/Global_odt_mesh_3/internal/surface/Boundary_geometry_3.h>
+
+#include <algorithm>
+#include <array>
+#include <map>
+#include <memory>
+#include <set>
+#include <unordered_map>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Global_odt_mesh_3 {
+namespace internal {
+
+// The next state of a complex while it is made. It owns all that changes on the way; the state
+// from which it starts stays as it is.
+template <class Triangulation_>
+struct Restricted_candidate_3
+{
+  typedef Triangulation_ Triangulation;
+  typedef Restricted_state_3<Triangulation> State;
+  typedef typename State::Vertex_numbering Vertex_numbering;
+  typedef typename State::Surface_center Surface_center;
+  typedef typename State::Surface_position Surface_position;
+  typedef typename State::Triple Triple;
+  typedef typename State::Quadruple Quadruple;
+  typedef typename Triangulation::Cell_handle Cell_handle;
+  typedef typename Triangulation::Facet Facet;
+
+  static constexpr int unknown_patch = -2;    // of a facet on whose patch its vertices do not agree
+
+  const State& state;
+  const Vertex_numbering& numbering;
+  const Boundary_motion motion;
+  const bool is_final;                        // or else one on the way, of which less is asked
+
+  std::unique_ptr<Numbered_triangulation_3<Triangulation> > numbered;
+  std::vector<Site> sites;
+  std::vector<Site> homes;                    // where vertices go back to: as in the state, or put on the surface since
+  std::vector<Surface_position> surface_positions;
+  std::vector<char> is_home_on_surface;       // of the vertices that move on surfaces
+  Boundary_geometry_3 measured_boundary;      // that of the state, at the positions of the candidate
+
+  std::vector<std::pair<Cell_handle, int> > boundary_cells;   // with all vertices on the boundary, and labels
+  std::shared_ptr<const Boundary_complex_3> boundary_complex;
+  Boundary_geometry_3 boundary;
+  std::vector<Facet> facets;
+  std::vector<int> old_facets;                // the numbers that facets have in the state, or -1
+  std::vector<Surface_center> centers;
+
+  // What the domain has said of facets holds until their vertices move.
+  std::unordered_map<Triple, Surface_center, Hash_vertex_tuple> known_centers;
+  std::unordered_map<Triple, double, Hash_vertex_tuple> known_distances;
+  std::vector<char> is_doubted;               // vertices whose normals do not tell sides
+  bool has_doubts = false;
+  std::set<Quadruple> tolerated_cells;
+  std::map<int, int> times_sent_back, times_pushed;           // of vertices
+
+  Restricted_candidate_3(const State& from, const std::vector<Site>& target, Boundary_motion how, bool is_last)
+    : state(from)
+    , numbering(*from.numbering)
+    , motion(how)
+    , is_final(is_last)
+    , numbered(std::make_unique<Numbered_triangulation_3<Triangulation> >())
+    , sites(target)
+    , homes(from.sites)
+    , surface_positions(from.surface_positions)
+    , is_doubted(from.sites.size(), false)
+    , tolerated_cells(from.tolerated_cells)
+  {
+    for(int v = numbering.number_of_interior_vertices; v < numbering.number_of_movable_vertices; ++v)
+    {
+      is_home_on_surface.push_back(state.surface_position(v).is_on_surface);
+      surface_position(v).is_on_surface = state.surface_position(v).is_on_surface && is_home(v);
+    }
+    measure();
+  }
+
+  Restricted_candidate_3(const Restricted_candidate_3&) = delete;
+  Restricted_candidate_3& operator=(const Restricted_candidate_3&) = delete;
+
+  bool boundary_moves() const { return numbering.number_of_surface_vertices() > 0; }
+
+  // Whether vertices have to be on the surface and cells to be labelled as the domain says.
+  bool is_thorough() const { return is_final || motion == Boundary_motion::BY_DOMAIN; }
+
+  // To be called when vertices have moved.
+  void measure()
+  {
+    measured_boundary = boundary_moves() ? state.boundary.at(sites) : state.boundary;
+  }
+
+  void build()
+  {
+    std::vector<Weighted_point> points;
+    points.reserve(sites.size());
+    for(int v = 0; v < numbering.number_of_vertices(); ++v)
+      points.push_back(point(v));
+    numbered->build(points, sites);
+  }
+
+  // Moves the vertex in the triangulation to where its site is.
+  void move(int v) { numbered->move(v, point(v)); }
+
+  const Triangulation& triangulation() const { return numbered->triangulation(); }
+
+  Quadruple numbers(Cell_handle c) const
+  {
+    Quadruple q;
+    for(int i = 0; i < 4; ++i)
+      q[i] = numbered->number(c->vertex(i));
+    return q;
+  }
+
+  Surface_position& surface_position(int v) { return surface_positions[v - numbering.number_of_interior_vertices]; }
+
+  bool is_home(int v) const { return same_place(sites[v], homes[v]); }
+
+  template <class Vertices>
+  bool are_home(const Vertices& vertices) const
+  {
+    return std::all_of(vertices.begin(), vertices.end(), [this](int v) { return is_home(v); });
+  }
+
+  // Whether a boundary facet is where it was in the state.
+  bool is_unchanged(const Triple& t) const
+  {
+    return std::all_of(t.begin(), t.end(), [this](int v) { return same_place(sites[v], state.sites[v]); });
+  }
+
+  // Where the vertex is now, on the surface, is its home from now on.
+  void settle(int v)
+  {
+    homes[v] = sites[v];
+    is_home_on_surface[v - numbering.number_of_interior_vertices] = true;
+  }
+
+  // The candidate becomes a state.
+  template <class Domain>
+  State finish(const Domain& domain)
+  {
+    State next;
+    next.numbering = state.numbering;
+    next.sites = std::move(sites);
+    for(const auto& c : boundary_cells)
+      next.boundary_cells.emplace(sorted(numbers(c.first)), c.second);
+    Triangulation& tr = numbered->triangulation();
+    for(auto c = tr.all_cells_begin(); c != tr.all_cells_end(); ++c)
+      forget(Cell_handle(c));
+    next.own = std::move(numbered);
+    next.boundary = std::move(boundary);
+    next.facets = std::move(facets);
+    next.centers = std::move(centers);
+    next.tolerated_cells = std::move(tolerated_cells);
+    next.number_facets();
+    store_patches(next, domain);
+    next.surface_positions = std::move(surface_positions);
+    for(int v = numbering.number_of_interior_vertices; v < numbering.number_of_movable_vertices; ++v)
+    {
+      Surface_position& p = next.surface_positions[v - numbering.number_of_interior_vertices];
+      if(p.is_on_surface)
+        p.last_on_surface = next.sites[v];
+    }
+    return next;
+  }
+
+private:
+  typedef typename Triangulation::Weighted_point Weighted_point;
+  typedef typename Triangulation::Bare_point Bare_point;
+
+  static bool same_place(const Site& a, const Site& b) { return a.x == b.x && a.y == b.y && a.z == b.z; }
+
+  // Vertices that do not move keep the exact points of the input.
+  Weighted_point point(int v) const
+  {
+    if(!numbering.is_movable(v))
+      return state.triangulation().point(state.vertex(v));
+    const Site& s = sites[v];
+    return state.triangulation().geom_traits().construct_weighted_point_3_object()(Bare_point(s.x, s.y, s.z));
+  }
+
+  template <class Domain>
+  static void store_patches(const State& next, const Domain& domain)
+  {
+    for(std::size_t n = 0; n < next.facets.size(); ++n)
+    {
+      const int patch = next.boundary.complex().facets()[n].patch;
+      if(patch == Boundary_facet::no_patch)
+        continue;
+      for(const Facet& f : { next.facets[n], next.triangulation().mirror_facet(next.facets[n]) })
+        f.first->set_surface_patch_index(f.second, domain.patch(patch));
+    }
+  }
+};
+
+} // namespace internal
+} // namespace Global_odt_mesh_3
+} // namespace CGAL
+
+#endif // CGAL_GLOBAL_ODT_MESH_3_INTERNAL_RESTRICTED_RESTRICTED_CANDIDATE_3_H

@@ -1,0 +1,140 @@
+// Copyright (c) 2026 The Global_odt_mesh_3 authors.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_GLOBAL_ODT_MESH_3_INTERNAL_RESTRICTED_RESTRICTED_STATE_3_H
+#define CGAL_GLOBAL_ODT_MESH_3_INTERNAL_RESTRICTED_RESTRICTED_STATE_3_H
+
+#include <CGAL/Global_odt_mesh_3/internal/geometry/Facet_dual_3.h>
+#include <CGAL/Global_odt_mesh_3/internal/geometry/Site.h>
+#include <CGAL/Global_odt_mesh_3/internal/geometry/Vertex_tuples.h>
+#include <CGAL/Global_odt_mesh_3/internal/restricted/Numbered_triangulation_3.h>
+#include <CGAL/Global_odt_mesh_3/internal/restricted/Vertex_numbering_3.h>
+#include <CGAL/Global_odt_mesh_3/internal/surface/Boundary_complex_3.h>
+#include <CGAL/Global_odt_mesh_3/internal/surface/Boundary_geometry_3.h>
+
+#include <CGAL/assertions.h>
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <memory>
+#include <set>
+#include <unordered_map>
+#include <vector>
+
+namespace CGAL {
+namespace Global_odt_mesh_3 {
+namespace internal {
+
+// A valid complex: positions, the exact regular triangulation of them, its restriction to the
+// domain, and where the vertices on surfaces are. Once made, it does not change.
+template <class Triangulation_>
+struct Restricted_state_3
+{
+  typedef Triangulation_ Triangulation;
+  typedef typename Triangulation::Vertex_handle Vertex_handle;
+  typedef typename Triangulation::Cell_handle Cell_handle;
+  typedef typename Triangulation::Facet Facet;
+  typedef typename Triangulation::Bare_point Bare_point;
+  typedef typename Triangulation::Vertex::Index Index;
+  typedef Vertex_numbering_3<Triangulation> Vertex_numbering;
+  typedef std::array<double, 3> Vector;
+  typedef std::array<int, 3> Triple;
+  typedef std::array<int, 4> Quadruple;
+
+  static constexpr int no_subdomain = Vertex_numbering::no_subdomain;
+
+  // The point of the surface on the dual line of a boundary facet.
+  struct Surface_center
+  {
+    Vector point;
+    Bare_point stored;              // what the complex is told
+    Index index;
+    bool is_exact;                  // on the surface; or else estimated from the normals
+    bool is_faithful = false;       // the facet's centroid is known to be close enough to the surface
+  };
+
+  // Of a vertex that moves on a surface.
+  struct Surface_position
+  {
+    bool is_on_surface;
+    double drift;                   // how far tangential planes may have led off it, over an edge
+    Site last_on_surface;
+  };
+
+  std::shared_ptr<const Vertex_numbering> numbering;
+  const Triangulation* input = nullptr;                             // of the input
+  std::unique_ptr<Numbered_triangulation_3<Triangulation> > own;    // of any other state
+  std::vector<Site> sites;
+  std::vector<Surface_position> surface_positions;  // of the vertices that move on surfaces
+  Boundary_geometry_3 boundary;
+  std::vector<Facet> facets;                        // of the triangulation, on side 0
+  std::vector<Surface_center> centers;
+  std::unordered_map<Triple, int, Hash_vertex_tuple> facet_numbers;
+  std::unordered_map<Quadruple, int, Hash_vertex_tuple> boundary_cells;   // with all vertices on the boundary; labels
+  std::set<Quadruple> tolerated_cells;              // of the input, with dual points in other subdomains
+  bool has_unseparating_facets = false;
+
+  bool is_input() const { return own == nullptr; }
+  const Triangulation& triangulation() const { return is_input() ? *input : own->triangulation(); }
+  Vertex_handle vertex(int v) const { return is_input() ? numbering->input_vertices[v] : own->vertex(v); }
+  int number(Vertex_handle v) const
+  {
+    return is_input() ? numbering->input_number[v] : Numbered_triangulation_3<Triangulation>::number(v);
+  }
+
+  // Whether the vertices that may move are there.
+  bool has_positions(const std::vector<Site>& positions) const
+  {
+    return std::equal(sites.begin(), sites.begin() + numbering->number_of_movable_vertices, positions.begin(),
+                      [](const Site& a, const Site& b) { return a.x == b.x && a.y == b.y && a.z == b.z; });
+  }
+
+  // Of a vertex that moves on a surface.
+  const Surface_position& surface_position(int v) const
+  {
+    CGAL_assertion(numbering->is_movable(v) && !numbering->is_interior(v));
+    return surface_positions[v - numbering->number_of_interior_vertices];
+  }
+
+  // The label of a cell with all vertices on the boundary, or no_subdomain if there is none.
+  int label_of_boundary_cell(const Quadruple& cell) const
+  {
+    const auto it = boundary_cells.find(sorted(cell));
+    return it == boundary_cells.end() ? int(no_subdomain) : it->second;
+  }
+
+  // The number of the boundary facet with these vertices, or -1.
+  int facet_number(const Triple& facet) const
+  {
+    const auto it = facet_numbers.find(sorted(facet));
+    return it == facet_numbers.end() ? -1 : it->second;
+  }
+
+  // To be called when `boundary` is what it will be.
+  void number_facets()
+  {
+    const std::vector<Boundary_facet>& boundary_facets = boundary.complex().facets();
+    for(std::size_t n = 0; n < boundary_facets.size(); ++n)
+    {
+      const Boundary_facet& f = boundary_facets[n];
+      facet_numbers.emplace(sorted(f.vertices), static_cast<int>(n));
+      has_unseparating_facets = has_unseparating_facets || f.labels[0] == f.labels[1];
+    }
+  }
+
+  // The signed height of the surface over the plane of a boundary facet, where the
+  // dual line crosses both, positive toward side 1.
+  double height(const Triple& facet) const
+  {
+    return Facet_dual_3(facet, sites).height(centers[facet_numbers.at(sorted(facet))].point);
+  }
+};
+
+} // namespace internal
+} // namespace Global_odt_mesh_3
+} // namespace CGAL
+
+#endif // CGAL_GLOBAL_ODT_MESH_3_INTERNAL_RESTRICTED_RESTRICTED_STATE_3_H

@@ -1,0 +1,61 @@
+// Copyright (c) 2026 The Global_odt_mesh_3 authors.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_GLOBAL_ODT_MESH_3_INTERNAL_RESTRICTED_SURFACE_ROUGHNESS_3_H
+#define CGAL_GLOBAL_ODT_MESH_3_INTERNAL_RESTRICTED_SURFACE_ROUGHNESS_3_H
+
+#include <CGAL/Global_odt_mesh_3/internal/geometry/Site.h>
+#include <CGAL/Global_odt_mesh_3/internal/restricted/Restricted_state_3.h>
+
+#include <array>
+#include <cmath>
+
+namespace CGAL {
+namespace Global_odt_mesh_3 {
+namespace internal {
+
+// Whether a bit along the tangential plane of a vertex the surface is far off.
+template <class State, class Domain>
+bool is_off_surface_after_step(const State& state, Domain& domain, int v)
+{
+  constexpr double step_length = 0.2, most_tolerated = 0.05;      // over the shortest edge
+  const Umbrella_shape& shape = state.boundary.shape(v, 0);
+  const Site& s = state.sites[v];
+  const double step = step_length * shape.shortest_edge, tolerance = most_tolerated * shape.shortest_edge;
+  const std::array<double, 3>& n = shape.normal;
+  const double along = shape.toward[0] * n[0] + shape.toward[1] * n[1] + shape.toward[2] * n[2];
+  std::array<double, 3> t;
+  for(int i = 0; i < 3; ++i)
+    t[i] = shape.toward[i] - along * n[i];
+  const double length = std::sqrt(t[0] * t[0] + t[1] * t[1] + t[2] * t[2]);
+  const double f = length > 0 ? step / length : 0;
+  const std::array<double, 3> from = {{ s.x + f * t[0], s.y + f * t[1], s.z + f * t[2] }};
+  std::array<double, 3> p = from;
+  const int patch = state.boundary.complex().umbrella(v, 0).patch;
+  const bool found = domain.project(p, n, 4 * tolerance, patch);
+  const double dx = p[0] - from[0], dy = p[1] - from[1], dz = p[2] - from[2];
+  return !found || dx * dx + dy * dy + dz * dz > tolerance * tolerance;
+}
+
+// Whether the surface is rough compared with the mesh, as that of an image is: so it is at many
+// of some vertices.
+template <class State, class Domain>
+bool is_surface_rough(const State& state, Domain& domain)
+{
+  constexpr int probes = 200;
+  constexpr double most_off = 0.1;
+  const int first = state.numbering->number_of_interior_vertices, last = state.numbering->number_of_movable_vertices;
+  const int stride = 1 + (last - first) / probes;
+  int probed = 0, off = 0;
+  for(int v = first; v < last; v += stride, ++probed)
+    off += is_off_surface_after_step(state, domain, v);
+  return off > most_off * probed;
+}
+
+} // namespace internal
+} // namespace Global_odt_mesh_3
+} // namespace CGAL
+
+#endif // CGAL_GLOBAL_ODT_MESH_3_INTERNAL_RESTRICTED_SURFACE_ROUGHNESS_3_H

@@ -1,0 +1,48 @@
+// Copyright (c) 2026 The Global_odt_mesh_3 authors.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_GLOBAL_ODT_MESH_3_INTERNAL_RESTRICTED_VERTEX_NUMBERING_3_H
+#define CGAL_GLOBAL_ODT_MESH_3_INTERNAL_RESTRICTED_VERTEX_NUMBERING_3_H
+
+#include <CGAL/Time_stamper.h>
+#include <CGAL/Unique_hash_map.h>
+
+#include <cstddef>
+#include <vector>
+
+namespace CGAL {
+namespace Global_odt_mesh_3 {
+namespace internal {
+
+// The vertices of a complex, numbered along space filling curves: first those of the interior that
+// move, then those that move on surfaces, then the others. It is the same in all states of the complex.
+template <class Triangulation_>
+struct Vertex_numbering_3
+{
+  typedef Triangulation_ Triangulation;
+  typedef typename Triangulation::Vertex_handle Vertex_handle;
+
+  static constexpr int no_subdomain = -1;
+
+  std::vector<Vertex_handle> input_vertices;
+  CGAL::Unique_hash_map<Vertex_handle, int, CGAL::Hash_handles_with_or_without_timestamps> input_number;
+  // A vertex that no boundary facet touches belongs to one subdomain for good, and so
+  // do the cells around it.
+  std::vector<int> subdomain;               // its label, or no_subdomain on the boundary
+  int number_of_interior_vertices = 0;
+  int number_of_movable_vertices = 0;
+
+  int number_of_vertices() const { return static_cast<int>(input_vertices.size()); }
+  int number_of_surface_vertices() const { return number_of_movable_vertices - number_of_interior_vertices; }
+  bool is_movable(int v) const { return v < number_of_movable_vertices; }
+  bool is_interior(int v) const { return v < number_of_interior_vertices; }
+  bool is_on_boundary(int v) const { return subdomain[v] == no_subdomain; }
+};
+
+} // namespace internal
+} // namespace Global_odt_mesh_3
+} // namespace CGAL
+
+#endif // CGAL_GLOBAL_ODT_MESH_3_INTERNAL_RESTRICTED_VERTEX_NUMBERING_3_H

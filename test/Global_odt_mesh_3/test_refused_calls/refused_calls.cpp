@@ -1,0 +1,99 @@
+// Copyright (c) 2026 The Global_odt_mesh_3 authors.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+// Each of these calls has an argument that would be ignored, and must not compile. Its #line directive
+// gives the name under which check_refusals.cmake looks for the error. Those of old_... exist before CGAL 5.6 only,
+// those of new_... from there on.
+
+#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+#include <CGAL/Labeled_mesh_domain_3.h>
+#include <CGAL/Mesh_complex_3_in_triangulation_3.h>
+#include <CGAL/Mesh_criteria_3.h>
+#include <CGAL/Mesh_triangulation_3.h>
+#include <CGAL/make_mesh_3.h>
+#include <CGAL/odt_energy_3.h>
+#include <CGAL/odt_optimize_mesh_3.h>
+#include <CGAL/remesh_boundary_mesh_3.h>
+#include <CGAL/tags.h>
+#include <CGAL/version.h>
+
+#include <string>
+
+typedef CGAL::Exact_predicates_inexact_constructions_kernel Kernel;
+typedef CGAL::Labeled_mesh_domain_3<Kernel> Domain;
+typedef CGAL::Mesh_triangulation_3<Domain>::type Triangulation;
+typedef CGAL::Mesh_complex_3_in_triangulation_3<Triangulation> C3t3;
+namespace params = CGAL::parameters;
+
+struct Periodic_c3t3
+{
+  struct Triangulation { typedef CGAL::Tag_true Periodic_tag; };
+};
+typedef CGAL::Global_odt_mesh_3::internal::Optimization_parameters<Periodic_c3t3> Periodic_parameters;
+
+void no_parameters(C3t3& c3t3, const Domain& domain)
+{
+#if CGAL_VERSION_NR < 1050600000
+#line 1 "old_sixth_number"
+  CGAL::odt_optimize_mesh_3(c3t3, domain, 10, 5, 0.1, 0.1, false, 7);
+#else
+#line 1 "new_number"
+  CGAL::odt_optimize_mesh_3(c3t3, domain, 10);
+#line 1 "new_second_number"
+  CGAL::odt_optimize_mesh_3(c3t3, domain, params::time_limit = 10, 5.);
+#endif
+#line 1 "literal"
+  CGAL::odt_optimize_mesh_3(c3t3, domain, "time_limit");
+#line 1 "string"
+  CGAL::remesh_boundary_mesh_3(c3t3, domain, std::string("time_limit"));
+#line 1 "field_without_name"
+  CGAL::odt_energy_3(c3t3, [](const Kernel::Point_3&) { return 1.; });
+}
+
+void not_read(C3t3& c3t3, const Domain& domain)
+{
+#line 1 "sliver_criterion"
+  CGAL::odt_optimize_mesh_3(c3t3, domain, params::sliver_criterion = 1);
+#line 1 "verbose"
+  CGAL::odt_optimize_mesh_3(c3t3, domain, params::verbose(true));
+#line 1 "verbose_in_chain"
+  CGAL::odt_optimize_mesh_3(c3t3, domain, params::random_seed(1).verbose(true));
+#line 1 "verbose_in_front"
+  CGAL::odt_optimize_mesh_3(c3t3, domain, params::verbose(true).random_seed(1));
+#line 1 "remeshing_sliver_bound"
+  CGAL::remesh_boundary_mesh_3(c3t3, domain, params::sliver_bound = 10);
+#line 1 "remeshing_rounds"
+  CGAL::remesh_boundary_mesh_3(c3t3, domain, params::number_of_rounds = 4);
+#line 1 "energy_time_limit"
+  CGAL::odt_energy_3(c3t3, params::time_limit = 10);
+#line 1 "energy_random_seed"
+  CGAL::odt_energy_3(c3t3, params::random_seed(1));
+#line 1 "periodic_sliver_bound"
+  CGAL::Global_odt_mesh_3::internal::named_arguments<Periodic_parameters>(params::sliver_bound = 10);
+}
+
+void given_twice(C3t3& c3t3, const Domain& domain)
+{
+#line 1 "twice"
+  CGAL::odt_optimize_mesh_3(c3t3, domain, params::time_limit = 10, params::time_limit = 20);
+#line 1 "twice_in_chain"
+  CGAL::odt_optimize_mesh_3(c3t3, domain, params::random_seed(1).random_seed(2));
+#if CGAL_VERSION_NR < 1050600000
+#line 1 "old_twice_by_position"
+  CGAL::odt_optimize_mesh_3(c3t3, domain, 10, params::time_limit = 20);
+#endif
+}
+
+void in_odt_of_the_mesher()
+{
+#line 1 "odt_rounds"
+  params::odt(params::number_of_rounds = 40);
+#line 1 "odt_time_limit_and_boundary"
+  params::odt(params::time_limit = 10, params::optimize_boundary = false);
+#if CGAL_VERSION_NR >= 1050600000
+#line 1 "new_odt_schedule_in_chain"
+  params::odt(params::annealing_schedule(CGAL::Momentum_annealing_schedule()).time_limit(10));
+#endif
+}
