@@ -526,18 +526,28 @@ static void removal_in_vain(const Moving_triangulation_3& cube)
     check::that(slivers(fixed, 20, static_cast<int>(fixed.sites.size())) > 0, "there were no slivers");
   }
   {
-    // No triangulation has angles of 80 degrees throughout.
-    const double bound = 80;
     Moving_triangulation_3 mesh = cube;
-    Sliver_removal_parameters parameters;
-    parameters.most_passes = 2;
-    parameters.most_joint_tries = 10;
-    Sliver_removal_3 removal(mesh, bound, 4, nullptr, parameters);
+    Sliver_removal_3 removal(mesh, 20, 4);
+    removal.run();
+    check::that(removal.number_of_tries() < 20 * static_cast<std::size_t>(cube.topology.number_of_cells()),
+                "tries with a bound within reach are as many as with one that is not");
+  }
+  // No triangulation has such angles throughout; the tries are in proportion to the cells all the same.
+  for(double bound : { 50., 60., 70., 80. })
+  {
+    Moving_triangulation_3 mesh = cube;
+    const Sliver_removal_parameters parameters;
+    Sliver_removal_3 removal(mesh, bound, 4);
     removal.run();
     const double before = sum_of_deficits(cube, bound), after = sum_of_deficits(mesh, bound);
-    std::cout << "out of reach: sum of deficits " << before << " -> " << after << " by " << removal.number_of_moves()
-              << " moves" << std::endl;
+    std::cout << "bound " << bound << ", out of reach: sum of deficits " << before << " -> " << after << " by "
+              << removal.number_of_moves() << " moves of " << removal.number_of_tries() << " tries" << std::endl;
     check::that(after < before, "the deficits do not fall");
+    // The last cell, or joint displacement of a cell, is not broken off.
+    const std::size_t for_a_cell = 8 * (parameters.tries_per_vertex + 1);
+    check::that(removal.number_of_tries() <= parameters.more_tries + for_a_cell
+                + parameters.tries_per_cell * static_cast<std::size_t>(cube.topology.number_of_cells()),
+                "bound ", bound, ": ", removal.number_of_tries(), " tries");
     check::that(mesh.topology.is_valid() && mesh.is_regular() && difference_to_exact(mesh) <= 4,
                 "the triangulation after many moves is not CGAL's");
   }

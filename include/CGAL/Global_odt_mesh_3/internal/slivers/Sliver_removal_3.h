@@ -16,6 +16,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <limits>
 #include <numeric>
 #include <utility>
 #include <vector>
@@ -33,6 +34,9 @@ struct Sliver_removal_parameters
   int most_passes = 12;
   double joint_farthest = 0.2;                // the longest of a vertex, over the same
   int joint_tries_per_sliver = 4, most_joint_tries = 100, passes_after_joint_try = 5;
+  // Tries of single vertices, which are what takes time, are at most so many: bounds within reach take less than ten a
+  // cell, but with bounds beyond reach nearly every cell lacks something, and can be improved a little again and again.
+  std::size_t tries_per_cell = 32, more_tries = 10000;
 };
 
 // Where the vertices of slivers may go.
@@ -73,15 +77,20 @@ public:
   std::size_t number_of_moves() const { return number_of_moves_; }
   std::size_t number_of_surface_moves() const { return number_of_surface_moves_; }
 
-  // Until there are no such cells, nothing improves them any more, or `may_go_on()`, asked before
-  // each of them, says no.
+  // Of single vertices, whatever became of them.
+  std::size_t number_of_tries() const { return number_of_tries_; }
+
+  // Until there are no such cells, nothing improves them any more, the tries are used up, or `may_go_on()`,
+  // asked before each of them, says no.
   template <class Predicate>
   void run(const Predicate& may_go_on)
   {
     int joint_tries = parameters_.most_joint_tries;
+    most_tries_ = number_of_tries_ + parameters_.more_tries
+                  + parameters_.tries_per_cell * static_cast<std::size_t>(mesh_.topology.number_of_cells());
     do
       for(int n = 0; n < parameters_.most_passes && improve(all_slivers(), may_go_on); ++n) {}
-    while(displace_jointly(joint_tries, may_go_on));
+    while(displace_slivers(joint_tries, may_go_on));
   }
 
   void run() { run([] { return true; }); }
@@ -116,7 +125,7 @@ private:
     bool improved = false;
     for(int c : slivers)
     {
-      if(!may_go_on())
+      if(!has_tries() || !may_go_on())
         return false;
       if(trial_.deficit(c) > 0 && improve(c))
         improved = true;
@@ -126,21 +135,22 @@ private:
 
   // Whether something has been improved, within a number of tries.
   template <class Predicate>
-  bool displace_jointly(int& joint_tries, const Predicate& may_go_on)
+  bool displace_slivers(int& joint_tries, const Predicate& may_go_on)
   {
     bool improved = false;
     for(int c : all_slivers())
       for(int n = 0; n < parameters_.joint_tries_per_sliver && trial_.deficit(c) > parameters_.margin * parameters_.margin; ++n)
       {
-        if(--joint_tries < 0 || !may_go_on())
+        if(!has_tries() || --joint_tries < 0 || !may_go_on())
           return false;
-        if(displace_jointly(c))
+        if(displace_vertices(c, may_go_on))
           improved = true;
       }
     return improved;
   }
 
-  bool displace_jointly(int cell)
+  template <class Predicate>
+  bool displace_vertices(int cell, const Predicate& may_go_on)
   {
     const std::size_t moves = number_of_moves_, surface_moves = number_of_surface_moves_;
     change_ = 0;
@@ -150,13 +160,13 @@ private:
       Site s = displaced(v, parameters_.joint_farthest);
       if(!approach(v, s) || (is_on_surface(v) && !motion_->settle(v, s)))
         continue;
-      const double change = trial_.move(v, s);
+      const double change = move(v, s);
       if(std::isfinite(change))
         accept(v, change);
       else
         trial_.reject();
     }
-    for(int n = 0; n < parameters_.passes_after_joint_try && improve(sort(trial_.cells_since_mark()), [] { return true; }); ++n) {}
+    for(int n = 0; n < parameters_.passes_after_joint_try && improve(sort(trial_.cells_since_mark()), may_go_on); ++n) {}
     if(change_ < -least_improvement)
     {
       trial_.accept_since_mark();
@@ -208,7 +218,7 @@ private:
       ++failures.number;
       return false;
     }
-    accept(best_vertex_, trial_.move(best_vertex_, best_site_));
+    accept(best_vertex_, move(best_vertex_, best_site_));
     return true;
   }
 
@@ -220,13 +230,13 @@ private:
       Site s = displaced(v, n % 2 == 0 ? parameters_.farthest : parameters_.nearest);
       if(!approach(v, s))
         return false;
-      double change = trial_.move(v, s, best_change_);
+      double change = move(v, s, best_change_);
       if(is_on_surface(v) && change < best_change_)
       {
         trial_.reject();
         if(!motion_->settle(v, s))
           return false;
-        change = trial_.move(v, s, best_change_);
+        change = move(v, s, best_change_);
       }
       if(change < -least_improvement && trial_.deficit_after() == 0)
       {
@@ -252,6 +262,14 @@ private:
     number_of_surface_moves_ += is_on_surface(v);
   }
 
+  bool has_tries() const { return number_of_tries_ < most_tries_; }
+
+  double move(int v, const Site& s, double most = (std::numeric_limits<double>::infinity)())
+  {
+    ++number_of_tries_;
+    return trial_.move(v, s, most);
+  }
+
   bool is_on_surface(int v) const { return v >= mesh_.number_of_interior_vertices; }
 
   // How often a cell has been tried in vain.
@@ -275,6 +293,7 @@ private:
   int best_vertex_ = -1;
   Site best_site_ = { 0, 0, 0, 0 };
   std::size_t number_of_moves_ = 0, number_of_surface_moves_ = 0;
+  std::size_t number_of_tries_ = 0, most_tries_ = 0;
 };
 
 } // namespace internal
