@@ -27,7 +27,7 @@ public:
     : candidate_(candidate)
   {}
 
-  // Whether nothing is wrong, not even something that no vertex can mend by going back.
+  // Whether nothing is wrong, not even something that no vertex can undo by going back.
   bool is_clean() const { return offending_vertices_.empty() && pushes_.empty() && !is_beyond_repair_; }
   bool is_beyond_repair() const { return is_beyond_repair_; }
 
