@@ -53,13 +53,13 @@ static void random_numbers()
   const int draws = 100000;
   Eigen::Vector3d mean = Eigen::Vector3d::Zero();
   Eigen::Matrix3d covariance = Eigen::Matrix3d::Zero();
-  double worst_length = 0;
+  check::Largest worst_length;
   for(int n = 0; n < draws; ++n)
   {
     const Eigen::Vector3d d = random.direction();
     mean += d / draws;
     covariance += d * d.transpose() / draws;
-    worst_length = (std::max)(worst_length, std::abs(d.norm() - 1));
+    worst_length.add(std::abs(d.norm() - 1));
   }
   check::that(worst_length < 1e-14, "directions are off the sphere by ", worst_length);
   check::that(mean.cwiseAbs().maxCoeff() < 0.01, "directions have a mean");
@@ -84,18 +84,19 @@ static void perturbation()
   noise.measure_edges(f);
   const int draws = 200;
   const double amplitude = 0.2;
-  double mean = 0, longest = 0, out_of_plane = 0, of_frozen = 0;
+  double mean = 0;
+  check::Largest longest, out_of_plane, of_frozen;
   for(int n = 0; n < draws; ++n)
   {
     for(int v = 0; v < mesh.number_of_movable_vertices; ++v)
     {
       const Eigen::Vector3d moved = noise.displacement(f, v, amplitude, amplitude);
       const double length = moved.norm() / noise.mean_edge_length(v);
-      longest = (std::max)(longest, length);
+      longest.add(length);
       if(v >= mesh.number_of_interior_vertices)
-        out_of_plane = (std::max)(out_of_plane, std::abs(moved.dot(Eigen::Vector3d(0.6, 0, 0.8))));
+        out_of_plane.add(std::abs(moved.dot(Eigen::Vector3d(0.6, 0, 0.8))));
       else if(f.is_frozen(v))
-        of_frozen = (std::max)(of_frozen, length);
+        of_frozen.add(length);
       else
         mean += length / draws / (mesh.number_of_interior_vertices - 1);
     }
