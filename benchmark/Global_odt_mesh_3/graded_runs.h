@@ -79,7 +79,6 @@ public:
       ++iterations_;
       after();
     }
-    objective_->start();
   }
 
   template <class Iterate>

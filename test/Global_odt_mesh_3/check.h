@@ -6,6 +6,7 @@
 #ifndef GLOBAL_ODT_MESH_3_TEST_CHECK_H
 #define GLOBAL_ODT_MESH_3_TEST_CHECK_H
 
+#include <cmath>
 #include <cstdlib>
 #include <iostream>
 
@@ -27,6 +28,23 @@ void that(bool ok, const What&... what)
   std::cerr << "FAILED: ";
   (std::cerr << ... << what) << std::endl;
 }
+
+// The largest of the numbers that are added, as std::max would have it, but not a number as soon as one of
+// them is none: no bound holds for it then.
+class Largest
+{
+public:
+  void add(double x)
+  {
+    if(!(x <= value_) && !std::isnan(value_))
+      value_ = x;
+  }
+
+  operator double() const { return value_; }
+
+private:
+  double value_ = 0;
+};
 
 inline int result()
 {

@@ -128,11 +128,11 @@ inline Sites random_cell(std::mt19937& random)
 // The largest difference of two moments.
 inline double difference(const Density_moments_3& a, const Density_moments_3& b)
 {
-  double d = 0;
+  check::Largest d;
   for(int i = 0; i < 4; ++i)
-    d = (std::max)(d, std::abs(a.first[i] - b.first[i]));
+    d.add(std::abs(a.first[i] - b.first[i]));
   for(int e = 0; e < 6; ++e)
-    d = (std::max)(d, std::abs(a.mixed[e] - b.mixed[e]));
+    d.add(std::abs(a.mixed[e] - b.mixed[e]));
   return d;
 }
 
@@ -143,10 +143,12 @@ inline Vector vector(const Site_gradient& g) { return Vector(g.x, g.y, g.z); }
 // The largest difference of two gradients, and of D.
 inline double difference(const Cell_energy& a, const Cell_energy& b)
 {
-  double d = 0;
+  check::Largest d;
   for(int i = 0; i < 4; ++i)
-    d = (std::max)({ d, (vector(a.gradient[i]) - vector(b.gradient[i])).norm(),
-                     std::abs(a.gradient[i].diagonal - b.gradient[i].diagonal) });
+  {
+    d.add((vector(a.gradient[i]) - vector(b.gradient[i])).norm());
+    d.add(std::abs(a.gradient[i].diagonal - b.gradient[i].diagonal));
+  }
   return d;
 }
 

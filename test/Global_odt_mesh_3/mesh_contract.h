@@ -231,7 +231,7 @@ private:
     bool counters_right = false;
     long euler = 0;
     double box_volume = 0;
-    double farthest_centroid = 0;                 // of a facet from the surface, of polyhedral domains
+    check::Largest farthest_centroid;                 // of a facet from the surface, of polyhedral domains
     std::map<Point, std::tuple<int, bool, Index> > fixed, sliding;    // of dimensions -1, 0, 1, and 2
     std::map<std::string, std::array<long, 3> > patches;              // facets, Euler characteristic, components
     std::set<Segment> junctions;                  // edges without just two facets of one patch
@@ -375,7 +375,7 @@ private:
           around[edges[k]].push_back(name);
         }
         patch.facets.push_back(edges);
-        farthest_centroid = (std::max)(farthest_centroid, distance(domain, t));
+        farthest_centroid.add(distance(domain, t));
       }
       for(const auto& e : around)
         if(e.second.size() != 2 || e.second[0] != e.second[1])
@@ -461,9 +461,10 @@ private:
           power[k] = CGAL::square(t[k][0] - CGAL::to_double(center.x())) + CGAL::square(t[k][1] - CGAL::to_double(center.y()))
                    + CGAL::square(t[k][2] - CGAL::to_double(center.z())) - t[k][3];
         }
-        if((std::max)({ power[0], power[1], power[2] }) - (std::min)({ power[0], power[1], power[2] })
-           > 1e-4 * std::abs(power[0]))
-          ++centers_off;
+        check::Largest spread;
+        for(int k = 0; k < 3; ++k)
+          spread.add(std::abs(power[k] - power[(k + 1) % 3]));
+        centers_off += !(spread <= 1e-4 * std::abs(power[0]));
         std::sort(t.begin(), t.end());
         facets.emplace(t, std::make_pair(patch_to_string(c3t3.surface_patch_index(*f)),
                                          std::array<double, 3>{{ CGAL::to_double(center.x()), CGAL::to_double(center.y()),

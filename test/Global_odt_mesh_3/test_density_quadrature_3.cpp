@@ -256,13 +256,13 @@ static void points_of_rules()
     near(weights, 1, 1e-15, size, " points, sum of weights");
     for(int n = 0; n <= degree + 1; ++n)
     {
-      double error = 0;
+      check::Largest error;
       for(const Exponents& a : exponents(n))
       {
         double sum = 0;
         for(const auto& p : rule)
           sum += p.weight * power(p.coordinates, a);
-        error = (std::max)(error, std::abs(sum - CGAL::to_double(Polynomial{ { { a, Rational(1) } } }.mean())));
+        error.add(std::abs(sum - CGAL::to_double(Polynomial{ { { a, Rational(1) } } }.mean())));
       }
       check::that(n <= degree ? error < 1e-16 * 4 : error > 1e-5, size, " points, error ", error, " at degree ", n);
     }
@@ -279,12 +279,12 @@ static void degrees_of_moments()
   for(Rule r : all_rules)
     for(int n = 0; n <= degrees[r] + 1; ++n)
     {
-      double error = 0;
+      check::Largest error;
       for(const Exponents& a : exponents(n))
       {
         const auto rule = make_rule(r, [&a](const Vector& x)
                                     { return power({{ 1 - x.sum(), x.x(), x.y(), x.z() }}, a); }, 1e-10, 1);
-        error = (std::max)(error, difference(moments(*rule, corner), exact_moments({ { { a, Rational(1) } } })));
+        error.add(difference(moments(*rule, corner), exact_moments({ { { a, Rational(1) } } })));
       }
       check::that(n <= degrees[r] ? error < 1e-15 : error > 1e-7, names[r], ", error of moments ", error,
                   " at degree ", n);
@@ -311,9 +311,9 @@ static void orders()
         for(Site& p : s)
           p = site(Vector(0.4, 0.3, 0.3) + h * (vector(p) - Vector(0.4, 0.3, 0.3)));
         const Density_moments_3 m = moments(*rule, s), exact = moments(*reference, s);
-        double first = 0;
+        check::Largest first;
         for(int i = 0; i < 4; ++i)
-          first = (std::max)(first, std::abs(m.first[i] / exact.first[i] - 1));
+          first.add(std::abs(m.first[i] / exact.first[i] - 1));
         errors.push_back({{ first, std::abs(energy(s, m).energy / energy(s, exact).energy - 1) }});
       }
       const auto order = [&errors](int what) { return std::log2(errors[1][what] / errors[2][what]); };
@@ -367,7 +367,7 @@ static Density_moments_3 moments_of_exp(const Vector& a, const Sites& s)
 // The error is below the tolerance, on densities that vary by some powers of ten, and not for the price of a better one.
 static void cubature_of_exp(std::mt19937& random)
 {
-  std::vector<double> worst(3, 0);
+  std::array<check::Largest, 3> worst;
   std::vector<std::size_t> questions(3, 0);
   const std::array<double, 3> tolerances = {{ 1e-4, 1e-7, 1e-10 }};
   for(int n = 0; n < 60; ++n)
@@ -381,7 +381,7 @@ static void cubature_of_exp(std::mt19937& random)
                                   { ++questions[t]; return std::exp(a.dot(x)); }, tolerances[t]);
       const double error = difference(moments(*rule, s), exact) / mean_density(exact);
       check::that(error <= tolerances[t], "cubature of exp, error ", error, " for a tolerance of ", tolerances[t]);
-      worst[t] = (std::max)(worst[t], error);
+      worst[t].add(error);
     }
   }
   std::cout << "cubature of exp: largest errors " << worst[0] << ", " << worst[1] << ", " << worst[2] << ", "
@@ -510,10 +510,10 @@ static void invariance(std::mt19937& random)
           const Vector turned = std::pow(m.scale, 4) * m.turn * vector(g);
           g = { turned.x(), turned.y(), turned.z(), std::pow(m.scale, 3) * g.diagonal };
         }
-        double error = 0;
+        check::Largest error;
         for(int i = 0; i < 4; ++i)
         {
-          error = (std::max)(error, (vector(f.gradient[i]) - vector(e.gradient[i])).norm() / std::pow(m.scale, 4));
+          error.add((vector(f.gradient[i]) - vector(e.gradient[i])).norm() / std::pow(m.scale, 4));
           near(f.gradient[i].diagonal, e.gradient[i].diagonal, tolerance * scale * std::pow(m.scale, 3), m.name,
                ", D, ", name);
         }

@@ -3,16 +3,17 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// The global searches: noise is distributed as it should be, rounds are accepted with the
-// probability of Metropolis, and both searches end below the minimum of L-BFGS.
+// The global searches: noise is distributed as it should be, rounds begin from minima, are accepted with the
+// probability of Metropolis or leave no trace, and both searches end below the minimum of L-BFGS.
 
 #include "check.h"
 #include "random_cube_triangulation.h"
+#include "search_globally.h"
 
 #include <CGAL/Global_odt_mesh_3/internal/geometry/Random_source.h>
+#include <CGAL/Global_odt_mesh_3/internal/optimization/Global_search.h>
 #include <CGAL/Global_odt_mesh_3/internal/optimization/Limited_memory_bfgs.h>
 #include <CGAL/Global_odt_mesh_3/internal/optimization/Metropolis_annealing.h>
-#include <CGAL/Global_odt_mesh_3/internal/optimization/Momentum_annealing.h>
 #include <CGAL/Global_odt_mesh_3/internal/optimization/Odt_objective_3.h>
 
 #include <algorithm>
@@ -35,7 +36,6 @@ static void minimize(Odt_objective_3& f, int iterations)
   Limited_memory_bfgs minimizer;
   while(iterations-- > 0 && minimizer.iterate(f) == Limited_memory_bfgs::STEP_TAKEN)
     ;
-  f.start();
 }
 
 // The standard gives the 10,000th number of the engine. Directions have no mean and the same
@@ -53,13 +53,13 @@ static void random_numbers()
   const int draws = 100000;
   Eigen::Vector3d mean = Eigen::Vector3d::Zero();
   Eigen::Matrix3d covariance = Eigen::Matrix3d::Zero();
-  double worst_length = 0;
+  check::Largest worst_length;
   for(int n = 0; n < draws; ++n)
   {
     const Eigen::Vector3d d = random.direction();
     mean += d / draws;
     covariance += d * d.transpose() / draws;
-    worst_length = (std::max)(worst_length, std::abs(d.norm() - 1));
+    worst_length.add(std::abs(d.norm() - 1));
   }
   check::that(worst_length < 1e-14, "directions are off the sphere by ", worst_length);
   check::that(mean.cwiseAbs().maxCoeff() < 0.01, "directions have a mean");
@@ -84,18 +84,19 @@ static void perturbation()
   noise.measure_edges(f);
   const int draws = 200;
   const double amplitude = 0.2;
-  double mean = 0, longest = 0, out_of_plane = 0, of_frozen = 0;
+  double mean = 0;
+  check::Largest longest, out_of_plane, of_frozen;
   for(int n = 0; n < draws; ++n)
   {
     for(int v = 0; v < mesh.number_of_movable_vertices; ++v)
     {
       const Eigen::Vector3d moved = noise.displacement(f, v, amplitude, amplitude);
       const double length = moved.norm() / noise.mean_edge_length(v);
-      longest = (std::max)(longest, length);
+      longest.add(length);
       if(v >= mesh.number_of_interior_vertices)
-        out_of_plane = (std::max)(out_of_plane, std::abs(moved.dot(Eigen::Vector3d(0.6, 0, 0.8))));
+        out_of_plane.add(std::abs(moved.dot(Eigen::Vector3d(0.6, 0, 0.8))));
       else if(f.is_frozen(v))
-        of_frozen = (std::max)(of_frozen, length);
+        of_frozen.add(length);
       else
         mean += length / draws / (mesh.number_of_interior_vertices - 1);
     }
@@ -149,65 +150,84 @@ static void acceptance()
     check::that(small.accepts(1 + 1e-4, 1) == large.accepts(1024 * (1 + 1e-4), 1024), "the scale matters");
 }
 
-// A round that is rejected leaves no trace but the temperature.
+// A round that is rejected leaves no trace: energy, point and gradient are bit by bit those of the minimum before.
 static void rejection()
 {
   Moving_triangulation_3 mesh = small_cube();
   Odt_objective_3 f(mesh);
-  minimize(f, 300);
-  const double energy = f.value();
-  const Eigen::VectorXd point = f.point();
   CGAL::Metropolis_annealing_schedule schedule;
   schedule.iterations_in_round = 1;
   schedule.final_iterations = 0;
-  Metropolis_annealing annealing(6, schedule);
-  annealing.run(mesh, f, 1);
-  check::that(annealing.temperature() == 0.9 * schedule.temperature, "a bad round is accepted");
-  check::that(f.point() == point, "a rejected round moves vertices");
-  check::that(std::abs(f.value() - energy) <= 1e-12 * energy, "a rejected round changes the energy");
+  Global_search search(schedule, 6, Limited_memory_bfgs_parameters());
+  int iterations = 0;
+  const auto make_round = [&]
+  {
+    search.make_round(f, schedule.iterations_in_round, [](int) { return 0.5; }, [] { return true; }, [&] { ++iterations; });
+  };
+  make_round();
+  const double energy = f.value();
+  const Eigen::VectorXd point = f.point(), gradient = f.gradient();
+  for(int n = 1; n <= 5; ++n)
+  {
+    iterations = 0;
+    make_round();
+    check::that(iterations == schedule.iterations_in_round, "round ", n, " has ", iterations, " iterations");
+    check::that(f.value() == energy && f.point() == point && f.gradient() == gradient, "a rejected round leaves a trace");
+    check::that(mesh.energy() == energy && mesh.is_regular(), "a rejected round leaves a trace in the mesh");
+  }
 }
 
-static double searched_as_printed(Moving_triangulation_3 mesh, unsigned int seed)
+// Algorithm 2 begins from a minimum: before the first round, and only then, random vertices go there.
+static void first_round()
 {
-  Odt_objective_3 f(mesh);
-  minimize(f, 300);
-  const double local = f.value();
-  Metropolis_annealing(seed).run(mesh, f);
-  std::cout << "Algorithm 2, seed " << seed << ": E falls by " << 100 * (1 - f.value() / local) << " %" << std::endl;
-  check::that(f.value() <= local, "Algorithm 2 ends above L-BFGS");
-  check::that(mesh.topology.is_valid() && difference_to_exact(mesh) <= 4, "Algorithm 2's triangulation is not CGAL's");
-  check::that(mesh.is_regular(), "Algorithm 2's triangulation is not regular");
-  return mesh.energy();
+  Moving_triangulation_3 mesh = small_cube(), copy = mesh;
+  Odt_objective_3 local(copy), f(mesh);
+  minimize(local, 300);
+  CGAL::Metropolis_annealing_schedule schedule;
+  schedule.iterations_in_round = 1;
+  Global_search search(schedule, 6, Limited_memory_bfgs_parameters());
+  int iterations = 0;
+  search.make_round(f, 1, [](int) { return 0.5; }, [] { return true; }, [&] { ++iterations; });
+  std::cout << "before the first round: " << iterations - 1 << " iterations, E " << f.value() << ", minimum "
+            << local.value() << std::endl;
+  check::that(iterations > 10, "only ", iterations, " iterations lead from random points to a minimum");
+  check::that(Metropolis_annealing(6).is_near_minimum(f) && std::abs(f.value() / local.value() - 1) < 5e-3,
+              "the first round does not begin from a minimum");
+
+  // Time that has run out, or a user who says so, ends that, too.
+  Moving_triangulation_3 other = small_cube();
+  Odt_objective_3 g(other);
+  Global_search(schedule, 6, Limited_memory_bfgs_parameters())
+    .make_round(g, 1, [](int) { return 0.5; }, [] { return false; }, [] { check::that(false, "an iteration that may not be"); });
+  check::that(other.is_regular(), "a round without iterations leaves no regular triangulation");
 }
 
-static double searched_with_momentum(Moving_triangulation_3 mesh, unsigned int seed)
+static double searched(const char* name, const Annealing_schedule& schedule,
+                       double highest, Moving_triangulation_3 mesh, unsigned int seed)
 {
   Moving_triangulation_3 copy = mesh;
   Odt_objective_3 local(copy);
   minimize(local, 300);
   Odt_objective_3 f(mesh);
-  Momentum_annealing annealing(seed);
-  annealing.start(f);
-  for(int n = 0; n < 200; ++n)
-    annealing.iterate(f, n / 200.);
-  minimize(f, 30);
-  std::cout << "Momentum annealing, seed " << seed << ": E is lower by " << 100 * (1 - f.value() / local.value())
-            << " %" << std::endl;
-  check::that(f.value() < 0.99 * local.value(), "momentum annealing does not end far below L-BFGS");
-  check::that(mesh.topology.is_valid() && difference_to_exact(mesh) <= 4, "the annealed triangulation is not CGAL's");
-  check::that(mesh.is_regular(), "the annealed triangulation is not regular");
+  search_globally(mesh, f, schedule, seed);
+  std::cout << name << ", seed " << seed << ": E is lower by " << 100 * (1 - f.value() / local.value()) << " %" << std::endl;
+  check::that(f.value() < highest * local.value(), name, " does not end far below L-BFGS");
+  check::that(mesh.topology.is_valid() && difference_to_exact(mesh) <= 4, name, ": the triangulation is not CGAL's");
+  check::that(mesh.is_regular(), name, ": the triangulation is not regular");
   return mesh.energy();
 }
 
 static void searches()
 {
   const Moving_triangulation_3 cube = small_cube();
-  for(double (*search)(Moving_triangulation_3, unsigned int) : { searched_as_printed, searched_with_momentum })
+  const auto compare = [&cube](const char* name, const Annealing_schedule& schedule, double highest)
   {
-    const double energy = search(cube, 1);
-    check::that(search(cube, 1) == energy, "the same seed leads elsewhere");
-    check::that(search(cube, 2) != energy, "another seed leads to the same end");
-  }
+    const double energy = searched(name, schedule, highest, cube, 1);
+    check::that(searched(name, schedule, highest, cube, 1) == energy, name, ": the same seed leads elsewhere");
+    check::that(searched(name, schedule, highest, cube, 2) != energy, name, ": another seed leads to the same end");
+  };
+  compare("Algorithm 2", CGAL::Metropolis_annealing_schedule(), 0.995);
+  compare("Momentum annealing", CGAL::Momentum_annealing_schedule(), 0.99);
 }
 
 int main()
@@ -216,6 +236,7 @@ int main()
   perturbation();
   acceptance();
   rejection();
+  first_round();
   searches();
   return check::result();
 }

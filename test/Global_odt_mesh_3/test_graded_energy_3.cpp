@@ -330,9 +330,9 @@ static void random_walk(Rule r, std::mt19937& random)
       // Whether flips got stuck is not the matter here.
       mesh.is_regular();
       near(mesh.energy(), energy, 1e-11 * energy, names[r], ", energy after flips");
-      double error = 0;
+      check::Largest error;
       for(std::size_t v = 0; v < gradient.size(); ++v)
-        error = (std::max)(error, (vector(mesh.gradient()[v]) - vector(gradient[v])).norm() / mesh.gradient()[v].diagonal);
+        error.add((vector(mesh.gradient()[v]) - vector(gradient[v])).norm() / mesh.gradient()[v].diagonal);
       check::that(error < 1e-10, names[r], ", error of the gradient after flips: ", error);
     }
     mesh.quadrature = &cache;
@@ -360,7 +360,8 @@ static double minimize(Moving_triangulation_3& mesh, Rule r, const Field& f, dou
     parameters.energy_tolerance = 1e-3;
   Limited_memory_bfgs minimizer(parameters);
   const double first_gradient = objective.gradient().norm(), first = true_energy(mesh.sites, cells(mesh.topology), f, 1e-7);
-  double energy = first, rise = 0;
+  double energy = first;
+  check::Largest rise;
   int n = 0;
   while(objective.gradient().norm() > tolerance * first_gradient && n < 500
         && minimizer.iterate(objective) == Limited_memory_bfgs::STEP_TAKEN)
@@ -368,7 +369,7 @@ static double minimize(Moving_triangulation_3& mesh, Rule r, const Field& f, dou
     ++n;
     const double before = energy;
     energy = true_energy(mesh.sites, cells(mesh.topology), f, 1e-7);
-    rise = (std::max)(rise, energy / before - 1);
+    rise.add(energy / before - 1);
   }
   std::cout << "L-BFGS, " << names[r] << ": " << n << " iterations, true energy " << first << " -> " << energy
             << ", largest rise " << rise << ", gradient " << objective.gradient().norm() / first_gradient << std::endl;

@@ -15,6 +15,7 @@
 
 #include <functional>
 #include <iostream>
+#include <limits>
 #include <sstream>
 #include <string>
 
@@ -141,8 +142,24 @@ static void test(const C3t3& input, const Domain& domain)
   }, true);
 }
 
+// No bound holds for an error that is not a number, whatever comes before or after it.
+static void largest_of_what_is_no_number()
+{
+  check::Largest numbers, first, last;
+  for(double x : { 1., 3., 2. })
+    numbers.add(x);
+  check::that(numbers == 3, "the largest of 1, 3, 2 is ", numbers);
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  for(double x : { nan, 1. })
+    first.add(x);
+  for(double x : { 1., nan })
+    last.add(x);
+  check::that(!(first < 1e300) && !(last < 1e300), "what is not a number has got lost");
+}
+
 int main()
 {
+  largest_of_what_is_no_number();
   using namespace domains;
   const Labeled_domain ball = sphere();
   const Labeled_c3t3 input = mesh(ball, 0.3);

@@ -173,11 +173,11 @@ static void progress(const Labeled_c3t3& input, const Labeled_domain& domain)
     std::vector<double> fractions;
     Labeled_c3t3 c3t3(input);
     call(c3t3, [&](double f) { fractions.push_back(f); return true; });
-    double largest_leap = 0;
+    check::Largest largest_leap;
     for(std::size_t n = 0; n < fractions.size(); ++n)
     {
       const double before = n == 0 ? 0. : fractions[n - 1];
-      largest_leap = (std::max)(largest_leap, fractions[n] - before);
+      largest_leap.add(fractions[n] - before);
       check::that(fractions[n] >= before && fractions[n] <= 1, what, ": the fraction done goes from ", before, " to ", fractions[n]);
     }
     const double last = fractions.empty() ? 0. : fractions.back();

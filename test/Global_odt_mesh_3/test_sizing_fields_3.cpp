@@ -113,15 +113,15 @@ static void convergence(std::mt19937& random)
   std::vector<Point_3> points;
   for(int k = 0; k < 2000; ++k)
     points.push_back(random_point(random, box));
-  std::array<double, 2> before = {{ 0, 0 }};
+  std::array<check::Largest, 2> before;
   for(int n : { 17, 33, 65 })
   {
     const Spline spline(box, n, n, n, f);
-    std::array<double, 2> error = {{ 0, 0 }};
+    std::array<check::Largest, 2> error;
     for(const Point_3& p : points)
     {
-      error[0] = (std::max)(error[0], std::abs(spline(p) - f(p)));
-      error[1] = (std::max)(error[1], std::sqrt((spline.gradient(p) - gradient(p)).squared_length()));
+      error[0].add(std::abs(spline(p) - f(p)));
+      error[1].add(std::sqrt((spline.gradient(p) - gradient(p)).squared_length()));
     }
     std::cout << "  " << n << " nodes: error " << error[0] << ", of the gradient " << error[1] << std::endl;
     check::that(before[0] == 0 || before[0] / error[0] > 13, "the error falls by ", before[0] / error[0], ", not 16");
@@ -273,11 +273,11 @@ static void torus_poles(std::mt19937& random)
   {
     const std::vector<Point_3> samples = torus_samples(random, tube, 0.06);
     const std::vector<double> lfs = feature_sizes(samples);
-    double worst = 0;
+    check::Largest worst;
     for(std::size_t n = 0; n < samples.size(); ++n)
     {
       const double known = (std::min)(tube, std::hypot(samples[n].x(), samples[n].y()));
-      worst = (std::max)(worst, std::abs(lfs[n] / known - 1));
+      worst.add(std::abs(lfs[n] / known - 1));
     }
     std::cout << "  torus of " << samples.size() << " samples: local feature size within " << 100 * worst << " %"
               << std::endl;

@@ -395,7 +395,6 @@ static Moving_triangulation_3 minimized_cube(int grid)
   Limited_memory_bfgs minimizer;
   for(int n = 0; n < 300 && minimizer.iterate(f) == Limited_memory_bfgs::STEP_TAKEN; ++n)
     ;
-  f.start();
   return mesh;
 }
 

@@ -19,10 +19,12 @@
 #include "cpu_seconds.h"
 #include "flat_mesh_outcome.h"
 #include "random_points.h"
+#include "search_globally.h"
 
+#include <CGAL/Annealing_schedules_3.h>
+#include <CGAL/Global_odt_mesh_3/internal/optimization/Annealing_schedule.h>
+#include <CGAL/Global_odt_mesh_3/internal/optimization/Global_search.h>
 #include <CGAL/Global_odt_mesh_3/internal/optimization/Limited_memory_bfgs.h>
-#include <CGAL/Global_odt_mesh_3/internal/optimization/Metropolis_annealing.h>
-#include <CGAL/Global_odt_mesh_3/internal/optimization/Momentum_annealing.h>
 #include <CGAL/Global_odt_mesh_3/internal/optimization/Odt_objective_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/slivers/Sliver_removal_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/triangulation/Cell_order.h>
@@ -37,7 +39,6 @@
 using namespace CGAL::Global_odt_mesh_3::internal;
 
 static const std::size_t vertices_of_paper = 18083;
-static const int steps_of_search = 200;
 
 // Runs a method on the mesh and keeps the cells in memory order.
 class Runner
@@ -58,19 +59,12 @@ public:
     {
       return objective_.gradient().norm() > 1e-9 && minimizer.iterate(objective_) == Limited_memory_bfgs::STEP_TAKEN;
     });
-    objective_.start();
   }
 
-  void search_as_printed(unsigned int seed, int factor)
+  // With so many times the usual number of rounds.
+  void search(const Annealing_schedule& schedule, unsigned int seed, int factor)
   {
-    Metropolis_annealing(seed).run(mesh_, objective_, factor * Metropolis_annealing::usual_rounds);
-  }
-
-  void search_with_momentum(unsigned int seed, int steps)
-  {
-    Momentum_annealing annealing(seed);
-    annealing.start(objective_);
-    repeat(steps, [&](int n) { annealing.iterate(objective_, double(n) / steps); return true; });
+    search_globally(mesh_, objective_, schedule, seed, factor * Global_search::usual_rounds(schedule));
   }
 
 private:
@@ -105,15 +99,11 @@ static std::vector<Method> methods(int factor)
     { "L-BFGS", [](Moving_triangulation_3& mesh, unsigned int) { Runner(mesh).minimize(400); } },
     { "Algorithm 2", [=](Moving_triangulation_3& mesh, unsigned int seed)
       {
-        Runner runner(mesh);
-        runner.minimize(400);
-        runner.search_as_printed(seed, factor);
+        Runner(mesh).search(CGAL::Metropolis_annealing_schedule(), seed, factor);
       } },
     { "momentum annealing", [=](Moving_triangulation_3& mesh, unsigned int seed)
       {
-        Runner runner(mesh);
-        runner.search_with_momentum(seed, factor * steps_of_search);
-        runner.minimize(30);
+        Runner(mesh).search(CGAL::Momentum_annealing_schedule(), seed, factor);
         remove_slivers(mesh, seed);
       } }
   };

@@ -201,20 +201,15 @@ private:
   {
     if(plan_->search_progress(0) == 0)
       search_begin_ = control_.elapsed();
-    const Moving_triangulation_3 before = mesh_;
-    Cell_order order(mesh_);
-    search.begin_round(objective);
-    for(int n = 0; n < plan_->iterations(); ++n)
+    const auto progress = [this](int n)
     {
       // The noise fades away within the time that there is.
       const double time = control_.progress_between(search_begin_, plan_->end_of_time(Round_plan::SEARCH));
-      const double done = (std::max)(plan_->search_progress(n), time);
-      if(done >= 1 || !begin_iteration() || !search.iterate(objective, done))
-        break;
-      end_iteration(order);
-    }
-    if(!search.accepts(objective))
-      mesh_ = before;
+      return (std::max)(plan_->search_progress(n), time);
+    };
+    Cell_order order(mesh_);
+    search.make_round(objective, plan_->iterations(), progress, [this] { return begin_iteration(); },
+                      [this, &order] { end_iteration(order); });
   }
 
   void minimize(Odt_objective_3& objective)

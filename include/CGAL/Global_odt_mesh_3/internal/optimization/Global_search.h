@@ -12,6 +12,8 @@
 #include <CGAL/Global_odt_mesh_3/internal/optimization/Momentum_annealing.h>
 #include <CGAL/Global_odt_mesh_3/internal/optimization/Odt_objective_3.h>
 
+#include <optional>
+#include <utility>
 #include <variant>
 
 namespace CGAL {
@@ -53,34 +55,29 @@ public:
     return metropolis != nullptr ? metropolis->final_iterations : final_iterations_of_momentum;
   }
 
-  void begin_round(Odt_objective_3& f)
+  // One round, before which Algorithm 2 goes to a minimum if it is the first. `progress(n)` is the
+  // fraction of the search that is behind at iteration n; `begin_iteration()`, asked before each, says whether there may
+  // be one, which ends with `end_iteration()`.
+  template <class Progress, class Begin_iteration, class End_iteration>
+  void make_round(Odt_objective_3& f, int iterations, const Progress& progress, const Begin_iteration& begin_iteration,
+                  const End_iteration& end_iteration)
   {
-    energy_ = f.value();
-    if(!is_metropolis())
-      momentum_.start(f);
-    else
+    const auto minimize = [&] { return minimizer_.iterate(f) == Limited_memory_bfgs::STEP_TAKEN; };
+    if(is_metropolis() && !std::exchange(has_begun_, true))
+      for(int n = 0; n < most_initial_iterations && !metropolis_.is_near_minimum(f) && begin_iteration() && minimize(); ++n)
+        end_iteration();
+    begin_round(f);
+    for(int n = 0; n < iterations; ++n, end_iteration())
     {
-      minimizer_.reset();
-      metropolis_.perturb(f);
+      const double done = progress(n);
+      if(done >= 1 || !begin_iteration())
+        break;
+      if(!is_metropolis())
+        momentum_.iterate(f, done);
+      else if(!minimize())
+        break;
     }
-  }
-
-  // One iteration when the fraction `done` of the search is behind; false if the round has
-  // come to its end.
-  bool iterate(Odt_objective_3& f, double done)
-  {
-    if(!is_metropolis())
-    {
-      momentum_.iterate(f, done);
-      return true;
-    }
-    return minimizer_.iterate(f) == Limited_memory_bfgs::STEP_TAKEN;
-  }
-
-  // Whether the round is to be kept, or what was before it.
-  bool accepts(const Odt_objective_3& f)
-  {
-    return !is_metropolis() || metropolis_.accepts(f.value(), energy_);
+    end_round(f);
   }
 
 private:
@@ -88,13 +85,32 @@ private:
   static constexpr int iterations_in_round_of_momentum = 50, iterations_in_round_on_surfaces = 30;
   static constexpr int final_iterations_of_momentum = 20;
 
+  static constexpr int most_initial_iterations = 200;
+
   bool is_metropolis() const { return std::holds_alternative<Metropolis_annealing_schedule>(schedule_); }
+
+  void begin_round(Odt_objective_3& f)
+  {
+    if(!is_metropolis())
+      return momentum_.start(f);
+    before_ = f.state();
+    minimizer_.reset();
+    metropolis_.perturb(f);
+  }
+
+  void end_round(Odt_objective_3& f)
+  {
+    if(is_metropolis() && !metropolis_.accepts(f.value(), before_->evaluation.value))
+      f.go_back(*before_);
+    before_.reset();
+  }
 
   Annealing_schedule schedule_;
   Momentum_annealing momentum_;
   Metropolis_annealing metropolis_;
   Limited_memory_bfgs minimizer_;
-  double energy_ = 0;
+  bool has_begun_ = false;
+  std::optional<Odt_objective_3::State> before_;    // the round, if it may be in vain
 };
 
 } // namespace internal

@@ -7,11 +7,8 @@
 #define CGAL_GLOBAL_ODT_MESH_3_INTERNAL_OPTIMIZATION_METROPOLIS_ANNEALING_H
 
 #include <CGAL/Annealing_schedules_3.h>
-#include <CGAL/Global_odt_mesh_3/internal/optimization/Limited_memory_bfgs.h>
 #include <CGAL/Global_odt_mesh_3/internal/optimization/Odt_objective_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/optimization/Vertex_noise.h>
-#include <CGAL/Global_odt_mesh_3/internal/triangulation/Cell_order.h>
-#include <CGAL/Global_odt_mesh_3/internal/triangulation/Moving_triangulation_3.h>
 
 #include <Eigen/Core>
 
@@ -21,8 +18,8 @@ namespace CGAL {
 namespace Global_odt_mesh_3 {
 namespace internal {
 
-// Algorithm 2 of the paper, the global ODT method: rounds that perturb all vertices and go to a
-// minimum nearby, which replaces that of the rounds before if it is lower or, with the
+// What Algorithm 2 of the paper, the global ODT method, does between minimizations: it perturbs all vertices, and
+// accepts the minimum to which they go then if it is lower than the one before or, with the
 // probability of Metropolis, a little higher. The temperature is relative to the energy, so that
 // the scale of the mesh does not matter.
 class Metropolis_annealing
@@ -39,6 +36,14 @@ public:
 
   const Metropolis_annealing_schedule& schedule() const { return schedule_; }
   double temperature() const { return temperature_; }
+
+  // Step (1): whether the current point is close to a minimum, that is, what an AVV move (2.3) gains in first order
+  // is little against the rises that are accepted.
+  bool is_near_minimum(const Odt_objective_3& f) const
+  {
+    const double gain = (f.gradient().array().square() / f.diagonal().array()).sum();
+    return gain <= small_part * temperature_ * f.value();
+  }
 
   // Step (3): the perturbed point becomes the current one. Noise that breaks the triangulation
   // is halved and, if that does not help, left.
@@ -73,38 +78,9 @@ public:
     return false;
   }
 
-  // All of Algorithm 2, M rounds, from the current point, which should be a minimum, on the
-  // objective of this mesh.
-  void run(Moving_triangulation_3& mesh, Odt_objective_3& f, int number_of_rounds = usual_rounds)
-  {
-    Limited_memory_bfgs minimizer;
-    Cell_order order(mesh);
-    for(int round = 0; round < number_of_rounds; ++round)
-    {
-      const double energy = f.value();
-      order.maintain(mesh);
-      const Moving_triangulation_3 before = mesh;
-      perturb(f);
-      minimize(minimizer, f, schedule_.iterations_in_round);
-      if(!accepts(f.value(), energy))
-      {
-        mesh = before;
-        f.start();
-      }
-    }
-    minimize(minimizer, f, schedule_.final_iterations);
-  }
-
 private:
   static constexpr int max_halvings = 8;
-
-  static void minimize(Limited_memory_bfgs& minimizer, Odt_objective_3& f, int iterations)
-  {
-    minimizer.reset();
-    for(int n = 0; n < iterations; ++n)
-      if(minimizer.iterate(f) == Limited_memory_bfgs::NO_STEP_FOUND)
-        return;
-  }
+  static constexpr double small_part = 1e-2;
 
   Metropolis_annealing_schedule schedule_;
   double temperature_;

@@ -48,21 +48,14 @@ public:
     for(int v = mesh.number_of_interior_vertices; v < mesh.number_of_movable_vertices; ++v)
       if(motion(v) == nullptr || motion(v)->is_at_rest())
         freeze(v);
-    start();
-  }
-
-  // Makes the triangulation regular where it is and evaluates there; false if it
-  // cannot be mended.
-  bool start()
-  {
     mesh_.keep();
     update_density();
     is_feasible_ = mesh_.evaluate();
     gather();
     keep();
-    return is_feasible_;
   }
 
+  // Whether the triangulation could be made regular where it was.
   bool is_feasible() const { return is_feasible_; }
   double value() const { return current_.value; }
   const Eigen::VectorXd& point() const { return current_.point; }
@@ -114,6 +107,12 @@ public:
       std::swap(current_, other_);
     is_on_trial_ = false;
   }
+
+  // The current point with all that belongs to it.
+  struct State;
+  State state() const;
+  // Makes it the current point again, whatever has become of it.
+  void go_back(const State& s);
 
   int number_of_vertices() const { return mesh_.number_of_movable_vertices; }
   void mean_edge_lengths(std::vector<double>& length) const { mesh_.mean_edge_lengths(length); }
@@ -189,6 +188,30 @@ private:
   bool is_on_trial_ = false;
   bool is_feasible_ = false;
 };
+
+struct Odt_objective_3::State
+{
+  Moving_triangulation_3 mesh;
+  Evaluation evaluation;
+  std::vector<char> frozen;
+  std::vector<int> retreats;
+  int number_of_frozen_vertices;
+};
+
+inline Odt_objective_3::State Odt_objective_3::state() const
+{
+  return { mesh_, current_, frozen_, retreats_, number_of_frozen_vertices_ };
+}
+
+inline void Odt_objective_3::go_back(const State& s)
+{
+  mesh_.go_back(s.mesh);
+  current_ = s.evaluation;
+  frozen_ = s.frozen;
+  retreats_ = s.retreats;
+  number_of_frozen_vertices_ = s.number_of_frozen_vertices;
+  keep();
+}
 
 } // namespace internal
 } // namespace Global_odt_mesh_3

@@ -73,6 +73,14 @@ public:
     ++statistics_.restorations;
   }
 
+  // Becomes what it was once, but that the statistics go on.
+  void go_back(const Moving_triangulation_3& before)
+  {
+    const Statistics statistics = statistics_;
+    *this = before;
+    statistics_ = statistics;
+  }
+
   // Energy and gradient at the current positions after mending the topology; false if some cells
   // stay inverted or flips do not come to an end, whereupon the caller has to restore().
   // Some vertices may be moved in the course.
