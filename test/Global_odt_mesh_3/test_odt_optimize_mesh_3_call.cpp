@@ -320,6 +320,16 @@ static void slivers()
               " cells are below 69 degrees, the visitor hears of ", visitor.slivers);
   check::that(code == CGAL::CANT_IMPROVE_ANYMORE, "with cells below the bound, the return code is ", code);
 
+  // Where nearly all cells lack something, the call ends all the same, and they get no worse for it.
+  for(double bound : { 50., 60., 70.5 })
+  {
+    const Labeled_c3t3 most = optimized(input, bound, code, visitor);
+    std::cout << "slivers: " << cells_below(most, bound) << " cells below " << bound << " degrees" << std::endl;
+    check::that(cells_below(most, 20) == 0, "striving for ", bound, " degrees leaves cells below 20");
+    check::that(visitor.slivers == cells_below(most, bound) && code == CGAL::CANT_IMPROVE_ANYMORE,
+                "with cells below ", bound, " degrees, the return code is ", code);
+  }
+
   // The search may have left none by chance.
   const Labeled_c3t3 on = optimized(input, 20, code, visitor, 0), off = optimized(input, 0, code, visitor, 0);
   std::cout << "slivers: " << cells_below(input, 20) << " in the input, " << cells_below(off, 20)
