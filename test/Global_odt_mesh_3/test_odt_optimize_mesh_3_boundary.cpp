@@ -432,9 +432,8 @@ static void projection(const char* name, const Domain& domain, const Point_3& fr
   typedef typename Oracle::Vector Vector;
   Oracle oracle(domain);
   const double distance = std::sqrt(CGAL::squared_distance(from, expected));
-  const Vector start = {{ from.x(), from.y(), from.z() }};
-  const Vector normal = {{ (from.x() - expected.x()) / distance, (from.y() - expected.y()) / distance,
-                           (from.z() - expected.z()) / distance }};
+  const Vector start(from.x(), from.y(), from.z());
+  const Vector normal = (start - Vector(expected.x(), expected.y(), expected.z())) / distance;
   Vector p = start;
   typename Domain::Index index;
   check::that(oracle.intersect(p, normal, 2 * distance, index), name, ": no surface found");
@@ -468,8 +467,8 @@ static void projection()
   projection("ellipsoid", ellipsoid, Point_3(0.5, 0, 0), Point_3(0.35, 0, 0), 1e-12);
   ellipsoid.questions.misses_of_dozen = 12;
   CGAL::Global_odt_mesh_3::internal::Domain_oracle_3<Ellipsoid_domain> oracle(ellipsoid);
-  std::array<double, 3> p = {{ 0.5, 0, 0 }};
-  check::that(!oracle.project(p, {{ 1, 0, 0 }}, 0.3, { 1 }) && p[0] == 0.5, "projected although all intersections are missed");
+  Eigen::Vector3d p(0.5, 0, 0);
+  check::that(!oracle.project(p, Eigen::Vector3d(1, 0, 0), 0.3, { 1 }) && p[0] == 0.5, "projected although all intersections are missed");
 }
 
 int main()
