@@ -406,7 +406,12 @@ static void exceptions(const Ellipsoid_domain& domain, const Ellipsoid_c3t3& inp
     Ellipsoid_c3t3 complete(input);
     call(remeshes, complete);
     const std::array<long, 3> asked = domain.questions.asked;
+    check::that(asked[0] > 0 && asked[2] > 0, "the domain was not asked");
     for(int kind = 0; kind < 3; ++kind)
+    {
+      // Where Mesh_3 no longer asks the predicate, neither do we.
+      if(asked[kind] == 0)
+        continue;
       for(long n : { 0L, asked[kind] / 3, asked[kind] - 1 })
       {
         Ellipsoid_c3t3 c3t3(input);
@@ -419,6 +424,7 @@ static void exceptions(const Ellipsoid_domain& domain, const Ellipsoid_c3t3& inp
         check::that(thrown, "the domain did not throw at question ", n, " of kind ", kind);
         contract.check_untouched(c3t3);
       }
+    }
   }
 }
 
