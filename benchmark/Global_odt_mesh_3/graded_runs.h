@@ -35,7 +35,7 @@ inline double true_energy(const CGAL::Global_odt_mesh_3::internal::Moving_triang
   return reference_energy(mesh.sites, cells, density, CGAL::Adaptive_cubature_3{ tolerance });
 }
 
-// A mesh with its density integrated by a quadrature, or linearly interpolated without one.
+// A mesh with its density integrated by a quadrature.
 class Graded_run
 {
 public:
@@ -43,20 +43,13 @@ public:
   typedef CGAL::Global_odt_mesh_3::internal::Odt_objective_3 Objective;
   typedef CGAL::Global_odt_mesh_3::internal::Density_quadrature_3 Quadrature;
 
-  Graded_run(const Mesh& mesh, CGAL::Global_odt_mesh_3::internal::Density_3& density, std::unique_ptr<Quadrature> quadrature)
+  Graded_run(const Mesh& mesh, std::unique_ptr<Quadrature> quadrature)
     : mesh_(mesh)
     , quadrature_(std::move(quadrature))
     , order_(mesh_)
   {
-    mesh_.quadrature = quadrature_.get();
-    Objective::Density at_vertices;
-    if(quadrature_ == nullptr)
-    {
-      at_vertices = [&density](int v, const CGAL::Global_odt_mesh_3::internal::Site& s) { return density.in_volume(v, s); };
-      for(std::size_t v = 0; v < mesh_.sites.size(); ++v)
-        mesh_.density.push_back(at_vertices(static_cast<int>(v), mesh_.sites[v]));
-    }
-    objective_ = std::make_unique<Objective>(mesh_, at_vertices);
+    mesh_.set_quadrature(quadrature_.get());
+    objective_ = std::make_unique<Objective>(mesh_);
   }
 
   Graded_run(const Graded_run&) = delete;

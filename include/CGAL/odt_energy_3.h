@@ -74,20 +74,18 @@ double odt_energy(const C3t3& c3t3, const User_fields_3<C3t3>& fields, Quadratur
       energy += cell_energy(sites, v, moments(v));
     return energy;
   };
+  const auto uniform = [](const Cell_vertices&) { return linear_density_moments({{ 1, 1, 1, 1 }}); };
   if(!fields)
-    return sum([](const Cell_vertices&) { return linear_density_moments({{ 1, 1, 1, 1 }}); });
+    return sum(uniform);
   const std::unique_ptr<Field_density_3> density
     = fields.make_density(sites, [&vertices](int v) { return vertices[v]; });
   const double unit = density->unit_density();
   if(const auto* cubature = std::get_if<Adaptive_cubature_3>(&choice))
     return unit * reference_energy(sites, cells, *density, *cubature);
-  if(const std::unique_ptr<Density_quadrature_3> quadrature = make_density_quadrature_3(choice, *density))
-    return unit * sum([&](const Cell_vertices& v) { return quadrature->moments(0, v.data(), sites.data()); });
-  std::vector<double> rho;
-  for(std::size_t v = 0; v < sites.size(); ++v)
-    rho.push_back(density->in_volume(static_cast<int>(v), sites[v]));
-  return unit * sum([&](const Cell_vertices& v)
-                    { return linear_density_moments({{ rho[v[0]], rho[v[1]], rho[v[2]], rho[v[3]] }}); });
+  const std::unique_ptr<Density_quadrature_3> quadrature = make_density_quadrature_3(choice, *density, sites);
+  if(quadrature == nullptr)
+    return unit * sum(uniform);
+  return unit * sum([&](const Cell_vertices& v) { return quadrature->moments(0, v.data(), sites.data()); });
 }
 
 } // namespace internal

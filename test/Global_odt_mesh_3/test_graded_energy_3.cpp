@@ -11,8 +11,10 @@
 #include "random_cube_triangulation.h"
 
 #include <CGAL/Global_odt_mesh_3/internal/density/Density_moment_cache_3.h>
+#include <CGAL/Global_odt_mesh_3/internal/density/Linear_density_quadrature_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/density/Quadratic_density_quadrature_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/optimization/Limited_memory_bfgs.h>
+#include <CGAL/Global_odt_mesh_3/internal/optimization/Minimizer_parameters.h>
 #include <CGAL/Global_odt_mesh_3/internal/optimization/Odt_objective_3.h>
 #include <CGAL/Mesh_quality_report_3.h>
 #include <CGAL/Quadratic_density_3.h>
@@ -93,7 +95,7 @@ static double error_of_gradient(Moving_triangulation_3& mesh, Density_quadrature
 {
   std::vector<double> length;
   mesh.mean_edge_lengths(length);
-  mesh.quadrature = &rule;
+  mesh.set_quadrature(&rule);
   mesh.is_regular();
   double error = 0, size = 0;
   const int n = mesh.number_of_movable_vertices;
@@ -103,7 +105,7 @@ static double error_of_gradient(Moving_triangulation_3& mesh, Density_quadrature
     error += (vector(mesh.gradient()[v]) - g).squaredNorm();
     size += g.squaredNorm();
   }
-  mesh.quadrature = nullptr;
+  mesh.set_quadrature(nullptr);
   return std::sqrt(error / size);
 }
 
@@ -306,7 +308,7 @@ static void random_walk(Rule r, std::mt19937& random)
   Moving_triangulation_3 mesh = random_cube(3, 80, 0, true, random);
   const auto rule = make_rule(r, bell, 1e-7);
   Density_moment_cache_3 cache(make_rule(r, bell, 1e-7));
-  mesh.quadrature = &cache;
+  mesh.set_quadrature(&cache);
   mesh.keep();
   int steps = 0;
   for(int step = 0; step < 15; ++step)
@@ -326,7 +328,7 @@ static void random_walk(Rule r, std::mt19937& random)
     const std::vector<Site_gradient> gradient = mesh.gradient();
     for(Density_quadrature_3* quadrature : { static_cast<Density_quadrature_3*>(&cache), rule.get() })
     {
-      mesh.quadrature = quadrature;
+      mesh.set_quadrature(quadrature);
       // Whether flips got stuck is not the matter here.
       mesh.is_regular();
       near(mesh.energy(), energy, 1e-11 * energy, names[r], ", energy after flips");
@@ -335,7 +337,7 @@ static void random_walk(Rule r, std::mt19937& random)
         error.add((vector(mesh.gradient()[v]) - vector(gradient[v])).norm() / mesh.gradient()[v].diagonal);
       check::that(error < 1e-10, names[r], ", error of the gradient after flips: ", error);
     }
-    mesh.quadrature = &cache;
+    mesh.set_quadrature(&cache);
     mesh.keep();
   }
   check::that(steps > 10 && mesh.statistics().flips > 300,
@@ -346,19 +348,12 @@ static void random_walk(Rule r, std::mt19937& random)
 // of which the square is above rounding, relative to that at the start.
 static double minimize(Moving_triangulation_3& mesh, Rule r, const Field& f, double tolerance = 1e-7)
 {
-  const auto rule = make_rule(r, f, 1e-7);
-  const auto density = [&f](int, const Site& s) { return f(vector(s)); };
+  std::unique_ptr<Density_quadrature_3> rule = make_rule(r, f, 1e-7);
   if(r == LINEAR)
-    for(const Site& s : mesh.sites)
-      mesh.density.push_back(density(0, s));
-  else
-    mesh.quadrature = rule.get();
-  Odt_objective_3 objective(mesh, r == LINEAR ? Odt_objective_3::Density(density) : Odt_objective_3::Density());
-  // (4.6) is not the derivative of the energy that these two see.
-  Limited_memory_bfgs_parameters parameters;
-  if(r == LINEAR || r == FOUR_POINTS)
-    parameters.energy_tolerance = 1e-3;
-  Limited_memory_bfgs minimizer(parameters);
+    rule = std::make_unique<Linear_density_quadrature_3>([&f](int, const Site& s) { return f(vector(s)); }, mesh.sites);
+  mesh.set_quadrature(rule.get());
+  Odt_objective_3 objective(mesh);
+  Limited_memory_bfgs minimizer(minimizer_parameters(rule.get()));
   const double first_gradient = objective.gradient().norm(), first = true_energy(mesh.sites, cells(mesh.topology), f, 1e-7);
   double energy = first;
   check::Largest rise;

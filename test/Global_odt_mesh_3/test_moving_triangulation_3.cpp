@@ -10,6 +10,7 @@
 #include "check.h"
 #include "random_cube_triangulation.h"
 
+#include <CGAL/Global_odt_mesh_3/internal/density/Linear_density_quadrature_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/optimization/Limited_memory_bfgs.h>
 #include <CGAL/Global_odt_mesh_3/internal/optimization/Odt_objective_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/triangulation/Lawson_flips_3.h>
@@ -199,17 +200,16 @@ static void minimization(double shift, std::mt19937& random)
 static void rejected_trials(std::mt19937& random)
 {
   Moving_triangulation_3 mesh = random_cube(4, 200, 0, false, random);
-  const auto density = [](int, const Site& s) { return 1 + s.x * s.x + s.y; };
-  for(const Site& s : mesh.sites)
-    mesh.density.push_back(density(0, s));
-  Odt_objective_3 f(mesh, density);
+  Linear_density_quadrature_3 quadrature([](int, const Site& s) { return 1 + s.x * s.x + s.y; }, mesh.sites);
+  mesh.set_quadrature(&quadrature);
+  Odt_objective_3 f(mesh);
   std::uniform_real_distribution<double> u(-1, 1);
   int feasible = 0;
   for(int n = 0; n < 40; ++n)
   {
     const Eigen::VectorXd x = f.point(), g = f.gradient(), d = f.diagonal();
     const double value = f.value();
-    const std::vector<double> densities = mesh.density;
+    const std::vector<double> densities = quadrature.values();
     Eigen::VectorXd trial = x;
     for(double& t : trial)
       t += (n % 2 == 0 ? 0.02 : 1) * u(random);
@@ -222,7 +222,7 @@ static void rejected_trials(std::mt19937& random)
     f.reject();
     check::that(f.value() == value && f.point() == x && f.gradient() == g && f.diagonal() == d,
                 "a rejected trial leaves a trace in the objective");
-    check::that(mesh.energy() == value && mesh.density == densities && mesh.topology.is_valid(),
+    check::that(mesh.energy() == value && quadrature.values() == densities && mesh.topology.is_valid(),
                 "a rejected trial leaves a trace in the mesh");
     for(int v = 0; v < mesh.number_of_movable_vertices; ++v)
     {

@@ -114,7 +114,7 @@ static void odt_energy(const char* name, const std::vector<Vector>& on_surface, 
     const Vector n = normal(mesh.sites[v]);
     motions.push_back({ n, dot(n, n) > 0 ? 0.1 : 0., mesh.sites[v] });
   }
-  Odt_objective_3 objective(mesh, Odt_objective_3::Density(), motions);
+  Odt_objective_3 objective(mesh, motions);
   check::that(objective.is_feasible(), name, ": not feasible");
   const double scale = objective.gradient().cwiseAbs().maxCoeff();
   const std::vector<Eigen::Vector3d> gain = gain_of_polyhedron(mesh);

@@ -6,8 +6,8 @@
 #ifndef CGAL_GLOBAL_ODT_MESH_3_INTERNAL_TRIANGULATION_MOVING_TRIANGULATION_3_H
 #define CGAL_GLOBAL_ODT_MESH_3_INTERNAL_TRIANGULATION_MOVING_TRIANGULATION_3_H
 
-#include <CGAL/Global_odt_mesh_3/internal/density/Density_moments_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/density/Density_quadrature_3.h>
+#include <CGAL/Global_odt_mesh_3/internal/density/Linear_density_quadrature_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/energy/Odt_energy_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/geometry/Cell_products_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/geometry/Site.h>
@@ -19,6 +19,7 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <type_traits>
 #include <vector>
 
 namespace CGAL {
@@ -35,12 +36,14 @@ class Moving_triangulation_3
   : public Constrained_triangulation_3
 {
 public:
-  std::vector<double> density;                      // one value a vertex, or empty: uniform
-  Density_quadrature_3* quadrature = nullptr;       // if any, takes the place of these values
+  // The density, null where it is one everywhere. A quadrature serves one mesh at a time.
+  void set_quadrature(Density_quadrature_3* quadrature)
+  {
+    quadrature_ = quadrature;
+    linear_quadrature_ = dynamic_cast<Linear_density_quadrature_3*>(quadrature);
+  }
 
-  enum Density_mode { UNIFORM, LINEAR, QUADRATURE };
-
-  Density_mode density_mode() const { return quadrature != nullptr ? QUADRATURE : density.empty() ? UNIFORM : LINEAR; }
+  Density_quadrature_3* quadrature() const { return quadrature_; }
 
   struct Statistics
   {
@@ -55,20 +58,22 @@ public:
   void keep()
   {
     kept_sites_ = sites;
-    kept_density_ = density;
     kept_energy_ = energy_;
     has_kept_gradient_ = true;
+    if(quadrature_ != nullptr)
+      quadrature_->keep();
     topology.begin_trial();
   }
 
   void restore()
   {
     sites = kept_sites_;
-    density = kept_density_;
     energy_ = kept_energy_;
     if(!has_kept_gradient_)
       gradient_.swap(kept_gradient_);
     has_kept_gradient_ = true;
+    if(quadrature_ != nullptr)
+      quadrature_->restore();
     topology.undo_trial();
     ++statistics_.restorations;
   }
@@ -79,6 +84,8 @@ public:
     const Statistics statistics = statistics_;
     *this = before;
     statistics_ = statistics;
+    if(quadrature_ != nullptr)
+      quadrature_->update(sites, number_of_movable_vertices);
   }
 
   // Energy and gradient at the current positions after mending the topology; false if some cells
@@ -88,6 +95,8 @@ public:
   {
     ++statistics_.evaluations;
     retreated_.clear();
+    if(quadrature_ != nullptr)
+      quadrature_->update(sites, number_of_movable_vertices);
     pass();
     // A step that inverts so much is too long to be worth mending.
     if(inverted_.size() > 20 + static_cast<std::size_t>(topology.number_of_cells()) / 10)
@@ -115,14 +124,12 @@ public:
 private:
   friend class Lawson_flips_3<Moving_triangulation_3>;
 
-  template <Density_mode mode>
-  Cell_energy cell_energy(const Cell_products& t, int cell, const int* v, const Site* s, const double* rho) const
+  // The quadrature is that of the mesh, by its type as far as that is faster, or null.
+  template <class Quadrature>
+  static Cell_energy cell_energy(const Cell_products& t, int cell, const int* v, const Site* s, Quadrature quadrature)
   {
-    if constexpr (mode == UNIFORM)
+    if constexpr (std::is_same_v<Quadrature, std::nullptr_t>)
       return uniform_odt_energy(t, s[v[0]], s[v[1]], s[v[2]], s[v[3]]);
-    else if constexpr (mode == LINEAR)
-      return odt_energy(t, s[v[0]], s[v[1]], s[v[2]], s[v[3]],
-                        linear_density_moments({{ rho[v[0]], rho[v[1]], rho[v[2]], rho[v[3]] }}));
     else
       return odt_energy(t, s[v[0]], s[v[1]], s[v[2]], s[v[3]], quadrature->moments(cell, v, s));
   }
@@ -136,23 +143,18 @@ private:
     inverted_.clear();
     irregular_.clear();
     intruders_.clear();
-    switch(density_mode())
-    {
-    case UNIFORM: energy_ = fused_pass<UNIFORM>(); break;
-    case LINEAR: energy_ = fused_pass<LINEAR>(); break;
-    case QUADRATURE: energy_ = fused_pass<QUADRATURE>(); break;
-    }
+    energy_ = quadrature_ == nullptr ? fused_pass(nullptr)
+            : linear_quadrature_ != nullptr ? fused_pass(linear_quadrature_) : fused_pass(quadrature_);
   }
 
   // Energy, gradient, orientation and regularity of everything at once; each
   // facet is tested from its first slot.
-  template <Density_mode mode>
-  double fused_pass()
+  template <class Quadrature>
+  double fused_pass(Quadrature quadrature)
   {
     const int* const vertices = topology.cell_vertices();
     const int* const neighbors = topology.neighbors();
     const Site* const s = sites.data();
-    const double* const rho = density.data();
     Site_gradient* const g = gradient_.data();
     double energy = 0;
     for(int slot = 0, end = topology.number_of_slots(); slot < end; slot += 4)
@@ -162,7 +164,7 @@ private:
         continue;
       const Site& origin = s[v[0]];
       const Cell_products t(origin, s[v[1]], s[v[2]], s[v[3]]);
-      const Cell_energy e = cell_energy<mode>(t, slot / 4, v, s, rho);
+      const Cell_energy e = cell_energy(t, slot / 4, v, s, quadrature);
       energy += e.energy;
       for(int i = 0; i < 4; ++i)
         g[v[i]] += e.gradient[i];
@@ -194,10 +196,10 @@ private:
   {
     const int* const v = topology.cell_vertices() + 4 * cell;
     const Cell_products t = products(cell);
-    const Density_mode mode = density_mode();
-    const Cell_energy e = mode == UNIFORM ? cell_energy<UNIFORM>(t, cell, v, sites.data(), density.data())
-                        : mode == LINEAR  ? cell_energy<LINEAR>(t, cell, v, sites.data(), density.data())
-                                          : cell_energy<QUADRATURE>(t, cell, v, sites.data(), density.data());
+    const Site* const s = sites.data();
+    const Cell_energy e = quadrature_ == nullptr ? cell_energy(t, cell, v, s, nullptr)
+                        : linear_quadrature_ != nullptr ? cell_energy(t, cell, v, s, linear_quadrature_)
+                                                        : cell_energy(t, cell, v, s, quadrature_);
     energy_ += sign * e.energy;
     for(int i = 0; i < 4; ++i)
     {
@@ -495,12 +497,13 @@ private:
 
   static constexpr std::size_t most_cells_held_back = 16;
 
+  Density_quadrature_3* quadrature_ = nullptr;
+  Linear_density_quadrature_3* linear_quadrature_ = nullptr;    // the same, if it is one
   std::vector<Site_gradient> gradient_, kept_gradient_;
   bool has_kept_gradient_ = false;    // whether the gradient is that of the kept state
   double energy_ = 0, kept_energy_ = 0;
   std::vector<int> inverted_, irregular_, intruders_, stuck_, star_, retreated_;
   std::vector<Site> kept_sites_, trial_sites_;
-  std::vector<double> kept_density_;
   Statistics statistics_;
 };
 
