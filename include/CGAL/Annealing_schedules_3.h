@@ -8,7 +8,9 @@
 
 #include <CGAL/license/Mesh_3.h>
 
-#include <CGAL/assertions.h>
+#include <CGAL/Global_odt_mesh_3/internal/Parameter_check.h>
+
+#include <cmath>
 
 namespace CGAL {
 
@@ -23,28 +25,31 @@ struct Momentum_annealing_schedule
   /// the part of a step that goes on in the next one; in [0, 1)
   double momentum = 0.75;
   /// the length of steps, relative to that of the move to the volume-weighted mean of the circumcenters
-  /// (equation (2.3) of the paper); positive
+  /// (equation (2.3) of the paper); positive and finite
   double step_length = 1.4;
   /// the length of the noise of interior vertices at the beginning, relative to their mean incident edge; in [0, 1]
   double interior_amplitude = 0.14;
   /// the same for vertices on surfaces
   double surface_amplitude = 0.1;
-  /// the amplitude is proportional to the share of steps that are left, raised to this power; positive
+  /// the amplitude is proportional to the share of steps that are left, raised to this power; positive and finite
   double decay = 0.6;
-  /// the longest step of a vertex, relative to its mean incident edge; positive
+  /// the longest step of a vertex, relative to its mean incident edge; positive and finite
   double longest_step = 0.3;
 
   /// refuses values that make no sense, by a precondition that says which.
   void check() const
   {
-    CGAL_precondition_msg(momentum >= 0 && momentum < 1, "annealing_schedule: momentum must be in [0, 1)");
-    CGAL_precondition_msg(step_length > 0, "annealing_schedule: step_length must be positive");
-    CGAL_precondition_msg(interior_amplitude >= 0 && interior_amplitude <= 1,
-                          "annealing_schedule: interior_amplitude must be in [0, 1]");
-    CGAL_precondition_msg(surface_amplitude >= 0 && surface_amplitude <= 1,
-                          "annealing_schedule: surface_amplitude must be in [0, 1]");
-    CGAL_precondition_msg(decay > 0, "annealing_schedule: decay must be positive");
-    CGAL_precondition_msg(longest_step > 0, "annealing_schedule: longest_step must be positive");
+    CGAL_GLOBAL_ODT_MESH_3_CHECK_PARAMETER(momentum >= 0 && momentum < 1, "annealing_schedule: momentum must be in [0, 1)");
+    CGAL_GLOBAL_ODT_MESH_3_CHECK_PARAMETER(step_length > 0 && std::isfinite(step_length),
+                                           "annealing_schedule: step_length must be positive and finite");
+    CGAL_GLOBAL_ODT_MESH_3_CHECK_PARAMETER(interior_amplitude >= 0 && interior_amplitude <= 1,
+                                           "annealing_schedule: interior_amplitude must be in [0, 1]");
+    CGAL_GLOBAL_ODT_MESH_3_CHECK_PARAMETER(surface_amplitude >= 0 && surface_amplitude <= 1,
+                                           "annealing_schedule: surface_amplitude must be in [0, 1]");
+    CGAL_GLOBAL_ODT_MESH_3_CHECK_PARAMETER(decay > 0 && std::isfinite(decay),
+                                           "annealing_schedule: decay must be positive and finite");
+    CGAL_GLOBAL_ODT_MESH_3_CHECK_PARAMETER(longest_step > 0 && std::isfinite(longest_step),
+                                           "annealing_schedule: longest_step must be positive and finite");
   }
 };
 
@@ -61,7 +66,7 @@ struct Metropolis_annealing_schedule
   double perturbation = 0.2;
   /// the L-BFGS iterations of a round; positive
   int iterations_in_round = 20;
-  /// the temperature at the beginning, relative to the energy, so that the scale of the mesh does not matter; positive
+  /// the temperature at the beginning, relative to the energy, so that the scale of the mesh does not matter; positive and finite
   double temperature = 1e-4;
   /// the factor on the temperature at each rejection; in (0, 1]
   double cooling = 0.9;
@@ -71,12 +76,13 @@ struct Metropolis_annealing_schedule
   /// refuses values that make no sense, by a precondition that says which.
   void check() const
   {
-    CGAL_precondition_msg(perturbation >= 0 && perturbation <= 1,
-                          "annealing_schedule: perturbation must be in [0, 1]");
-    CGAL_precondition_msg(iterations_in_round > 0, "annealing_schedule: iterations_in_round must be positive");
-    CGAL_precondition_msg(temperature > 0, "annealing_schedule: temperature must be positive");
-    CGAL_precondition_msg(cooling > 0 && cooling <= 1, "annealing_schedule: cooling must be in (0, 1]");
-    CGAL_precondition_msg(final_iterations >= 0, "annealing_schedule: final_iterations must not be negative");
+    CGAL_GLOBAL_ODT_MESH_3_CHECK_PARAMETER(perturbation >= 0 && perturbation <= 1,
+                                           "annealing_schedule: perturbation must be in [0, 1]");
+    CGAL_GLOBAL_ODT_MESH_3_CHECK_PARAMETER(iterations_in_round > 0, "annealing_schedule: iterations_in_round must be positive");
+    CGAL_GLOBAL_ODT_MESH_3_CHECK_PARAMETER(temperature > 0 && std::isfinite(temperature),
+                                           "annealing_schedule: temperature must be positive and finite");
+    CGAL_GLOBAL_ODT_MESH_3_CHECK_PARAMETER(cooling > 0 && cooling <= 1, "annealing_schedule: cooling must be in (0, 1]");
+    CGAL_GLOBAL_ODT_MESH_3_CHECK_PARAMETER(final_iterations >= 0, "annealing_schedule: final_iterations must not be negative");
   }
 };
 

@@ -8,7 +8,9 @@
 
 #include <CGAL/license/Mesh_3.h>
 
-#include <CGAL/assertions.h>
+#include <CGAL/Global_odt_mesh_3/internal/Parameter_check.h>
+
+#include <cmath>
 
 namespace CGAL {
 
@@ -51,7 +53,7 @@ algorithm for simplices*, ACM TOMS 29, 2003), as the paper does for Figure 8. It
 struct Adaptive_cubature_3
 {
   /// the error of the integrals over a cell, relative to the mass of the cell, that is, the integral of the density; more is
-  /// allowed in cells with less energy than the mean where only the energy of the whole mesh is wanted; positive
+  /// allowed in cells with less energy than the mean where only the energy of the whole mesh is wanted; positive and finite
   double tolerance = 1e-6;
   /// the number of parts into which a cell is divided at the most; positive
   int most_regions = 500;
@@ -59,8 +61,9 @@ struct Adaptive_cubature_3
   /// refuses values that make no sense, by a precondition that says which.
   void check() const
   {
-    CGAL_precondition_msg(tolerance > 0, "quadrature: tolerance must be positive");
-    CGAL_precondition_msg(most_regions > 0, "quadrature: most_regions must be positive");
+    CGAL_GLOBAL_ODT_MESH_3_CHECK_PARAMETER(tolerance > 0 && std::isfinite(tolerance),
+                                           "quadrature: tolerance must be positive and finite");
+    CGAL_GLOBAL_ODT_MESH_3_CHECK_PARAMETER(most_regions > 0, "quadrature: most_regions must be positive");
   }
 };
 

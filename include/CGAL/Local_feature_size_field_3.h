@@ -8,12 +8,12 @@
 
 #include <CGAL/license/Mesh_3.h>
 
+#include <CGAL/Global_odt_mesh_3/internal/Parameter_check.h>
 #include <CGAL/Global_odt_mesh_3/internal/sizing/Boundary_poles_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/sizing/Boundary_samples_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/sizing/Size_envelope_3.h>
 
 #include <CGAL/Bbox_3.h>
-#include <CGAL/assertions.h>
 #include <CGAL/number_utils.h>
 
 #include <algorithm>
@@ -47,16 +47,16 @@ struct Local_feature_size_parameters_3
   /// refuses values that make no sense, by a precondition that says which.
   void check() const
   {
-    CGAL_precondition_msg(size_factor > 0 && std::isfinite(size_factor), "size_factor must be positive and finite");
-    CGAL_precondition_msg(gradation >= 0 && std::isfinite(gradation), "gradation must not be negative, and be finite");
-    CGAL_precondition_msg(smallest_size >= 0 && std::isfinite(smallest_size),
-                          "smallest_size must not be negative, and be finite");
-    CGAL_precondition_msg(largest_size >= 0 && std::isfinite(largest_size),
-                          "largest_size must not be negative, and be finite");
-    CGAL_precondition_msg(largest_size == 0 || largest_size >= smallest_size,
-                          "largest_size must not be below smallest_size");
-    CGAL_precondition_msg(sample_spacing >= 0 && std::isfinite(sample_spacing),
-                          "sample_spacing must not be negative, and be finite");
+    CGAL_GLOBAL_ODT_MESH_3_CHECK_PARAMETER(size_factor > 0 && std::isfinite(size_factor), "size_factor must be positive and finite");
+    CGAL_GLOBAL_ODT_MESH_3_CHECK_PARAMETER(gradation >= 0 && std::isfinite(gradation), "gradation must not be negative, and be finite");
+    CGAL_GLOBAL_ODT_MESH_3_CHECK_PARAMETER(smallest_size >= 0 && std::isfinite(smallest_size),
+                                           "smallest_size must not be negative, and be finite");
+    CGAL_GLOBAL_ODT_MESH_3_CHECK_PARAMETER(largest_size >= 0 && std::isfinite(largest_size),
+                                           "largest_size must not be negative, and be finite");
+    CGAL_GLOBAL_ODT_MESH_3_CHECK_PARAMETER(largest_size == 0 || largest_size >= smallest_size,
+                                           "largest_size must not be below smallest_size");
+    CGAL_GLOBAL_ODT_MESH_3_CHECK_PARAMETER(sample_spacing >= 0 && std::isfinite(sample_spacing),
+                                           "sample_spacing must not be negative, and be finite");
   }
 };
 
@@ -181,13 +181,13 @@ private:
 
   static Bbox_3 checked_bbox(const Samples& samples)
   {
-    CGAL_precondition_msg(!samples.empty(), "Local_feature_size_field_3: no samples of the boundary");
+    CGAL_GLOBAL_ODT_MESH_3_CHECK_PARAMETER(!samples.empty(), "Local_feature_size_field_3: no samples of the boundary");
     for(const auto& s : samples)
-      CGAL_precondition_msg(std::isfinite(s.x()) && std::isfinite(s.y()) && std::isfinite(s.z()),
-                            "Local_feature_size_field_3: a sample is not finite");
+      CGAL_GLOBAL_ODT_MESH_3_CHECK_PARAMETER(std::isfinite(s.x()) && std::isfinite(s.y()) && std::isfinite(s.z()),
+                                             "Local_feature_size_field_3: a sample is not finite");
     const Bbox_3 box = bbox_3(samples.begin(), samples.end());
-    CGAL_precondition_msg(box.x_span() > 0 || box.y_span() > 0 || box.z_span() > 0,
-                          "Local_feature_size_field_3: all samples are the same point");
+    CGAL_GLOBAL_ODT_MESH_3_CHECK_PARAMETER(box.x_span() > 0 || box.y_span() > 0 || box.z_span() > 0,
+                                           "Local_feature_size_field_3: all samples are the same point");
     return box;
   }
 

@@ -59,8 +59,7 @@ public:
   /// the density at a point.
   FT operator()(const Point_3& p) const
   {
-    const std::array<double, 3> x = Global_odt_mesh_3::internal::coordinates(p);
-    return polynomial_({ x[0], x[1], x[2], 0 });
+    return polynomial_(Global_odt_mesh_3::internal::site_at(Global_odt_mesh_3::internal::coordinates(p), 0));
   }
 
 #ifndef DOXYGEN_RUNNING

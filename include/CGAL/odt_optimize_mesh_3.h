@@ -6,6 +6,14 @@
 #ifndef CGAL_ODT_OPTIMIZE_MESH_3_H
 #define CGAL_ODT_OPTIMIZE_MESH_3_H
 
+/*!
+\ingroup PkgGlobalOdtMesh3Functions
+
+is defined by `<CGAL/odt_optimize_mesh_3.h>` of this package, and not by the header of the same name of Mesh_3, as
+10000 times the major, plus 100 times the minor, plus the patch version of the package.
+*/
+#define CGAL_GLOBAL_ODT_MESH_3 100
+
 #include <CGAL/license/Mesh_3.h>
 
 #include <CGAL/disable_warnings.h>
@@ -143,13 +151,18 @@ If the domain, a field or the callback throws, `c3t3` is as it was before the ca
 cells of `c3t3` become invalid.
 
 Meshes in periodic triangulations are handed over to `CGAL::Mesh_3::Mesh_global_optimizer`, which
-knows of the first five parameters only.
+knows of the first five parameters only. As with the function of Mesh_3, a program that uses them must not link TBB.
+
+An argument that is no named parameter, one that is not listed below, and one that is given twice are refused at compile
+time. From `parameters::odt()`, `make_mesh_3()` and `refine_mesh_3()` pass on only `time_limit`, `max_iteration_number`,
+`convergence` and `freeze_bound`; for any other parameter give them `parameters::no_odt()`, and call this function afterwards, before
+`perturb_mesh_3()` and `exude_mesh_3()`. Bad values violate preconditions, which are checked in each build.
 
 \tparam C3T3 a model of the concept `MeshComplex_3InTriangulation_3`
 \tparam MeshDomain a model of the concept `MeshDomain_3`
 \tparam NamedParameters a sequence of named parameters, in each of the styles that the
 version of %CGAL in use knows: `parameters::time_limit = 10, parameters::do_freeze = false` in all,
-`parameters::time_limit(10).do_freeze(false)` from 5.6 on
+`parameters::time_limit(10).do_freeze(false)` from 5.6 on. In 5.5, the first five may also be given as numbers, by position.
 
 \param c3t3 the mesh, which is modified
 \param domain the domain from which `c3t3` was made

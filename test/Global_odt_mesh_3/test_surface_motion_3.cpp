@@ -35,9 +35,7 @@
 using namespace CGAL::Global_odt_mesh_3::internal;
 typedef CGAL::Exact_predicates_inexact_constructions_kernel Kernel;
 typedef CGAL::Regular_triangulation_3<Kernel> Regular;
-typedef std::array<double, 3> Vector;
-
-static double dot(const Vector& a, const Vector& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
+typedef Eigen::Vector3d Vector;
 
 // The derivative of the objective when one vertex moves along a tangent, against its gradient
 // and what is known to be left out of it. Rejected, the trial leaves no trace.
@@ -65,8 +63,8 @@ static double gradient_error(Objective& objective, int v, const Eigen::Vector3d&
 static Eigen::Vector3d some_tangent(const Vector& n, std::mt19937& random)
 {
   std::normal_distribution<double> g;
-  const Eigen::Vector3d normal(n[0], n[1], n[2]), d(g(random), g(random), g(random));
-  return (d - normal.dot(d) * normal).normalized();
+  const Vector d(g(random), g(random), g(random));
+  return (d - n.dot(d) * n).normalized();
 }
 
 // The gradient of the ODT energy is that for a domain that does not change, as vertices stay on its
@@ -112,7 +110,7 @@ static void odt_energy(const char* name, const std::vector<Vector>& on_surface, 
   for(int v = mesh.number_of_interior_vertices; v < mesh.number_of_movable_vertices; ++v)
   {
     const Vector n = normal(mesh.sites[v]);
-    motions.push_back({ n, dot(n, n) > 0 ? 0.1 : 0., mesh.sites[v] });
+    motions.push_back({ n, n.dot(n) > 0 ? 0.1 : 0., mesh.sites[v] });
   }
   Odt_objective_3 objective(mesh, motions);
   check::that(objective.is_feasible(), name, ": not feasible");
@@ -128,7 +126,7 @@ static void odt_energy(const char* name, const std::vector<Vector>& on_surface, 
       check::that(g.norm() == 0, name, ": a vertex at rest has a gradient");
       continue;
     }
-    check::that(std::abs(g.dot(Eigen::Map<const Eigen::Vector3d>(m.normal.data()))) < 1e-12 * scale, name,
+    check::that(std::abs(g.dot(m.normal)) < 1e-12 * scale, name,
                 ": the gradient is not tangential");
     const double error = gradient_error(objective, v, some_tangent(m.normal, random), 1e-6, gain[v]);
     check::that(error < 1e-6 * scale, name, ": tangential gradient off by ", error, " of ", scale);
@@ -143,8 +141,8 @@ static void odt_energy(const char* name, const std::vector<Vector>& on_surface, 
   {
     const Tangential_motion& m = motions[v - mesh.number_of_interior_vertices];
     const Site& s = mesh.sites[v];
-    const Vector way = {{ s.x - m.center.x, s.y - m.center.y, s.z - m.center.z }};
-    check::that(std::sqrt(dot(way, way)) <= m.radius * (1 + 1e-9) && std::abs(dot(way, m.normal)) < 1e-9, name,
+    const Vector way = position(s) - position(m.center);
+    check::that(way.norm() <= m.radius * (1 + 1e-9) && std::abs(way.dot(m.normal)) < 1e-9, name,
                 ": a vertex left its disk");
   }
   objective.reject();
@@ -159,21 +157,20 @@ static void odt_energy_on_sphere_and_plane()
   for(int n = 0; n < 120; ++n)
   {
     const double z = 1 - (2 * n + 1) / 120., r = std::sqrt(1 - z * z);
-    surface.push_back({{ r * std::cos(golden * n), r * std::sin(golden * n), z }});
+    surface.push_back(Vector(r * std::cos(golden * n), r * std::sin(golden * n), z));
   }
   while(inside.size() < 150)
   {
-    const Vector p = {{ u(random), u(random), u(random) }};
-    if(dot(p, p) < 0.7)
+    const Vector p{ u(random), u(random), u(random) };
+    if(p.dot(p) < 0.7)
       inside.push_back(p);
   }
-  odt_energy("sphere", surface, inside, [](const Site& s) { return Vector{{ s.x, s.y, s.z }}; }, random);
+  odt_energy("sphere", surface, inside, [](const Site& s) { return position(s); }, random);
 
   // The faces of a cube, jittered in their planes; edges and corners rest.
   surface.clear();
   for(Vector& p : inside)
-    for(double& x : p)
-      x *= 0.9;
+    p *= 0.9;
   const int grid = 5;
   for(int i = 0; i <= grid; ++i)
     for(int j = 0; j <= grid; ++j)
@@ -191,8 +188,8 @@ static void odt_energy_on_sphere_and_plane()
       }
   odt_energy("plane", surface, inside, [](const Site& s)
   {
-    const Vector n = {{ double(std::abs(s.x) == 1) * s.x, double(std::abs(s.y) == 1) * s.y, double(std::abs(s.z) == 1) * s.z }};
-    return dot(n, n) == 1 ? n : Vector{{ 0, 0, 0 }};
+    const Vector n(double(std::abs(s.x) == 1) * s.x, double(std::abs(s.y) == 1) * s.y, double(std::abs(s.z) == 1) * s.z);
+    return n.dot(n) == 1 ? n : Vector(0, 0, 0);
   }, random);
 }
 
@@ -220,7 +217,7 @@ struct Square
           number[i * (grid + 1) + j] = static_cast<int>(sites.size());
           sites.push_back({ i / double(grid) + f * u(random), j / double(grid) + f * u(random), 0, 0 });
           if(!on_rim)
-            motions.push_back({ {{ 0, 0, 1 }}, 0.5, sites.back() });
+            motions.push_back({ Vector(0, 0, 1), 0.5, sites.back() });
         }
     const auto v = [&](int i, int j) { return number[i * (grid + 1) + j]; };
     for(int i = 0; i < grid; ++i)
@@ -299,7 +296,7 @@ static void cvt_energy()
     const double scale = objective.gradient().cwiseAbs().maxCoeff();
     for(int v = 0; v < static_cast<int>(square.motions.size()); ++v)
     {
-      const double error = gradient_error(objective, v, some_tangent({{ 0, 0, 1 }}, random), 1e-6);
+      const double error = gradient_error(objective, v, some_tangent(Vector(0, 0, 1), random), 1e-6);
       check::that(error < 1e-6 * scale, name, ": gradient off by ", error, " of ", scale);
     }
 

@@ -19,7 +19,6 @@
 #include <CGAL/Global_odt_mesh_3/internal/optimization/Limited_memory_bfgs.h>
 #include <CGAL/Global_odt_mesh_3/internal/optimization/Minimizer_parameters.h>
 #include <CGAL/Global_odt_mesh_3/internal/optimization/Odt_objective_3.h>
-#include <CGAL/Global_odt_mesh_3/internal/optimization/Tangential_motion.h>
 #include <CGAL/Global_odt_mesh_3/internal/restricted/Boundary_motion.h>
 #include <CGAL/Global_odt_mesh_3/internal/restricted/C3t3_reader_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/restricted/C3t3_writer_3.h>
@@ -28,6 +27,7 @@
 #include <CGAL/Global_odt_mesh_3/internal/sizing/Input_density_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/slivers/Sliver_stage_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/surface/Surface_cvt_objective_3.h>
+#include <CGAL/Global_odt_mesh_3/internal/surface/Surface_motions_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/triangulation/Cell_order.h>
 #include <CGAL/Global_odt_mesh_3/internal/triangulation/Moving_triangulation_3.h>
 
@@ -180,7 +180,7 @@ private:
   double make_round(Global_search& search)
   {
     {
-      Odt_objective_3 objective(mesh_, tangential_motions(plan_->stage() != Round_plan::REMESH));
+      Odt_objective_3 objective(mesh_, surface_motions(plan_->stage() != Round_plan::REMESH));
       if(plan_->stage() == Round_plan::SEARCH)
         search_round(search, objective);
       else
@@ -223,7 +223,7 @@ private:
   double remesh_surfaces()
   {
     Surface_cvt_objective_3 objective(complex_.state().boundary.complex(), mesh_.sites, mesh_.number_of_interior_vertices,
-                                      tangential_motions(true), surface_density_at_vertex_);
+                                      surface_motions(true), surface_density_at_vertex_);
     Limited_memory_bfgs minimizer(minimizer_parameters(mesh_.quadrature()));
     for(int n = 0; n < Round_plan::iterations_on_surface && control_.goes_on() && begin_iteration(); ++n)
     {
@@ -297,16 +297,10 @@ private:
   // Whether no vertex has moved since the input.
   bool is_untouched() const { return complex_.state().is_input() && complex_.state().has_positions(mesh_.sites); }
 
-  std::vector<Tangential_motion> tangential_motions(bool moves) const
+  // Of no length if surface vertices are to stay.
+  std::vector<Tangential_motion> surface_motions(bool moves) const
   {
-    std::vector<Tangential_motion> motions;
-    for(int v = mesh_.number_of_interior_vertices; v < mesh_.number_of_movable_vertices; ++v)
-    {
-      const Umbrella_shape& shape = complex_.state().boundary.shape(v, 0);
-      motions.push_back({ shape.normal, moves && shape.is_smooth ? longest_way_in_round * shape.shortest_edge : 0.,
-                          mesh_.sites[v] });
-    }
-    return motions;
+    return tangential_motions(mesh_, complex_.state().boundary, moves ? longest_way_in_round : 0);
   }
 
   bool begin_iteration()

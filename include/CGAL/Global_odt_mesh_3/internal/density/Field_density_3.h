@@ -6,11 +6,11 @@
 #ifndef CGAL_GLOBAL_ODT_MESH_3_INTERNAL_DENSITY_FIELD_DENSITY_3_H
 #define CGAL_GLOBAL_ODT_MESH_3_INTERNAL_DENSITY_FIELD_DENSITY_3_H
 
+#include <CGAL/Global_odt_mesh_3/internal/Parameter_check.h>
 #include <CGAL/Global_odt_mesh_3/internal/density/Density_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/density/Quadratic_polynomial_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/geometry/Site.h>
 
-#include <CGAL/assertions.h>
 
 #include <algorithm>
 #include <cmath>
@@ -87,8 +87,8 @@ private:
 
   void require(bool is_good) const
   {
-    CGAL_precondition_msg(is_good, meaning_ == SIZE ? "sizing_field must be positive and finite"
-                                                    : "density must be positive and finite");
+    CGAL_GLOBAL_ODT_MESH_3_CHECK_PARAMETER(is_good, meaning_ == SIZE ? "sizing_field must be positive and finite"
+                                                                     : "density must be positive and finite");
   }
 
   Meaning meaning_;

@@ -6,12 +6,12 @@
 #ifndef CGAL_GLOBAL_ODT_MESH_3_INTERNAL_DENSITY_QUADRATIC_DENSITY_QUADRATURE_3_H
 #define CGAL_GLOBAL_ODT_MESH_3_INTERNAL_DENSITY_QUADRATIC_DENSITY_QUADRATURE_3_H
 
+#include <CGAL/Global_odt_mesh_3/internal/Parameter_check.h>
 #include <CGAL/Global_odt_mesh_3/internal/density/Density_moments_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/density/Density_quadrature_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/density/Quadratic_polynomial_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/geometry/Site.h>
 
-#include <CGAL/assertions.h>
 
 #include <algorithm>
 #include <array>
@@ -39,7 +39,7 @@ public:
     for(int e = 0; e < 6; ++e)
       edges[e] = density_.polar(s[v[Density_moments_3::edges[e][0]]], s[v[Density_moments_3::edges[e][1]]]);
     const Density_moments_3 m = quadratic_density_moments(vertices, edges);
-    CGAL_precondition_msg(*std::min_element(m.first.begin(), m.first.end()) > 0, "density must be positive");
+    CGAL_GLOBAL_ODT_MESH_3_CHECK_PARAMETER(*std::min_element(m.first.begin(), m.first.end()) > 0, "density must be positive");
     return m;
   }
 

@@ -8,6 +8,8 @@
 
 #include <CGAL/Global_odt_mesh_3/internal/geometry/Site.h>
 
+#include <Eigen/Core>
+
 #include <array>
 
 namespace CGAL {
@@ -17,9 +19,9 @@ namespace internal {
 // A polynomial of degree two about a center, so that the distance to the origin does not matter.
 struct Quadratic_polynomial_3
 {
-  std::array<double, 3> center;
+  Eigen::Vector3d center;
   double constant;
-  std::array<double, 3> linear;       // of x, y, z
+  Eigen::Vector3d linear;       // of x, y, z
   std::array<double, 6> quadratic;    // of xx, yy, zz, yz, zx, xy
 
   double operator()(const Site& s) const { return polar(s, s); }
@@ -27,8 +29,7 @@ struct Quadratic_polynomial_3
   Quadratic_polynomial_3& operator*=(double factor)
   {
     constant *= factor;
-    for(double& x : linear)
-      x *= factor;
+    linear *= factor;
     for(double& x : quadratic)
       x *= factor;
     return *this;

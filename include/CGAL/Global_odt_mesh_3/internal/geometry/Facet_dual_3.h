@@ -8,9 +8,11 @@
 
 #include <CGAL/Global_odt_mesh_3/internal/geometry/Site.h>
 
+#include <Eigen/Core>
+#include <Eigen/Geometry>
+
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <vector>
 
 namespace CGAL {
@@ -21,10 +23,9 @@ namespace internal {
 // which points to side 1.
 struct Facet_dual_3
 {
-  typedef std::array<double, 3> Vector;
   typedef std::array<int, 3> Triple;
 
-  Vector center, normal;
+  Eigen::Vector3d center, normal;
   double radius;
 
   // With the edges a, b from s0, their lifted heights h_a, h_b and n = a x b, the
@@ -34,42 +35,27 @@ struct Facet_dual_3
     const Site& s0 = sites[t[0]];
     const Site& s1 = sites[t[1]];
     const Site& s2 = sites[t[2]];
-    const double ax = s1.x - s0.x, ay = s1.y - s0.y, az = s1.z - s0.z;
-    const double bx = s2.x - s0.x, by = s2.y - s0.y, bz = s2.z - s0.z;
-    const double nx = ay * bz - az * by, ny = az * bx - ax * bz, nz = ax * by - ay * bx;
-    const double ha = ax * ax + ay * ay + az * az - s1.weight + s0.weight;
-    const double hb = bx * bx + by * by + bz * bz - s2.weight + s0.weight;
-    const double nn = nx * nx + ny * ny + nz * nz, length = std::sqrt(nn);
-    const Vector d = {{ (ha * (by * nz - bz * ny) + hb * (ny * az - nz * ay)) / (2 * nn),
-                        (ha * (bz * nx - bx * nz) + hb * (nz * ax - nx * az)) / (2 * nn),
-                        (ha * (bx * ny - by * nx) + hb * (nx * ay - ny * ax)) / (2 * nn) }};
-    center = {{ s0.x + d[0], s0.y + d[1], s0.z + d[2] }};
-    normal = {{ nx / length, ny / length, nz / length }};
-    radius = std::sqrt(d[0] * d[0] + d[1] * d[1] + d[2] * d[2]);
+    const Eigen::Vector3d a = position(s1) - position(s0), b = position(s2) - position(s0), n = a.cross(b);
+    const double ha = a.squaredNorm() - s1.weight + s0.weight;
+    const double hb = b.squaredNorm() - s2.weight + s0.weight;
+    const Eigen::Vector3d d = (ha * b.cross(n) + hb * n.cross(a)) / (2 * n.squaredNorm());
+    center = position(s0) + d;
+    normal = n / n.norm();
+    radius = d.norm();
   }
 
   // The signed height of a point over the plane of the facet, positive on side 1.
-  double height(const Vector& p) const
-  {
-    return normal[0] * (p[0] - center[0]) + normal[1] * (p[1] - center[1]) + normal[2] * (p[2] - center[2]);
-  }
+  double height(const Eigen::Vector3d& p) const { return normal.dot(p - center); }
 
-  Vector point_at(double height) const
-  {
-    return {{ center[0] + height * normal[0], center[1] + height * normal[1], center[2] + height * normal[2] }};
-  }
+  Eigen::Vector3d point_at(double height) const { return center + height * normal; }
 };
 
-inline std::array<double, 3> centroid(const std::array<int, 3>& t, const std::vector<Site>& s)
+inline Eigen::Vector3d centroid(const std::array<int, 3>& t, const std::vector<Site>& s)
 {
-  return {{ (s[t[0]].x + s[t[1]].x + s[t[2]].x) / 3, (s[t[0]].y + s[t[1]].y + s[t[2]].y) / 3,
-            (s[t[0]].z + s[t[1]].z + s[t[2]].z) / 3 }};
+  return (position(s[t[0]]) + position(s[t[1]]) + position(s[t[2]])) / 3;
 }
 
-inline double squared_distance(const Site& s, const std::array<double, 3>& p)
-{
-  return (s.x - p[0]) * (s.x - p[0]) + (s.y - p[1]) * (s.y - p[1]) + (s.z - p[2]) * (s.z - p[2]);
-}
+inline double squared_distance(const Site& s, const Eigen::Vector3d& p) { return (position(s) - p).squaredNorm(); }
 
 } // namespace internal
 } // namespace Global_odt_mesh_3

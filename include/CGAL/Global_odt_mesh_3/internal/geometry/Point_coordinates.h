@@ -10,7 +10,7 @@
 
 #include <CGAL/number_utils.h>
 
-#include <array>
+#include <Eigen/Core>
 
 namespace CGAL {
 namespace Global_odt_mesh_3 {
@@ -18,9 +18,9 @@ namespace internal {
 
 // CGAL's points in double coordinates.
 template <class Point>
-std::array<double, 3> coordinates(const Point& p)
+Eigen::Vector3d coordinates(const Point& p)
 {
-  return {{ CGAL::to_double(p.x()), CGAL::to_double(p.y()), CGAL::to_double(p.z()) }};
+  return Eigen::Vector3d(CGAL::to_double(p.x()), CGAL::to_double(p.y()), CGAL::to_double(p.z()));
 }
 
 template <class Weighted_point>

@@ -6,6 +6,8 @@
 #ifndef CGAL_GLOBAL_ODT_MESH_3_INTERNAL_GEOMETRY_SITE_H
 #define CGAL_GLOBAL_ODT_MESH_3_INTERNAL_GEOMETRY_SITE_H
 
+#include <Eigen/Core>
+
 namespace CGAL {
 namespace Global_odt_mesh_3 {
 namespace internal {
@@ -18,6 +20,9 @@ struct Site
   double weight;
 };
 
+inline Eigen::Vector3d position(const Site& s) { return Eigen::Vector3d(s.x, s.y, s.z); }
+
+inline Site site_at(const Eigen::Vector3d& p, double weight) { return { p.x(), p.y(), p.z(), weight }; }
 
 } // namespace internal
 } // namespace Global_odt_mesh_3

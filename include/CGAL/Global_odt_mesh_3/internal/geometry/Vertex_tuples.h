@@ -6,10 +6,7 @@
 #ifndef CGAL_GLOBAL_ODT_MESH_3_INTERNAL_GEOMETRY_VERTEX_TUPLES_H
 #define CGAL_GLOBAL_ODT_MESH_3_INTERNAL_GEOMETRY_VERTEX_TUPLES_H
 
-#include <boost/functional/hash.hpp>
-
 #include <algorithm>
-#include <cstddef>
 
 namespace CGAL {
 namespace Global_odt_mesh_3 {
@@ -23,12 +20,6 @@ Tuple sorted(Tuple t)
   std::sort(t.begin(), t.end());
   return t;
 }
-
-struct Hash_vertex_tuple
-{
-  template <class Tuple>
-  std::size_t operator()(const Tuple& t) const { return boost::hash_range(t.begin(), t.end()); }
-};
 
 } // namespace internal
 } // namespace Global_odt_mesh_3

@@ -11,7 +11,6 @@
 
 #include <Eigen/Core>
 
-#include <array>
 #include <cstddef>
 #include <utility>
 #include <vector>
@@ -112,7 +111,7 @@ public:
   void mean_edge_lengths(std::vector<double>& length) const { mesh_.mean_edge_lengths(length); }
 
   // The normal of the plane in which the vertex moves, or null if it moves in space.
-  const std::array<double, 3>* normal(int v) const
+  const Eigen::Vector3d* normal(int v) const
   {
     return v < mesh_.number_of_interior_vertices || motion(v) == nullptr ? nullptr : &motion(v)->normal;
   }

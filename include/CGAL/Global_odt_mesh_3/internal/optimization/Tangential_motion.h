@@ -10,9 +10,6 @@
 
 #include <Eigen/Core>
 
-#include <array>
-#include <cmath>
-
 namespace CGAL {
 namespace Global_odt_mesh_3 {
 namespace internal {
@@ -21,7 +18,7 @@ namespace internal {
 // when the motion begins, within a disk. Without radius, it stays.
 struct Tangential_motion
 {
-  std::array<double, 3> normal;
+  Eigen::Vector3d normal;
   double radius;
   Site center;
 
@@ -29,18 +26,15 @@ struct Tangential_motion
 
   void hold_in_disk(Site& s) const
   {
-    const double x = s.x - center.x, y = s.y - center.y, z = s.z - center.z;
-    const double d = std::sqrt(x * x + y * y + z * z);
-    if(d <= radius)
-      return;
-    const double f = radius / d;
-    s = { center.x + f * x, center.y + f * y, center.z + f * z, s.weight };
+    const Eigen::Vector3d way = position(s) - position(center);
+    const double distance = way.norm();
+    if(distance > radius)
+      s = site_at(position(center) + radius / distance * way, s.weight);
   }
 
   Eigen::Vector3d tangential_part(const Eigen::Vector3d& g) const
   {
-    const Eigen::Map<const Eigen::Vector3d> n(normal.data());
-    return g - n.dot(g) * n;
+    return g - normal.dot(g) * normal;
   }
 };
 

@@ -11,7 +11,6 @@
 
 #include <Eigen/Core>
 
-#include <array>
 #include <vector>
 
 namespace CGAL {
@@ -37,11 +36,10 @@ public:
       return Eigen::Vector3d::Zero();
     const Eigen::Vector3d direction = random_.direction();
     const double length = edge_length_[v] * random_.uniform();
-    const std::array<double, 3>* normal = f.normal(v);
+    const Eigen::Vector3d* normal = f.normal(v);
     if(normal == nullptr)
       return interior_amplitude * length * direction;
-    const Eigen::Map<const Eigen::Vector3d> n(normal->data());
-    return surface_amplitude * length * (direction - n.dot(direction) * n);
+    return surface_amplitude * length * (direction - normal->dot(direction) * *normal);
   }
 
   // The source of the noise, for whatever else is left to chance.

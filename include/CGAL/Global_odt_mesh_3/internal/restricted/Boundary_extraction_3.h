@@ -12,6 +12,8 @@
 #include <CGAL/Global_odt_mesh_3/internal/surface/Boundary_complex_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/triangulation/Flat_triangulation_3.h>
 
+#include <Eigen/Core>
+
 #include <array>
 #include <cstddef>
 #include <memory>
@@ -99,7 +101,7 @@ private:
     if(common.size() <= 1)
       return common.empty() ? int(Candidate::unknown_patch) : *common.begin();
     const Facet_dual_3 dual(f.vertices, candidate_.sites);
-    std::array<double, 3> p = dual.center;
+    Eigen::Vector3d p = dual.center;
     typename Candidate::State::Index index;
     if(!domain_.intersect(p, dual.normal, dual.radius, index))
       return Candidate::unknown_patch;

@@ -18,6 +18,8 @@
 #include <CGAL/Global_odt_mesh_3/internal/triangulation/Flat_triangulation_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/triangulation/Moving_triangulation_3.h>
 
+#include <Eigen/Core>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -147,15 +149,13 @@ private:
       const Cell_handle c = f.facet.first;
       const int i = f.facet.second;
       const Bare_point p = c->get_facet_surface_center(i);
-      std::array<double, 3> point = coordinates(p), power;
+      Eigen::Vector3d point = coordinates(p), power;
       for(int k = 0; k < 3; ++k)
       {
         const Site& s = state_.sites[f.vertices[k]];
         power[k] = squared_distance(s, point) - s.weight;
       }
-      const double spread = *std::max_element(power.begin(), power.end())
-                            - *std::min_element(power.begin(), power.end());
-      if(!(spread <= most_spread * std::abs(power[0])))
+      if(!(power.maxCoeff() - power.minCoeff() <= most_spread * std::abs(power[0])))
         point = estimated_surface_center(f.vertices, state_.boundary, state_.sites);
       state_.facets.push_back(f.facet);
       state_.centers.push_back({ point, p, c->get_facet_surface_center_index(i), true, true });

@@ -12,7 +12,8 @@
 
 #include <CGAL/number_utils.h>
 
-#include <array>
+#include <Eigen/Core>
+
 #include <cmath>
 #include <cstddef>
 #include <iterator>
@@ -142,7 +143,7 @@ private:
   // The mean of the circumradii around a vertex.
   void add_circumradius(Cell_handle c)
   {
-    const std::array<double, 3> p = coordinates(triangulation().dual(c));
+    const Eigen::Vector3d p = coordinates(triangulation().dual(c));
     for(int i = 0; i < 4; ++i)
     {
       const int v = state_.number(c->vertex(i));

@@ -14,8 +14,9 @@
 #include <CGAL/Global_odt_mesh_3/internal/restricted/Restricted_candidate_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/restricted/Restricted_report_3.h>
 
+#include <Eigen/Core>
+
 #include <algorithm>
-#include <array>
 #include <vector>
 
 namespace CGAL {
@@ -56,7 +57,6 @@ private:
   typedef typename Candidate::Triangulation Triangulation;
   typedef typename Candidate::Quadruple Quadruple;
   typedef typename Candidate::Cell_handle Cell_handle;
-  typedef std::array<double, 3> Vector;
 
   // The sine between the direction to a dual point and the tangential planes that is clear enough:
   // in the end, and on the way.
@@ -191,16 +191,13 @@ private:
     const std::vector<Site>& sites = candidate_.sites;
     const Site& origin = sites[q[0]];
     const Cell_products t(origin, sites[q[1]], sites[q[2]], sites[q[3]]);
-    const double f = 1 / (2 * t.determinant);
-    const Vector dual = {{ f * t.nx, f * t.ny, f * t.nz }};       // from the first vertex
+    const Eigen::Vector3d dual = position(origin) + Eigen::Vector3d(t.nx, t.ny, t.nz) / (2 * t.determinant);
     int label = no_subdomain;
     for(int v : q)
     {
       if(!is_on_boundary(v))
         continue;
-      const Site& s = sites[v];
-      const int l = candidate_.measured_boundary.label_toward(
-        v, {{ dual[0] - (s.x - origin.x), dual[1] - (s.y - origin.y), dual[2] - (s.z - origin.z) }}, margin);
+      const int l = candidate_.measured_boundary.label_toward(v, dual - position(sites[v]), margin);
       if(l == no_subdomain || (label != no_subdomain && l != label))
         return no_subdomain;
       label = l;

@@ -11,8 +11,8 @@
 #include <CGAL/Kernel_traits.h>
 #include <CGAL/Mesh_3/config.h>
 
-#include <array>
-#include <cmath>
+#include <Eigen/Core>
+
 #ifdef CGAL_GLOBAL_ODT_MESH_3_PROFILING
 #  include <chrono>
 #endif
@@ -85,7 +85,7 @@ public:
   typedef typename Mesh_domain::Index Index;
   typedef typename Mesh_domain::Point_3 Point_3;
   typedef typename Kernel_traits<Point_3>::Kernel::Segment_3 Segment_3;
-  typedef std::array<double, 3> Vector;
+  typedef Eigen::Vector3d Vector;
 
   explicit Domain_oracle_3(const Mesh_domain& domain)
     : domain_(domain)
@@ -114,7 +114,7 @@ public:
       const Oracle_stopwatch stopwatch(statistics_);
       const auto closest = domain_.aabb_tree().closest_point_and_primitive(Point_3(p[0], p[1], p[2]));
       const Vector q = coordinates(closest.first);
-      if(distance(p, q) <= reach && domain_.make_surface_index(closest.second) == patch)
+      if((p - q).norm() <= reach && domain_.make_surface_index(closest.second) == patch)
       {
         p = q;
         return true;
@@ -147,7 +147,7 @@ public:
     {
       ++statistics_.projections;
       const Oracle_stopwatch stopwatch(statistics_);
-      return distance(p, coordinates(domain_.aabb_tree().closest_point(Point_3(p[0], p[1], p[2]))));
+      return (p - coordinates(domain_.aabb_tree().closest_point(Point_3(p[0], p[1], p[2])))).norm();
     }
     else
       return 0;
@@ -159,10 +159,8 @@ public:
   {
     ++statistics_.intersections;
     const Oracle_stopwatch stopwatch(statistics_);
-    const Segment_3 s(Point_3(p[0] - half_length * direction[0], p[1] - half_length * direction[1],
-                              p[2] - half_length * direction[2]),
-                      Point_3(p[0] + half_length * direction[0], p[1] + half_length * direction[1],
-                              p[2] + half_length * direction[2]));
+    const Vector from = p - half_length * direction, to = p + half_length * direction;
+    const Segment_3 s(Point_3(from[0], from[1], from[2]), Point_3(to[0], to[1], to[2]));
     if(may_intersect(s))
     {
       const typename Mesh_domain::Intersection i = domain_.construct_intersection_object()(s);
@@ -186,11 +184,6 @@ private:
 #else
     return bool(domain_.do_intersect_surface_object()(s));
 #endif
-  }
-
-  static double distance(const Vector& a, const Vector& b)
-  {
-    return std::sqrt((a[0] - b[0]) * (a[0] - b[0]) + (a[1] - b[1]) * (a[1] - b[1]) + (a[2] - b[2]) * (a[2] - b[2]));
   }
 
   const Mesh_domain& domain_;

@@ -10,9 +10,10 @@
 #include <CGAL/Global_odt_mesh_3/internal/restricted/Restricted_candidate_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/restricted/Restricted_report_3.h>
 
+#include <Eigen/Core>
+
 #include <algorithm>
 #include <array>
-#include <cmath>
 
 namespace CGAL {
 namespace Global_odt_mesh_3 {
@@ -37,9 +38,9 @@ bool is_tolerated(Candidate& candidate, const typename Candidate::Quadruple& q)
 // The direction away from the boundary into the subdomain, as the normals at the vertices of a cell
 // tell, and the longest of the shortest edges there.
 template <class Candidate>
-std::array<double, 3> inward(const Candidate& candidate, const typename Candidate::Quadruple& q, int label, double& edge)
+Eigen::Vector3d inward(const Candidate& candidate, const typename Candidate::Quadruple& q, int label, double& edge)
 {
-  std::array<double, 3> sum = {{ 0, 0, 0 }};
+  Eigen::Vector3d sum = Eigen::Vector3d::Zero();
   edge = 0;
   const Boundary_geometry_3& boundary = candidate.measured_boundary;
   for(int w : q)
@@ -48,8 +49,7 @@ std::array<double, 3> inward(const Candidate& candidate, const typename Candidat
       const std::array<int, 2>& labels = boundary.complex().umbrella(w, n).labels;
       const Umbrella_shape& shape = boundary.shape(w, n);
       const double sign = labels[0] == label ? -1 : labels[1] == label ? 1 : 0;
-      for(int i = 0; i < 3; ++i)
-        sum[i] += sign * shape.normal[i];
+      sum += sign * shape.normal;
       edge = (std::max)(edge, shape.shortest_edge);
     }
   return sum;
@@ -74,10 +74,10 @@ void report_cell_beyond_surface(const Candidate& candidate, const typename Candi
   };
   const auto v = std::find_if(q.begin(), q.end(), [&](int w) { return candidate.numbering.is_interior(w); });
   double edge = 0;
-  std::array<double, 3> by = {{ 0, 0, 0 }};
+  Eigen::Vector3d by = Eigen::Vector3d::Zero();
   if(v != q.end() && std::none_of(q.begin(), q.end(), may_go_back) && times(candidate.times_pushed, *v) < most_pushes)
     by = inward(candidate, q, label, edge);
-  const double length = std::sqrt(by[0] * by[0] + by[1] * by[1] + by[2] * by[2]);
+  const double length = by.norm();
   if(!(length > 0))
   {
     report.send_back(q);
@@ -85,9 +85,7 @@ void report_cell_beyond_surface(const Candidate& candidate, const typename Candi
   }
   // The more often, the farther.
   const double step = step_from_boundary * edge * (1 + times(candidate.times_pushed, *v));
-  for(double& x : by)
-    x *= step / length;
-  report.push(*v, by);
+  report.push(*v, step / length * by);
 }
 
 } // namespace internal

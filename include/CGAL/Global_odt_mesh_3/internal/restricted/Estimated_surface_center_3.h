@@ -10,6 +10,8 @@
 #include <CGAL/Global_odt_mesh_3/internal/geometry/Site.h>
 #include <CGAL/Global_odt_mesh_3/internal/surface/Boundary_geometry_3.h>
 
+#include <Eigen/Core>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -22,7 +24,7 @@ namespace internal {
 // Where the dual line meets the surface of which the normals at the vertices are
 // known: on a sphere, and so in second order, half as high over the facet as the
 // tangential planes at the vertices.
-inline std::array<double, 3> estimated_surface_center(const std::array<int, 3>& t, const Boundary_geometry_3& boundary,
+inline Eigen::Vector3d estimated_surface_center(const std::array<int, 3>& t, const Boundary_geometry_3& boundary,
                                                       const std::vector<Site>& sites)
 {
   const Facet_dual_3 dual(t, sites);
@@ -32,20 +34,17 @@ inline std::array<double, 3> estimated_surface_center(const std::array<int, 3>& 
   {
     if(boundary.complex().number_of_umbrellas(v) != 1)
       continue;
-    const std::array<double, 3>& n = boundary.shape(v, 0).normal;
-    const double cosine = n[0] * dual.normal[0] + n[1] * dual.normal[1] + n[2] * dual.normal[2];
+    const Eigen::Vector3d& n = boundary.shape(v, 0).normal;
+    const double cosine = n.dot(dual.normal);
     if(std::abs(cosine) < Boundary_geometry_3::smallest_cosine)
       continue;
-    const Site& s = sites[v];
-    height += (n[0] * (s.x - dual.center[0]) + n[1] * (s.y - dual.center[1]) + n[2] * (s.z - dual.center[2]))
-              / (2 * cosine);
+    height += n.dot(position(sites[v]) - dual.center) / (2 * cosine);
     ++count;
   }
   if(count > 0)
     height /= count;
   return dual.point_at((std::max)(-dual.radius, (std::min)(dual.radius, height)));
 }
-
 
 } // namespace internal
 } // namespace Global_odt_mesh_3

@@ -11,8 +11,9 @@
 #include <CGAL/Global_odt_mesh_3/internal/restricted/Restricted_candidate_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/restricted/Restricted_report_3.h>
 
+#include <Eigen/Core>
+
 #include <algorithm>
-#include <array>
 #include <cstddef>
 
 namespace CGAL {
@@ -43,7 +44,7 @@ public:
   }
 
   // Whether a boundary facet may have its centroid there.
-  bool is_close(const std::array<double, 3>& point) const
+  bool is_close(const Eigen::Vector3d& point) const
   {
     return !Domain::tells_distances || domain_.distance_to_surface(point) <= farthest_centroid_;
   }

@@ -9,7 +9,7 @@
 #include <CGAL/Global_odt_mesh_3/internal/geometry/Index_table.h>
 #include <CGAL/Global_odt_mesh_3/internal/restricted/Domain_oracle_3.h>
 
-#include <array>
+#include <Eigen/Core>
 
 namespace CGAL {
 namespace Global_odt_mesh_3 {
@@ -25,7 +25,7 @@ public:
   typedef typename Mesh_domain::Index Index;
   typedef typename Mesh_domain::Subdomain_index Subdomain_index;
   typedef typename Mesh_domain::Surface_patch_index Surface_patch_index;
-  typedef std::array<double, 3> Vector;
+  typedef Eigen::Vector3d Vector;
 
   // Whether it has an AABB tree, which makes closest points cheap.
   static constexpr bool tells_distances = Has_aabb_tree<Mesh_domain>::value;

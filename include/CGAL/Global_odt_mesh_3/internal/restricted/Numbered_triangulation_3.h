@@ -8,6 +8,7 @@
 
 #include <CGAL/Global_odt_mesh_3/internal/geometry/Spatial_order.h>
 
+#include <CGAL/assertions.h>
 #include <CGAL/number_utils.h>
 
 #include <algorithm>
@@ -32,7 +33,11 @@ public:
 
   const Triangulation& triangulation() const { return tr_; }
   Triangulation& triangulation() { return tr_; }
-  Vertex_handle vertex(int v) const { return vertices_[v]; }
+  Vertex_handle vertex(int v) const
+  {
+    CGAL_assertion(is_visible(v));
+    return vertices_[v];
+  }
   std::size_t number_of_vertices() const { return vertices_.size(); }
   static int number(Vertex_handle h) { return static_cast<int>(h->meshing_info()); }
 

@@ -15,6 +15,10 @@
 #include <CGAL/Global_odt_mesh_3/internal/surface/Boundary_complex_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/surface/Boundary_geometry_3.h>
 
+#include <CGAL/assertions.h>
+
+#include <boost/functional/hash.hpp>
+
 #include <algorithm>
 #include <array>
 #include <map>
@@ -65,8 +69,8 @@ struct Restricted_candidate_3
   std::vector<Surface_center> centers;
 
   // What the domain has said of facets holds until their vertices move.
-  std::unordered_map<Triple, Surface_center, Hash_vertex_tuple> known_centers;
-  std::unordered_map<Triple, double, Hash_vertex_tuple> known_distances;
+  std::unordered_map<Triple, Surface_center, boost::hash<Triple> > known_centers;
+  std::unordered_map<Triple, double, boost::hash<Triple> > known_distances;
   std::vector<char> is_doubted;               // vertices whose normals do not tell sides
   bool has_doubts = false;
   std::set<Quadruple> tolerated_cells;
@@ -128,7 +132,11 @@ struct Restricted_candidate_3
     return q;
   }
 
-  Surface_position& surface_position(int v) { return surface_positions[v - numbering.number_of_interior_vertices]; }
+  Surface_position& surface_position(int v)
+  {
+    CGAL_assertion(numbering.is_movable(v) && !numbering.is_interior(v));
+    return surface_positions[v - numbering.number_of_interior_vertices];
+  }
 
   bool is_home(int v) const { return same_place(sites[v], homes[v]); }
 
@@ -155,6 +163,8 @@ struct Restricted_candidate_3
   template <class Domain>
   State finish(const Domain& domain)
   {
+    CGAL_assertion(centers.size() == facets.size() && boundary.complex().facets().size() == facets.size());
+    CGAL_expensive_assertion(triangulation().is_valid());
     State next;
     next.numbering = state.numbering;
     next.sites = std::move(sites);

@@ -22,8 +22,9 @@
 #include <CGAL/Global_odt_mesh_3/internal/restricted/Topology_check_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/triangulation/Moving_triangulation_3.h>
 
+#include <Eigen/Core>
+
 #include <algorithm>
-#include <array>
 #include <iterator>
 #include <set>
 #include <utility>
@@ -78,7 +79,7 @@ public:
   bool put_on_surface(int v, Site& s) { return internal::put_on_surface(domain_, state_.boundary, v, s); }
 
   // Whether that is close enough to the surface for the centroid of a boundary facet.
-  bool is_close_to_surface(const std::array<double, 3>& point) const { return fidelity_.is_close(point); }
+  bool is_close_to_surface(const Eigen::Vector3d& point) const { return fidelity_.is_close(point); }
 
   // Goes to new positions of the movable vertices, as far as possible; false if nothing could be done.
   // In a final state, all vertices are on their surfaces and all boundary facets have surface centers.
@@ -177,13 +178,13 @@ private:
     return true;
   }
 
-  static void push(Candidate& candidate, int v, const std::array<double, 3>& by, bool goes_back)
+  static void push(Candidate& candidate, int v, const Eigen::Vector3d& by, bool goes_back)
   {
     ++candidate.times_pushed[v];
     if(goes_back)
       return;
     Site& s = candidate.sites[v];
-    s = { s.x + by[0], s.y + by[1], s.z + by[2], s.weight };
+    s = site_at(position(s) + by, s.weight);
   }
 
   bool send_back(Candidate& candidate, Surface_projection& projection, int v, int attempt)
@@ -195,7 +196,7 @@ private:
     const bool is_halfway = is_patient && candidate.times_sent_back[v]++ < most;
     Site& s = candidate.sites[v];
     const Site& home = candidate.homes[v];
-    s = is_halfway ? Site{ (s.x + home.x) / 2, (s.y + home.y) / 2, (s.z + home.z) / 2, home.weight } : home;
+    s = is_halfway ? site_at((position(s) + position(home)) / 2, home.weight) : home;
     return !on_surface || projection.return_to_surface(v, is_halfway);
   }
 

@@ -6,7 +6,8 @@
 #ifndef CGAL_GLOBAL_ODT_MESH_3_INTERNAL_RESTRICTED_RESTRICTED_REPORT_3_H
 #define CGAL_GLOBAL_ODT_MESH_3_INTERNAL_RESTRICTED_RESTRICTED_REPORT_3_H
 
-#include <array>
+#include <Eigen/Core>
+
 #include <map>
 #include <set>
 
@@ -20,13 +21,13 @@ template <class Candidate>
 class Restricted_report_3
 {
 public:
-  typedef std::array<double, 3> Vector;
+  typedef Eigen::Vector3d Vector;
 
   explicit Restricted_report_3(const Candidate& candidate)
     : candidate_(candidate)
   {}
 
-  // Whether nothing is wrong, not even something that no vertex can mend by going back.
+  // Whether nothing is wrong, not even something that no vertex can undo by going back.
   bool is_clean() const { return offending_vertices_.empty() && pushes_.empty() && !is_beyond_repair_; }
   bool is_beyond_repair() const { return is_beyond_repair_; }
 

@@ -16,6 +16,10 @@
 
 #include <CGAL/assertions.h>
 
+#include <Eigen/Core>
+
+#include <boost/functional/hash.hpp>
+
 #include <algorithm>
 #include <array>
 #include <cstddef>
@@ -40,7 +44,7 @@ struct Restricted_state_3
   typedef typename Triangulation::Bare_point Bare_point;
   typedef typename Triangulation::Vertex::Index Index;
   typedef Vertex_numbering_3<Triangulation> Vertex_numbering;
-  typedef std::array<double, 3> Vector;
+  typedef Eigen::Vector3d Vector;
   typedef std::array<int, 3> Triple;
   typedef std::array<int, 4> Quadruple;
 
@@ -72,8 +76,8 @@ struct Restricted_state_3
   Boundary_geometry_3 boundary;
   std::vector<Facet> facets;                        // of the triangulation, on side 0
   std::vector<Surface_center> centers;
-  std::unordered_map<Triple, int, Hash_vertex_tuple> facet_numbers;
-  std::unordered_map<Quadruple, int, Hash_vertex_tuple> boundary_cells;   // with all vertices on the boundary; labels
+  std::unordered_map<Triple, int, boost::hash<Triple> > facet_numbers;
+  std::unordered_map<Quadruple, int, boost::hash<Quadruple> > boundary_cells;   // with all vertices on the boundary; labels
   std::set<Quadruple> tolerated_cells;              // of the input, with dual points in other subdomains
   bool has_unseparating_facets = false;
 

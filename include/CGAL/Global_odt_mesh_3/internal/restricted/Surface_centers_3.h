@@ -14,7 +14,8 @@
 #include <CGAL/Global_odt_mesh_3/internal/restricted/Restricted_candidate_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/restricted/Restricted_report_3.h>
 
-#include <array>
+#include <Eigen/Core>
+
 #include <cmath>
 #include <cstddef>
 
@@ -68,7 +69,7 @@ private:
   typedef typename Candidate::Triple Triple;
   typedef typename Candidate::Quadruple Quadruple;
   typedef typename Candidate::State::Index Index;
-  typedef std::array<double, 3> Vector;
+  typedef Eigen::Vector3d Vector;
 
   // The middle from where the surface is expected, and half the length, over the radius of the facet.
   // Both ends of a segment across a thin part are outside, hence those to one side only.
@@ -105,9 +106,7 @@ private:
     const Facet_dual_3 dual(t, candidate_.sites);
     for(const auto& s : segments_to_search)
     {
-      Vector p = center.point;
-      for(int i = 0; i < 3; ++i)
-        p[i] += s[0] * dual.radius * dual.normal[i];
+      Vector p = center.point + s[0] * dual.radius * dual.normal;
       Index index;
       if(!domain_.intersect(p, dual.normal, s[1] * dual.radius, index))
         continue;

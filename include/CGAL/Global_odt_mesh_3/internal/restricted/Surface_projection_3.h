@@ -11,8 +11,7 @@
 #include <CGAL/Global_odt_mesh_3/internal/restricted/Restricted_candidate_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/surface/Boundary_geometry_3.h>
 
-#include <array>
-#include <cmath>
+#include <Eigen/Core>
 
 namespace CGAL {
 namespace Global_odt_mesh_3 {
@@ -24,10 +23,10 @@ bool put_on_surface(Domain& domain, const Boundary_geometry_3& boundary, int v, 
 {
   constexpr double farthest_projection = 1;       // over the shortest edge
   const Umbrella_shape& shape = boundary.shape(v, 0);
-  std::array<double, 3> p = {{ s.x, s.y, s.z }};
+  Eigen::Vector3d p = position(s);
   if(!domain.project(p, shape.normal, farthest_projection * shape.shortest_edge, boundary.complex().umbrella(v, 0).patch))
     return false;
-  s = { p[0], p[1], p[2], s.weight };
+  s = site_at(p, s.weight);
   return true;
 }
 
@@ -119,8 +118,7 @@ private:
   double drift(int v) const
   {
     const Umbrella_shape& shape = candidate_.state.boundary.shape(v, 0);
-    const Site& s = candidate_.homes[v];
-    const double way = squared_distance(candidate_.sites[v], {{ s.x, s.y, s.z }});
+    const double way = squared_distance(candidate_.sites[v], position(candidate_.homes[v]));
     return shape.bend * way / (shape.shortest_edge * shape.shortest_edge);
   }
 

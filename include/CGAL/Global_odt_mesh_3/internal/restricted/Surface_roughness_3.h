@@ -9,8 +9,7 @@
 #include <CGAL/Global_odt_mesh_3/internal/geometry/Site.h>
 #include <CGAL/Global_odt_mesh_3/internal/restricted/Restricted_state_3.h>
 
-#include <array>
-#include <cmath>
+#include <Eigen/Core>
 
 namespace CGAL {
 namespace Global_odt_mesh_3 {
@@ -22,21 +21,13 @@ bool is_off_surface_after_step(const State& state, Domain& domain, int v)
 {
   constexpr double step_length = 0.2, most_tolerated = 0.05;      // over the shortest edge
   const Umbrella_shape& shape = state.boundary.shape(v, 0);
-  const Site& s = state.sites[v];
   const double step = step_length * shape.shortest_edge, tolerance = most_tolerated * shape.shortest_edge;
-  const std::array<double, 3>& n = shape.normal;
-  const double along = shape.toward[0] * n[0] + shape.toward[1] * n[1] + shape.toward[2] * n[2];
-  std::array<double, 3> t;
-  for(int i = 0; i < 3; ++i)
-    t[i] = shape.toward[i] - along * n[i];
-  const double length = std::sqrt(t[0] * t[0] + t[1] * t[1] + t[2] * t[2]);
-  const double f = length > 0 ? step / length : 0;
-  const std::array<double, 3> from = {{ s.x + f * t[0], s.y + f * t[1], s.z + f * t[2] }};
-  std::array<double, 3> p = from;
+  const Eigen::Vector3d tangent = shape.toward - shape.normal.dot(shape.toward) * shape.normal;
+  const Eigen::Vector3d from = position(state.sites[v]) + step * tangent.normalized();
+  Eigen::Vector3d p = from;
   const int patch = state.boundary.complex().umbrella(v, 0).patch;
-  const bool found = domain.project(p, n, 4 * tolerance, patch);
-  const double dx = p[0] - from[0], dy = p[1] - from[1], dz = p[2] - from[2];
-  return !found || dx * dx + dy * dy + dz * dz > tolerance * tolerance;
+  const bool found = domain.project(p, shape.normal, 4 * tolerance, patch);
+  return !found || (p - from).norm() > tolerance;
 }
 
 // Whether the surface is rough compared with the mesh, as that of an image is: so it is at many

@@ -13,6 +13,8 @@
 #include <CGAL/Global_odt_mesh_3/internal/surface/Boundary_complex_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/surface/Boundary_topology_3.h>
 
+#include <Eigen/Core>
+
 #include <array>
 #include <cstddef>
 #include <map>
@@ -58,7 +60,7 @@ Restricted_report_3<Candidate> check_topology(const Candidate& candidate)
 
 // Those of the vertices around a boundary facet that lie in its surface Delaunay ball.
 template <class Candidate>
-std::vector<int> intruders(const Candidate& candidate, const std::array<int, 3>& t, const std::array<double, 3>& center)
+std::vector<int> intruders(const Candidate& candidate, const std::array<int, 3>& t, const Eigen::Vector3d& center)
 {
   const Site& s = candidate.state.sites[t[0]];
   const double radius = squared_distance(s, center) - s.weight;

@@ -6,8 +6,11 @@
 #ifndef CGAL_GLOBAL_ODT_MESH_3_INTERNAL_SIZING_TRICUBIC_SPLINE_3_H
 #define CGAL_GLOBAL_ODT_MESH_3_INTERNAL_SIZING_TRICUBIC_SPLINE_3_H
 
+#include <CGAL/Global_odt_mesh_3/internal/Parameter_check.h>
+
 #include <CGAL/Bbox_3.h>
-#include <CGAL/assertions.h>
+
+#include <Eigen/Core>
 
 #include <boost/math/interpolators/cardinal_cubic_b_spline.hpp>
 
@@ -28,7 +31,7 @@ namespace internal {
 class Tricubic_spline_3
 {
 public:
-  typedef std::array<double, 3> Triple;
+  typedef Eigen::Vector3d Triple;
 
   // The formula for derivatives at the ends of a line takes that many.
   static constexpr int fewest_nodes = 5;
@@ -40,14 +43,14 @@ public:
     std::array<int, 3> nodes;
 
     Grid(const Bbox_3& box, int nx, int ny, int nz)
-      : low{{ box.xmin(), box.ymin(), box.zmin() }}
-      , high{{ box.xmax(), box.ymax(), box.zmax() }}
+      : low(box.xmin(), box.ymin(), box.zmin())
+      , high(box.xmax(), box.ymax(), box.zmax())
       , nodes{{ nx, ny, nz }}
     {
       for(int axis = 0; axis < 3; ++axis)
       {
-        CGAL_precondition_msg(nodes[axis] >= fewest_nodes, too_few_nodes(axis));
-        CGAL_precondition_msg(high[axis] > low[axis] && std::isfinite(high[axis] - low[axis]), bad_extent(axis));
+        CGAL_GLOBAL_ODT_MESH_3_CHECK_PARAMETER(nodes[axis] >= fewest_nodes, too_few_nodes(axis));
+        CGAL_GLOBAL_ODT_MESH_3_CHECK_PARAMETER(high[axis] > low[axis] && std::isfinite(high[axis] - low[axis]), bad_extent(axis));
       }
     }
 
@@ -86,10 +89,10 @@ public:
     : grid_(grid)
     , data_(values.size())
   {
-    CGAL_precondition_msg(values.size() == grid.number_of_nodes(),
-                          "Spline_grid_field_3: the number of values is not the product of the numbers of nodes");
-    CGAL_precondition_msg(std::all_of(values.begin(), values.end(), [](double v) { return std::isfinite(v); }),
-                          "Spline_grid_field_3: a value is not finite");
+    CGAL_GLOBAL_ODT_MESH_3_CHECK_PARAMETER(values.size() == grid.number_of_nodes(),
+                                           "Spline_grid_field_3: the number of values is not the product of the numbers of nodes");
+    CGAL_GLOBAL_ODT_MESH_3_CHECK_PARAMETER(std::all_of(values.begin(), values.end(), [](double v) { return std::isfinite(v); }),
+                                           "Spline_grid_field_3: a value is not finite");
     for(int axis = 0; axis < 3; ++axis)
       scale_[axis] = (grid.nodes[axis] - 1) / (grid.high[axis] - grid.low[axis]);
     for(std::size_t n = 0; n < values.size(); ++n)

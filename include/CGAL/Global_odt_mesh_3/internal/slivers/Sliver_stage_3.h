@@ -12,8 +12,9 @@
 #include <CGAL/Global_odt_mesh_3/internal/triangulation/Flat_triangulation_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/triangulation/Moving_triangulation_3.h>
 
+#include <Eigen/Core>
+
 #include <algorithm>
-#include <array>
 #include <cstddef>
 #include <vector>
 
@@ -183,9 +184,8 @@ private:
     if(!shape.is_smooth && !is_rough())
       return false;
     const Site from = mesh_.sites[v];
-    const auto& n = shape.normal;
-    const double h = n[0] * (s.x - from.x) + n[1] * (s.y - from.y) + n[2] * (s.z - from.z);
-    s = { s.x - h * n[0], s.y - h * n[1], s.z - h * n[2], s.weight };
+    const double height = shape.normal.dot(position(s) - position(from));
+    s = site_at(position(s) - height * shape.normal, s.weight);
     // On a rough surface, the tangential plane says little of where that will be; and where the surface
     // cannot be found everywhere, vertices are better left alone, unless bad cells remain.
     if(!is_rough() || complex_.put_on_surface(v, s))
@@ -218,12 +218,11 @@ private:
         const int first = mesh.topology.constrained_slot(Flat_triangulation_3::constrained_facet(across), 0);
         if(first >= 0 && first != facet)
           continue;
-        std::array<double, 3> centroid = {{ 0, 0, 0 }};
+        Eigen::Vector3d centroid = Eigen::Vector3d::Zero();
         for(int j : Flat_triangulation_3::facet_vertices(i))
         {
           const int w = mesh.topology.vertex(facet - i + j);
-          const Site& t = w == v ? s : mesh.sites[w];
-          centroid = {{ centroid[0] + t.x / 3, centroid[1] + t.y / 3, centroid[2] + t.z / 3 }};
+          centroid += position(w == v ? s : mesh.sites[w]) / 3;
         }
         if(!complex_.is_close_to_surface(centroid))
           return false;

@@ -8,6 +8,7 @@
 
 #include <CGAL/Global_odt_mesh_3/internal/geometry/Vertex_tuples.h>
 
+#include <CGAL/Union_find.h>
 #include <CGAL/assertions.h>
 
 #include <algorithm>
@@ -219,33 +220,21 @@ private:
     umbrellas_.push_back({ labels, f.patch, is_closed });
   }
 
+  // Facets of one component are connected by edges that are no junctions.
   void count_components()
   {
-    std::vector<char> seen(facets_.size(), false);
-    std::vector<int> stack;
+    CGAL::Union_find<int> components;
+    std::vector<CGAL::Union_find<int>::handle> facet;
+    for(int n = 0; n < static_cast<int>(facets_.size()); ++n)
+      facet.push_back(components.make_set(n));
+    for(int corner = 0; corner < number_of_corners(); ++corner)
+      if(beyond_[corner] > corner / 3)
+        components.unify_sets(facet[corner / 3], facet[beyond_[corner]]);
     for(std::size_t n = 0; n < facets_.size(); ++n)
     {
       auto& count = counts_[facets_[n].patch];
       ++count.first;
-      if(seen[n])
-        continue;
-      ++count.second;
-      seen[n] = true;
-      stack.assign(1, static_cast<int>(n));
-      while(!stack.empty())
-      {
-        const int f = stack.back();
-        stack.pop_back();
-        for(int k = 0; k < 3; ++k)
-        {
-          const int b = beyond_[3 * f + k];
-          if(b >= 0 && !seen[b])
-          {
-            seen[b] = true;
-            stack.push_back(b);
-          }
-        }
-      }
+      count.second += components.find(facet[n]) == facet[n];
     }
   }
 

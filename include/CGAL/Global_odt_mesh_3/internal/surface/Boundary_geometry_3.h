@@ -9,6 +9,9 @@
 #include <CGAL/Global_odt_mesh_3/internal/geometry/Site.h>
 #include <CGAL/Global_odt_mesh_3/internal/surface/Boundary_complex_3.h>
 
+#include <Eigen/Core>
+#include <Eigen/Geometry>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -25,8 +28,8 @@ namespace internal {
 // The shape of an umbrella.
 struct Umbrella_shape
 {
-  std::array<double, 3> normal = {{ 0, 0, 0 }};     // of unit length, from labels[0] to labels[1]
-  std::array<double, 3> toward = {{ 0, 0, 0 }};     // from the vertex into the umbrella
+  Eigen::Vector3d normal = Eigen::Vector3d::Zero();     // of unit length, from labels[0] to labels[1]
+  Eigen::Vector3d toward = Eigen::Vector3d::Zero();     // from the vertex into the umbrella
   double shortest_edge = (std::numeric_limits<double>::max)();      // from the vertex
   double bend = 0;                                  // the largest sine between facets and normal
   bool is_smooth = false;                           // closed, oriented, of one patch, not bent too much
@@ -36,8 +39,6 @@ struct Umbrella_shape
 class Boundary_geometry_3
 {
 public:
-  typedef std::array<double, 3> Vector;
-
   // The cosine between a facet of a smooth umbrella and the umbrella's normal: 60 degrees.
   static constexpr double smallest_cosine = 0.5;
 
@@ -63,15 +64,15 @@ public:
   // The subdomain that lies in direction d from the vertex, as the planes of its
   // umbrellas tell; no_label if d is closer to tangential than the sine `margin`, or if
   // the surfaces are not those of a smooth point, a convex or a reflex edge or corner.
-  int label_toward(int v, const Vector& d, double margin) const
+  int label_toward(int v, const Eigen::Vector3d& d, double margin) const
   {
     if(creases_[v] == UNCLEAR)
       return no_label;
-    const double clear = margin * std::sqrt(dot(d, d));
+    const double clear = margin * d.norm();
     bool any_above = false, any_below = false, all_above = true, all_below = true;
     for(int n = 0; n < complex_->number_of_umbrellas(v); ++n)
     {
-      const double side = dot(shape(v, n).normal, d);
+      const double side = shape(v, n).normal.dot(d);
       any_above = any_above || side >= clear;
       any_below = any_below || side <= -clear;
       all_above = all_above && side >= clear;
@@ -90,7 +91,7 @@ private:
   void measure(const std::vector<Site>& sites)
   {
     const std::vector<Boundary_facet>& facets = complex_->facets();
-    std::vector<Vector> area(facets.size());
+    std::vector<Eigen::Vector3d> area(facets.size());
     for(std::size_t n = 0; n < facets.size(); ++n)
     {
       area[n] = area_vector(facets[n].vertices, sites);
@@ -99,12 +100,12 @@ private:
     }
     for(int n = 0; n < complex_->number_of_umbrellas(); ++n)
     {
-      normalize(shapes_[n].normal);
+      shapes_[n].normal.normalize();
       shapes_[n].is_smooth = complex_->umbrella(n).is_disk;
     }
     for(std::size_t n = 0; n < facets.size(); ++n)
     {
-      normalize(area[n]);
+      area[n].normalize();
       for(int k = 0; k < 3; ++k)
         add_bend(static_cast<int>(3 * n) + k, area[n]);
     }
@@ -121,28 +122,24 @@ private:
     return complex_->facets()[corner / 3].labels[0] == umbrella.labels[0] ? 1 : -1;
   }
 
-  void add_corner(int corner, const Vector& area, const std::vector<Site>& sites)
+  void add_corner(int corner, const Eigen::Vector3d& area, const std::vector<Site>& sites)
   {
     const std::array<int, 3>& t = complex_->facets()[corner / 3].vertices;
     const Site& s = sites[t[corner % 3]];
     Umbrella_shape& u = shape_of_corner(corner);
-    const double sign = orientation(corner);
-    for(int i = 0; i < 3; ++i)
-      u.normal[i] += sign * area[i];
+    u.normal += orientation(corner) * area;
     for(int m = 1; m < 3; ++m)
     {
-      const Site& to = sites[t[(corner + m) % 3]];
-      const Vector edge = {{ to.x - s.x, to.y - s.y, to.z - s.z }};
-      for(int i = 0; i < 3; ++i)
-        u.toward[i] += edge[i];
-      u.shortest_edge = (std::min)(u.shortest_edge, std::sqrt(dot(edge, edge)));
+      const Eigen::Vector3d edge = position(sites[t[(corner + m) % 3]]) - position(s);
+      u.toward += edge;
+      u.shortest_edge = (std::min)(u.shortest_edge, edge.norm());
     }
   }
 
-  void add_bend(int corner, const Vector& facet_normal)
+  void add_bend(int corner, const Eigen::Vector3d& facet_normal)
   {
     Umbrella_shape& u = shape_of_corner(corner);
-    const double cosine = orientation(corner) * dot(facet_normal, u.normal);
+    const double cosine = orientation(corner) * facet_normal.dot(u.normal);
     if(!(cosine >= smallest_cosine))
       u.is_smooth = false;
     u.bend = (std::max)(u.bend, std::sqrt((std::max)(0., 1 - cosine * cosine)));
@@ -160,7 +157,7 @@ private:
       for(int m = 0; m < number; ++m)
         if(m != n)
         {
-          const double above = dot(shape(v, n).normal, shape(v, m).toward);
+          const double above = shape(v, n).normal.dot(shape(v, m).toward);
           convex = convex && above <= 0;
           reflex = reflex && above >= 0;
         }
@@ -168,22 +165,11 @@ private:
     return convex ? CONVEX : reflex ? REFLEX : UNCLEAR;
   }
 
-  static double dot(const Vector& a, const Vector& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
-
   // Twice the area, pointing to side 1.
-  static Vector area_vector(const std::array<int, 3>& t, const std::vector<Site>& s)
+  static Eigen::Vector3d area_vector(const std::array<int, 3>& t, const std::vector<Site>& s)
   {
-    const double ax = s[t[1]].x - s[t[0]].x, ay = s[t[1]].y - s[t[0]].y, az = s[t[1]].z - s[t[0]].z;
-    const double bx = s[t[2]].x - s[t[0]].x, by = s[t[2]].y - s[t[0]].y, bz = s[t[2]].z - s[t[0]].z;
-    return {{ ay * bz - az * by, az * bx - ax * bz, ax * by - ay * bx }};
-  }
-
-  static void normalize(Vector& n)
-  {
-    const double length = std::sqrt(dot(n, n));
-    if(length > 0)
-      for(double& x : n)
-        x /= length;
+    const Eigen::Vector3d origin = position(s[t[0]]);
+    return (position(s[t[1]]) - origin).cross(position(s[t[2]]) - origin);
   }
 
   std::shared_ptr<const Boundary_complex_3> complex_;

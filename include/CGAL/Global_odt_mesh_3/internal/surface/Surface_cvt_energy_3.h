@@ -48,7 +48,7 @@ struct Surface_cvt_contribution_3
                                   / n.squaredNorm();
     const Eigen::Vector3d unit = n.normalized();
     const Facet_dual_3 dual(facet, sites);
-    const Eigen::Vector3d center = Eigen::Map<const Eigen::Vector3d>(dual.center.data());
+    const Eigen::Vector3d& center = dual.center;
     for(int i = 0; i < 3; ++i)
     {
       const double weight = sites[facet[i]].weight;

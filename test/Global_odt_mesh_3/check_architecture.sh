@@ -1,0 +1,47 @@
+#!/usr/bin/env bash
+# Headers include only those of their own folder and of folders before it, so that data flows one way, and
+# stay short: no internal file has more than 350 lines, and no function more than 40.
+#
+#   check_architecture.sh "internal directory"
+set -euo pipefail
+cd "$1"
+status=0
+
+# Beside each other: slivers and restricted.
+rank() {
+  case $1 in
+    geometry) echo 0 ;; density) echo 1 ;; energy) echo 2 ;; triangulation) echo 3 ;; sizing) echo 4 ;;
+    optimization) echo 5 ;; surface) echo 6 ;; slivers | restricted) echo 7 ;; .) echo 8 ;; *) echo unknown ;;
+  esac
+}
+
+while IFS= read -r file; do
+  folder=$(dirname "${file#./}")
+  while IFS= read -r included; do
+    other=$(dirname "$included")
+    # Checked parameters occur everywhere, as assertions do.
+    if [ "$included" != Parameter_check.h ] && [ "$folder" != "$other" ] && ! [ "$(rank "$other")" -lt "$(rank "$folder")" ]; then
+      echo "$file includes $included"
+      status=1
+    fi
+  done < <(sed -n 's|^#include <CGAL/Global_odt_mesh_3/internal/\(.*\)>|\1|p' "$file")
+  lines=$(wc -l < "$file")
+  if [ "$lines" -gt 350 ]; then
+    echo "$file has $lines lines"
+    status=1
+  fi
+done < <(find . -name '*.h')
+
+# Braces on lines of their own, at most one level deep, that do not follow the head of a class or namespace.
+find . -name '*.h' -exec awk '
+  FNR == 1 { inside = 0; previous = "" }
+  !inside && /^ ? ?{$/ && previous !~ /^ *(namespace|class|struct|enum|: (private|public))/ {
+    inside = 1; begin = FNR; indent = $0; sub(/{$/, "", indent); name = previous
+  }
+  inside && index($0, indent "}") == 1 {
+    if(FNR - begin - 1 > 40) { print FILENAME ": " FNR - begin - 1 " lines in " name; long = 1 }
+    inside = 0
+  }
+  { previous = $0 }
+  END { exit long }' {} + || status=1
+exit $status

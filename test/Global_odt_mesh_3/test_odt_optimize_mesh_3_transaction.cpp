@@ -1,0 +1,198 @@
+// Copyright (c) 2026 The Global_odt_mesh_3 authors.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+// The way from one valid state of a complex to the next: what fails or throws on the way leaves no trace, and
+// a share of the time that is over when it begins is used up.
+
+#include "check.h"
+#include "mesh_domains.h"
+
+#include <CGAL/Global_odt_mesh_3/internal/Iteration_control.h>
+#include <CGAL/Global_odt_mesh_3/internal/geometry/Random_source.h>
+#include <CGAL/Global_odt_mesh_3/internal/restricted/C3t3_reader_3.h>
+#include <CGAL/Global_odt_mesh_3/internal/restricted/Restricted_complex_3.h>
+#include <CGAL/Mesh_3/Null_global_optimizer_visitor.h>
+#include <CGAL/odt_optimize_mesh_3.h>
+
+#include <cstddef>
+#include <iostream>
+#include <memory>
+#include <stdexcept>
+#include <vector>
+
+using namespace CGAL::Global_odt_mesh_3::internal;
+using domains::Labeled_c3t3;
+using domains::Labeled_domain;
+using domains::Labeled_triangulation;
+using domains::Point_3;
+
+typedef Restricted_complex_3<Labeled_triangulation, Labeled_domain> Complex;
+
+// A ball with a smaller one inside, whose label function can be made to fail.
+struct Fallible_ball
+{
+  enum Failure { NONE, THROW, SAY_OUTSIDE };
+
+  Failure failure = NONE;
+  long questions = 0, fails_after = 0;
+
+  Labeled_domain domain()
+  {
+    return domains::labeled([this](const Point_3& p)
+    {
+      const bool fails = ++questions > fails_after && failure != NONE;
+      if(fails && failure == THROW)
+        throw std::runtime_error("the domain fails");
+      const double d = domains::squared(p);
+      return fails ? 0 : d < 0.16 ? 2 : d < 1 ? 1 : 0;
+    });
+  }
+
+  void fail(Failure how, long after)
+  {
+    failure = how;
+    questions = 0;
+    fails_after = after;
+  }
+};
+
+// All that a state says, in numbers.
+static std::vector<double> contents(const Complex::State& state)
+{
+  std::vector<double> c = { double(state.is_input()) };
+  for(const Site& s : state.sites)
+    c.insert(c.end(), { s.x, s.y, s.z, s.weight });
+  for(const auto& p : state.surface_positions)
+    c.insert(c.end(), { double(p.is_on_surface), p.drift, p.last_on_surface.x, p.last_on_surface.y, p.last_on_surface.z });
+  for(const auto& center : state.centers)
+    c.insert(c.end(), { center.point[0], center.point[1], center.point[2], double(center.is_exact) });
+  for(const Boundary_facet& f : state.boundary.complex().facets())
+    c.insert(c.end(), { double(f.vertices[0]), double(f.vertices[1]), double(f.vertices[2]), double(f.labels[0]),
+                        double(f.labels[1]), double(f.patch) });
+  for(int v = 0; v < state.numbering->number_of_movable_vertices; ++v)
+  {
+    const Point_3& p = state.triangulation().point(state.vertex(v)).point();
+    c.insert(c.end(), { p.x(), p.y(), p.z() });
+  }
+  return c;
+}
+
+// Positions a bit away from those of the state; tangential on surfaces.
+static std::vector<Site> displaced(const Complex::State& state, double amount, unsigned int seed)
+{
+  Random_source random(seed);
+  std::vector<Site> sites = state.sites;
+  for(int v = 0; v < state.numbering->number_of_movable_vertices; ++v)
+  {
+    Eigen::Vector3d by = amount * random.uniform() * random.direction();
+    if(!state.numbering->is_interior(v))
+    {
+      const Eigen::Vector3d& n = state.boundary.shape(v, 0).normal;
+      by -= n.dot(by) * n;
+    }
+    sites[v] = site_at(position(sites[v]) + by, sites[v].weight);
+  }
+  return sites;
+}
+
+static std::unique_ptr<Complex> load(const Labeled_c3t3& c3t3, const Labeled_domain& domain, Boundary_motion motion)
+{
+  auto complex = std::make_unique<Complex>(domain, motion);
+  Moving_triangulation_3 mesh;
+  complex->start(C3t3_reader_3<Labeled_c3t3, Complex::Domain>(c3t3, complex->domain()).read(mesh, true));
+  return complex;
+}
+
+// A state is what it was before a call of advance() that fails or throws, and the next call leads where it
+// would have led without that one. In particular, a vertex that was on the way to the surface is not taken to be there.
+static void failures_leave_no_trace(Fallible_ball& ball, const Labeled_domain& domain, const Labeled_c3t3& c3t3)
+{
+  const unsigned int seed = 3;
+  std::cout << "seed of displacements: " << seed << std::endl;
+  for(Boundary_motion motion : { Boundary_motion::BY_NORMALS, Boundary_motion::BY_DOMAIN })
+  {
+    ball.fail(Fallible_ball::NONE, 0);
+    const std::unique_ptr<Complex> complex = load(c3t3, domain, motion), undisturbed = load(c3t3, domain, motion);
+    for(Complex* c : { complex.get(), undisturbed.get() })
+      check::that(c->advance(displaced(c->state(), 0.02, seed), false), "a small displacement leads to no valid complex");
+    int off = 0;
+    for(const auto& p : complex->state().surface_positions)
+      off += !p.is_on_surface;
+    if(motion == Boundary_motion::BY_NORMALS)
+      check::that(off > 0, "no vertex follows its tangential plane: the test is too weak");
+    const std::vector<double> before = contents(complex->state());
+    const std::vector<Site> target = displaced(complex->state(), 0.02, seed + 1);
+    for(long after : { 0, 20, 100, 500, 1500, 3000 })
+    {
+      bool is_done = false, has_thrown = false;
+      ball.fail(Fallible_ball::THROW, after);
+      try { is_done = complex->advance(target, true); }
+      catch(const std::runtime_error&) { has_thrown = true; }
+      check::that(has_thrown && !is_done, "the domain was not asked ", after, " times: the test is too weak");
+      check::that(contents(complex->state()) == before, "an exception has changed the state");
+    }
+    ball.fail(Fallible_ball::SAY_OUTSIDE, 0);
+    check::that(!complex->advance(target, true), "a complex was made of a domain that is empty");
+    check::that(contents(complex->state()) == before, "a failure has changed the state");
+
+    ball.fail(Fallible_ball::NONE, 0);
+    for(Complex* c : { complex.get(), undisturbed.get() })
+      check::that(c->advance(target, true), "a small displacement leads to no valid final complex");
+    check::that(contents(complex->state()) == contents(undisturbed->state()), "failures have changed what follows");
+    for(const auto& p : complex->state().surface_positions)
+      check::that(p.is_on_surface, "a vertex is off the surface in the end");
+  }
+}
+
+// The same for the whole call.
+static void exceptions_leave_the_mesh(Fallible_ball& ball, const Labeled_domain& domain, const Labeled_c3t3& input)
+{
+  Labeled_c3t3 c3t3(input);
+  const auto points = [](const Labeled_c3t3& c)
+  {
+    std::vector<Point_3> p;
+    for(auto v = c.triangulation().finite_vertices_begin(); v != c.triangulation().finite_vertices_end(); ++v)
+      p.push_back(v->point().point());
+    return p;
+  };
+  const auto before = points(c3t3);
+  for(long after : { 0, 100, 1000, 3000 })
+  {
+    ball.fail(Fallible_ball::THROW, after);
+    bool has_thrown = false;
+    try { CGAL::odt_optimize_mesh_3(c3t3, domain); }
+    catch(const std::runtime_error&) { has_thrown = true; }
+    check::that(has_thrown, "the domain was not asked ", after, " times: the test is too weak");
+    check::that(points(c3t3) == before && c3t3.is_valid(), "an exception has changed the mesh");
+  }
+}
+
+// A stage gets its share of the time, from when it begins to where the share ends; if that is
+// over already, nothing is left of it, so that noise that is to fade away in it has faded away.
+static void shares_of_time()
+{
+  typedef CGAL::Mesh_3::Null_global_optimizer_visitor<Labeled_c3t3> Visitor;
+  Visitor visitor;
+  Odt_parameters parameters;
+  const Iteration_control<Visitor> unlimited(parameters, visitor);
+  check::that(unlimited.progress_between(0.2, 0.65) == 0, "time passes without a limit");
+  Odt_parameters long_time;
+  long_time.time_limit = 1e9;
+  const Iteration_control<Visitor> limited(long_time, visitor);
+  check::that(limited.progress_between(0, 0.65) < 1e-3, "time passes too fast");
+  for(double begin : { 0.65, 0.7, 1.2 })
+    check::that(limited.progress_between(begin, 0.65) == 1, "a share of the time that has passed is not used up");
+}
+
+int main()
+{
+  Fallible_ball ball;
+  const Labeled_domain domain = ball.domain();
+  const Labeled_c3t3 c3t3 = domains::mesh(domain, 0.2);
+  failures_leave_no_trace(ball, domain, c3t3);
+  exceptions_leave_the_mesh(ball, domain, c3t3);
+  shares_of_time();
+  return check::result();
+}
