@@ -75,7 +75,7 @@ private:
     {
       if(!mesh.topology.is_alive(c))
         continue;
-      const int* const v = mesh.topology.cell_vertices() + 4 * c;
+      const int* const v = mesh.topology.vertices(c);
       const Density_moments_3 moments = mesh.quadrature()->moments(c, v, mesh.sites.data());
       const double rho = moments.first[0] + moments.first[1] + moments.first[2] + moments.first[3];
       const double weight = rho * mesh.products(c).determinant / 36;

@@ -30,8 +30,7 @@ inline double true_energy(const CGAL::Global_odt_mesh_3::internal::Moving_triang
   std::vector<CGAL::Global_odt_mesh_3::internal::Cell_vertices> cells;
   for(int c = 0; c < mesh.topology.number_of_cell_slots(); ++c)
     if(mesh.topology.is_alive(c))
-      cells.push_back({{ mesh.topology.vertex(4 * c), mesh.topology.vertex(4 * c + 1), mesh.topology.vertex(4 * c + 2),
-                         mesh.topology.vertex(4 * c + 3) }});
+      cells.push_back(mesh.topology.cell(c));
   return reference_energy(mesh.sites, cells, density, CGAL::Adaptive_cubature_3{ tolerance });
 }
 

@@ -37,6 +37,7 @@
 #include <limits>
 #include <map>
 #include <memory>
+#include <optional>
 #include <random>
 #include <stdexcept>
 #include <string>
@@ -48,7 +49,7 @@ static std::vector<Cell_vertices> cells(const Flat_triangulation_3& t, const Num
 {
   std::vector<Cell_vertices> v;
   for(int c : numbers)
-    v.push_back({{ t.vertex(4 * c), t.vertex(4 * c + 1), t.vertex(4 * c + 2), t.vertex(4 * c + 3) }});
+    v.push_back(t.cell(c));
   return v;
 }
 
@@ -70,11 +71,12 @@ static double true_energy(const Sites& s, const std::vector<Cell_vertices>& v, c
 // By differences of the fourth order, as the cells around move along.
 static Vector true_gradient(Moving_triangulation_3& mesh, int v, double step, const Field& f)
 {
-  std::vector<int> slots;
+  std::vector<Slot> slots;
   mesh.topology.star(v, slots);
-  for(int& slot : slots)
-    slot /= 4;
-  const std::vector<Cell_vertices> star = cells(mesh.topology, slots);
+  std::vector<int> numbers;
+  for(Slot s : slots)
+    numbers.push_back(s.cell());
+  const std::vector<Cell_vertices> star = cells(mesh.topology, numbers);
   const Site s = mesh.sites[v];
   Vector g;
   for(int k = 0; k < 3; ++k)
@@ -216,15 +218,20 @@ static void all_flips(const Moving_triangulation_3& mesh, const char* what, std:
                   e, " to ", flipped, ", density ", density.first);
     }
   };
-  for(int slot = 0; slot < t.number_of_slots(); ++slot)
-    if(t.neighbor(slot) > slot)
-      compare(std::array<int, 2>{{ slot / 4, t.neighbor(slot) / 4 }}, [&] { return t.flip_2_3(slot); });
-  std::array<int, 3> ring;
+  for(int n = 0; n < t.number_of_slots(); ++n)
+  {
+    const Slot s(n), across = t.neighbor(s);
+    if(s < across)
+      compare(std::array<int, 2>{{ s.cell(), across.cell() }}, [&] { return flip_2_3(t, s); });
+  }
   for(int c = 0; c < t.number_of_cell_slots(); ++c)
     for(int i = 0; i < 3; ++i)
       for(int j = i + 1; j < 4; ++j)
-        if(t.has_degree_3(c, i, j, ring) && c < ring[1] / 4 && c < ring[2] / 4)
-          compare(std::array<int, 3>{{ ring[0] / 4, ring[1] / 4, ring[2] / 4 }}, [&] { return t.flip_3_2(ring); });
+      {
+        const std::optional<Edge_ring_3> ring = ring_of_degree_3(t, c, i, j);
+        if(ring && c < (*ring)[1].cell() && c < (*ring)[2].cell())
+          compare(std::array<int, 3>{{ c, (*ring)[1].cell(), (*ring)[2].cell() }}, [&] { return flip_3_2(t, *ring); });
+      }
   std::cout << what << ": " << flips[0] << " flips 2-3, " << flips[1] << " flips 3-2" << std::endl;
   check::that(flips[0] > least_flips && flips[1] > least_flips / 20, what, ": hardly a flip to test");
 }

@@ -78,13 +78,12 @@ static std::vector<Eigen::Vector3d> gain_of_polyhedron(const Moving_triangulatio
   for(int c = 0; c < mesh.topology.number_of_cell_slots(); ++c)
     for(int f = 0; mesh.topology.is_alive(c) && f < 4; ++f)
     {
-      if(!Flat_triangulation_3::is_constrained(mesh.topology.neighbor(4 * c + f)))
+      const Slot s(c, f);
+      if(!mesh.topology.neighbor(s).is_side())
         continue;
-      std::array<int, 3> t;
-      for(int k = 0; k < 3; ++k)
-        t[k] = mesh.topology.vertex(4 * c + Flat_triangulation_3::facet_vertices(f)[k]);
+      const std::array<int, 3> t = mesh.topology.facet(s);
       Eigen::Vector3d area = (point(t[1]) - point(t[0])).cross(point(t[2]) - point(t[0])) / 2;
-      if(area.dot(point(mesh.topology.vertex(4 * c + f)) - point(t[0])) > 0)
+      if(area.dot(point(mesh.topology.vertex(s)) - point(t[0])) > 0)
         area = -area;
       for(int i = 0; i < 3; ++i)
       {
