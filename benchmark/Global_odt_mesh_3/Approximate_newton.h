@@ -24,7 +24,7 @@ one_point_quadrature(CGAL::Global_odt_mesh_3::internal::Density_3& density)
 {
   using namespace CGAL::Global_odt_mesh_3::internal;
   return std::make_unique<Point_rule_quadrature_3>(
-    std::vector<Point_rule_quadrature_3::Point>{ { 1, {{ 0.25, 0.25, 0.25, 0.25 }} } },
+    Point_rule_quadrature_3::Rule{ 1, { { 1, {{ 0.25, 0.25, 0.25, 0.25 }} } } },
     [&density](int v, const Site& s) { return density.in_cell(v, s); });
 }
 
@@ -75,8 +75,8 @@ private:
     {
       if(!mesh.topology.is_alive(c))
         continue;
-      const int* const v = mesh.topology.cell_vertices() + 4 * c;
-      const Density_moments_3 moments = mesh.quadrature->moments(c, v, mesh.sites.data());
+      const int* const v = mesh.topology.vertices(c);
+      const Density_moments_3 moments = mesh.quadrature()->moments(c, v, mesh.sites.data());
       const double rho = moments.first[0] + moments.first[1] + moments.first[2] + moments.first[3];
       const double weight = rho * mesh.products(c).determinant / 36;
       for(int i = 0; i < 4; ++i)

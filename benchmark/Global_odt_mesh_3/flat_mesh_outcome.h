@@ -27,12 +27,11 @@ inline Outcome outcome(const CGAL::Global_odt_mesh_3::internal::Moving_triangula
   Outcome o;
   o.energy = mesh.energy();
   o.time = time;
-  const int* const vertices = mesh.topology.cell_vertices();
   for(int c = 0; c < mesh.topology.number_of_cell_slots(); ++c)
   {
     if(!mesh.topology.is_alive(c))
       continue;
-    const int* const v = vertices + 4 * c;
+    const int* const v = mesh.topology.vertices(c);
     const CGAL::Global_odt_mesh_3::internal::Cell_shape_3 shape(mesh.sites[v[0]], mesh.sites[v[1]], mesh.sites[v[2]], mesh.sites[v[3]]);
     const auto angles = std::minmax_element(shape.angles.begin(), shape.angles.end());
     o.mean_radius_ratio += shape.radius_ratio / mesh.topology.number_of_cells();

@@ -30,12 +30,11 @@ inline double true_energy(const CGAL::Global_odt_mesh_3::internal::Moving_triang
   std::vector<CGAL::Global_odt_mesh_3::internal::Cell_vertices> cells;
   for(int c = 0; c < mesh.topology.number_of_cell_slots(); ++c)
     if(mesh.topology.is_alive(c))
-      cells.push_back({{ mesh.topology.vertex(4 * c), mesh.topology.vertex(4 * c + 1), mesh.topology.vertex(4 * c + 2),
-                         mesh.topology.vertex(4 * c + 3) }});
+      cells.push_back(mesh.topology.cell(c));
   return reference_energy(mesh.sites, cells, density, CGAL::Adaptive_cubature_3{ tolerance });
 }
 
-// A mesh with its density integrated by a quadrature, or linearly interpolated without one.
+// A mesh with its density integrated by a quadrature.
 class Graded_run
 {
 public:
@@ -43,20 +42,13 @@ public:
   typedef CGAL::Global_odt_mesh_3::internal::Odt_objective_3 Objective;
   typedef CGAL::Global_odt_mesh_3::internal::Density_quadrature_3 Quadrature;
 
-  Graded_run(const Mesh& mesh, CGAL::Global_odt_mesh_3::internal::Density_3& density, std::unique_ptr<Quadrature> quadrature)
+  Graded_run(const Mesh& mesh, std::unique_ptr<Quadrature> quadrature)
     : mesh_(mesh)
     , quadrature_(std::move(quadrature))
     , order_(mesh_)
   {
-    mesh_.quadrature = quadrature_.get();
-    Objective::Density at_vertices;
-    if(quadrature_ == nullptr)
-    {
-      at_vertices = [&density](int v, const CGAL::Global_odt_mesh_3::internal::Site& s) { return density.in_volume(v, s); };
-      for(std::size_t v = 0; v < mesh_.sites.size(); ++v)
-        mesh_.density.push_back(at_vertices(static_cast<int>(v), mesh_.sites[v]));
-    }
-    objective_ = std::make_unique<Objective>(mesh_, at_vertices);
+    mesh_.set_quadrature(quadrature_.get());
+    objective_ = std::make_unique<Objective>(mesh_);
   }
 
   Graded_run(const Graded_run&) = delete;

@@ -88,25 +88,18 @@ double odt_energy(const C3t3& c3t3, const User_fields_3<C3t3>& fields, Quadratur
   if(std::holds_alternative<std::monostate>(choice) && !fields.quadratic_density)
     choice = Adaptive_cubature_3{ 1e-8 };
   const Numbered_cells_3<C3t3> mesh(c3t3);
+  const auto uniform = [](const Cell_vertices&) { return linear_density_moments({{ 1, 1, 1, 1 }}); };
   if(!fields)
-    return mesh.energy([](const Cell_vertices&) { return linear_density_moments({{ 1, 1, 1, 1 }}); });
+    return mesh.energy(uniform);
   const std::unique_ptr<Field_density_3> density
     = fields.make_density(mesh.sites, [&mesh](int v) { return mesh.vertices[static_cast<std::size_t>(v)]; });
   const double unit = density->unit_density();
   if(const auto* cubature = std::get_if<Adaptive_cubature_3>(&choice))
     return unit * reference_energy(mesh.sites, mesh.cells, *density, *cubature);
-  if(const std::unique_ptr<Density_quadrature_3> quadrature = make_density_quadrature_3(choice, *density))
-    return unit * mesh.energy([&](const Cell_vertices& v) { return quadrature->moments(0, v.data(), mesh.sites.data()); });
-  std::vector<double> at_vertices;
-  for(std::size_t v = 0; v < mesh.sites.size(); ++v)
-    at_vertices.push_back(density->in_volume(static_cast<int>(v), mesh.sites[v]));
-  return unit * mesh.energy([&](const Cell_vertices& v)
-  {
-    std::array<double, 4> rho;
-    for(std::size_t i = 0; i < 4; ++i)
-      rho[i] = at_vertices[static_cast<std::size_t>(v[i])];
-    return linear_density_moments(rho);
-  });
+  const std::unique_ptr<Density_quadrature_3> quadrature = make_density_quadrature_3(choice, *density, mesh.sites);
+  if(quadrature == nullptr)
+    return unit * mesh.energy(uniform);
+  return unit * mesh.energy([&](const Cell_vertices& v) { return quadrature->moments(0, v.data(), mesh.sites.data()); });
 }
 
 } // namespace internal

@@ -45,7 +45,7 @@ inline double smooth(const Vector& x) { return std::exp(1.1 * x.x() - 0.8 * x.y(
 inline double bell(const Vector& x) { return 1 / (0.1 + (x - Vector(0.3, 0.4, 0.45)).squaredNorm()); }
 inline double waves(const Vector& x) { return 1.2 + std::sin(7 * x.x()) * std::cos(5 * x.y() - 3 * x.z()); }
 
-// The interpolation between the vertices in the form of the others.
+// The interpolation between the vertices, wherever they are at the moment.
 class Linear_quadrature
   : public Density_quadrature_3
 {

@@ -59,9 +59,7 @@ inline std::size_t difference_to_exact(const CGAL::Global_odt_mesh_3::internal::
   for(int c = 0; c < mesh.topology.number_of_cell_slots(); ++c)
     if(mesh.topology.is_alive(c))
     {
-      Cell v;
-      for(int i = 0; i < 4; ++i)
-        v[i] = mesh.topology.vertex(4 * c + i);
+      Cell v = mesh.topology.cell(c);
       std::sort(v.begin(), v.end());
       flat.insert(v);
     }

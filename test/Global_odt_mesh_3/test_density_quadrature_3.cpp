@@ -242,11 +242,11 @@ static double power(const std::array<double, 4>& l, const Exponents& a)
 // A rule has positive weights and inner points, so that moments are positive, and the degree that it is said to have.
 static void points_of_rules()
 {
-  const auto check_rule = [](const std::vector<Point_rule_quadrature_3::Point>& rule, std::size_t size, int degree)
+  const auto check_rule = [](const Point_rule_quadrature_3::Rule& rule, std::size_t size)
   {
-    check::that(rule.size() == size, rule.size(), " points, not ", size);
+    check::that(rule.points.size() == size, rule.points.size(), " points, not ", size);
     double weights = 0;
-    for(const auto& p : rule)
+    for(const auto& p : rule.points)
     {
       weights += p.weight;
       const auto& l = p.coordinates;
@@ -254,21 +254,21 @@ static void points_of_rules()
       near(l[0] + l[1] + l[2] + l[3], 1, 1e-15, size, " points, sum of coordinates");
     }
     near(weights, 1, 1e-15, size, " points, sum of weights");
-    for(int n = 0; n <= degree + 1; ++n)
+    for(int n = 0; n <= rule.degree + 1; ++n)
     {
       check::Largest error;
       for(const Exponents& a : exponents(n))
       {
         double sum = 0;
-        for(const auto& p : rule)
+        for(const auto& p : rule.points)
           sum += p.weight * power(p.coordinates, a);
         error.add(std::abs(sum - CGAL::to_double(Polynomial{ { { a, Rational(1) } } }.mean())));
       }
-      check::that(n <= degree ? error < 1e-16 * 4 : error > 1e-5, size, " points, error ", error, " at degree ", n);
+      check::that(n <= rule.degree ? error < 1e-16 * 4 : error > 1e-5, size, " points, error ", error, " at degree ", n);
     }
   };
-  check_rule(Point_rule_quadrature_3::four_points(), 4, 2);
-  check_rule(Point_rule_quadrature_3::fifteen_points(), 15, 5);
+  check_rule(Point_rule_quadrature_3::four_points(), 4);
+  check_rule(Point_rule_quadrature_3::fifteen_points(), 15);
 }
 
 // Moments are exact up to the degree of the rule less the two of the coordinates that they multiply by.

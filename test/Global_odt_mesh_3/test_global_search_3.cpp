@@ -77,7 +77,7 @@ static void perturbation()
   std::vector<Tangential_motion> motions;
   for(int n = 0; n < on_surface; ++n)
     motions.push_back({ {{ 0.6, 0, 0.8 }}, 1, mesh.sites[mesh.number_of_interior_vertices + n] });
-  Odt_objective_3 f(mesh, Odt_objective_3::Density(), motions);
+  Odt_objective_3 f(mesh, motions);
   f.freeze(3);
 
   Vertex_noise noise(2);

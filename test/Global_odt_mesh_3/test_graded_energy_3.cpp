@@ -11,8 +11,10 @@
 #include "random_cube_triangulation.h"
 
 #include <CGAL/Global_odt_mesh_3/internal/density/Density_moment_cache_3.h>
+#include <CGAL/Global_odt_mesh_3/internal/density/Linear_density_quadrature_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/density/Quadratic_density_quadrature_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/optimization/Limited_memory_bfgs.h>
+#include <CGAL/Global_odt_mesh_3/internal/optimization/Minimizer_parameters.h>
 #include <CGAL/Global_odt_mesh_3/internal/optimization/Odt_objective_3.h>
 #include <CGAL/Mesh_quality_report_3.h>
 #include <CGAL/Quadratic_density_3.h>
@@ -35,6 +37,7 @@
 #include <limits>
 #include <map>
 #include <memory>
+#include <optional>
 #include <random>
 #include <stdexcept>
 #include <string>
@@ -46,7 +49,7 @@ static std::vector<Cell_vertices> cells(const Flat_triangulation_3& t, const Num
 {
   std::vector<Cell_vertices> v;
   for(int c : numbers)
-    v.push_back({{ t.vertex(4 * c), t.vertex(4 * c + 1), t.vertex(4 * c + 2), t.vertex(4 * c + 3) }});
+    v.push_back(t.cell(c));
   return v;
 }
 
@@ -68,11 +71,12 @@ static double true_energy(const Sites& s, const std::vector<Cell_vertices>& v, c
 // By differences of the fourth order, as the cells around move along.
 static Vector true_gradient(Moving_triangulation_3& mesh, int v, double step, const Field& f)
 {
-  std::vector<int> slots;
+  std::vector<Slot> slots;
   mesh.topology.star(v, slots);
-  for(int& slot : slots)
-    slot /= 4;
-  const std::vector<Cell_vertices> star = cells(mesh.topology, slots);
+  std::vector<int> numbers;
+  for(Slot s : slots)
+    numbers.push_back(s.cell());
+  const std::vector<Cell_vertices> star = cells(mesh.topology, numbers);
   const Site s = mesh.sites[v];
   Vector g;
   for(int k = 0; k < 3; ++k)
@@ -93,7 +97,7 @@ static double error_of_gradient(Moving_triangulation_3& mesh, Density_quadrature
 {
   std::vector<double> length;
   mesh.mean_edge_lengths(length);
-  mesh.quadrature = &rule;
+  mesh.set_quadrature(&rule);
   mesh.is_regular();
   double error = 0, size = 0;
   const int n = mesh.number_of_movable_vertices;
@@ -103,7 +107,7 @@ static double error_of_gradient(Moving_triangulation_3& mesh, Density_quadrature
     error += (vector(mesh.gradient()[v]) - g).squaredNorm();
     size += g.squaredNorm();
   }
-  mesh.quadrature = nullptr;
+  mesh.set_quadrature(nullptr);
   return std::sqrt(error / size);
 }
 
@@ -214,15 +218,20 @@ static void all_flips(const Moving_triangulation_3& mesh, const char* what, std:
                   e, " to ", flipped, ", density ", density.first);
     }
   };
-  for(int slot = 0; slot < t.number_of_slots(); ++slot)
-    if(t.neighbor(slot) > slot)
-      compare(std::array<int, 2>{{ slot / 4, t.neighbor(slot) / 4 }}, [&] { return t.flip_2_3(slot); });
-  std::array<int, 3> ring;
+  for(int n = 0; n < t.number_of_slots(); ++n)
+  {
+    const Slot s(n), across = t.neighbor(s);
+    if(s < across)
+      compare(std::array<int, 2>{{ s.cell(), across.cell() }}, [&] { return flip_2_3(t, s); });
+  }
   for(int c = 0; c < t.number_of_cell_slots(); ++c)
     for(int i = 0; i < 3; ++i)
       for(int j = i + 1; j < 4; ++j)
-        if(t.has_degree_3(c, i, j, ring) && c < ring[1] / 4 && c < ring[2] / 4)
-          compare(std::array<int, 3>{{ ring[0] / 4, ring[1] / 4, ring[2] / 4 }}, [&] { return t.flip_3_2(ring); });
+      {
+        const std::optional<Edge_ring_3> ring = ring_of_degree_3(t, c, i, j);
+        if(ring && c < (*ring)[1].cell() && c < (*ring)[2].cell())
+          compare(std::array<int, 3>{{ c, (*ring)[1].cell(), (*ring)[2].cell() }}, [&] { return flip_3_2(t, *ring); });
+      }
   std::cout << what << ": " << flips[0] << " flips 2-3, " << flips[1] << " flips 3-2" << std::endl;
   check::that(flips[0] > least_flips && flips[1] > least_flips / 20, what, ": hardly a flip to test");
 }
@@ -306,7 +315,7 @@ static void random_walk(Rule r, std::mt19937& random)
   Moving_triangulation_3 mesh = random_cube(3, 80, 0, true, random);
   const auto rule = make_rule(r, bell, 1e-7);
   Density_moment_cache_3 cache(make_rule(r, bell, 1e-7));
-  mesh.quadrature = &cache;
+  mesh.set_quadrature(&cache);
   mesh.keep();
   int steps = 0;
   for(int step = 0; step < 15; ++step)
@@ -326,7 +335,7 @@ static void random_walk(Rule r, std::mt19937& random)
     const std::vector<Site_gradient> gradient = mesh.gradient();
     for(Density_quadrature_3* quadrature : { static_cast<Density_quadrature_3*>(&cache), rule.get() })
     {
-      mesh.quadrature = quadrature;
+      mesh.set_quadrature(quadrature);
       // Whether flips got stuck is not the matter here.
       mesh.is_regular();
       near(mesh.energy(), energy, 1e-11 * energy, names[r], ", energy after flips");
@@ -335,7 +344,7 @@ static void random_walk(Rule r, std::mt19937& random)
         error.add((vector(mesh.gradient()[v]) - vector(gradient[v])).norm() / mesh.gradient()[v].diagonal);
       check::that(error < 1e-10, names[r], ", error of the gradient after flips: ", error);
     }
-    mesh.quadrature = &cache;
+    mesh.set_quadrature(&cache);
     mesh.keep();
   }
   check::that(steps > 10 && mesh.statistics().flips > 300,
@@ -346,19 +355,12 @@ static void random_walk(Rule r, std::mt19937& random)
 // of which the square is above rounding, relative to that at the start.
 static double minimize(Moving_triangulation_3& mesh, Rule r, const Field& f, double tolerance = 1e-7)
 {
-  const auto rule = make_rule(r, f, 1e-7);
-  const auto density = [&f](int, const Site& s) { return f(vector(s)); };
+  std::unique_ptr<Density_quadrature_3> rule = make_rule(r, f, 1e-7);
   if(r == LINEAR)
-    for(const Site& s : mesh.sites)
-      mesh.density.push_back(density(0, s));
-  else
-    mesh.quadrature = rule.get();
-  Odt_objective_3 objective(mesh, r == LINEAR ? Odt_objective_3::Density(density) : Odt_objective_3::Density());
-  // (4.6) is not the derivative of the energy that these two see.
-  Limited_memory_bfgs_parameters parameters;
-  if(r == LINEAR || r == FOUR_POINTS)
-    parameters.energy_tolerance = 1e-3;
-  Limited_memory_bfgs minimizer(parameters);
+    rule = std::make_unique<Linear_density_quadrature_3>([&f](int, const Site& s) { return f(vector(s)); }, mesh.sites);
+  mesh.set_quadrature(rule.get());
+  Odt_objective_3 objective(mesh);
+  Limited_memory_bfgs minimizer(minimizer_parameters(rule.get()));
   const double first_gradient = objective.gradient().norm(), first = true_energy(mesh.sites, cells(mesh.topology), f, 1e-7);
   double energy = first;
   check::Largest rise;

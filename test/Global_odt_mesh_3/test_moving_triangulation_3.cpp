@@ -10,8 +10,10 @@
 #include "check.h"
 #include "random_cube_triangulation.h"
 
+#include <CGAL/Global_odt_mesh_3/internal/density/Linear_density_quadrature_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/optimization/Limited_memory_bfgs.h>
 #include <CGAL/Global_odt_mesh_3/internal/optimization/Odt_objective_3.h>
+#include <CGAL/Global_odt_mesh_3/internal/triangulation/Flips_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/triangulation/Lawson_flips_3.h>
 
 #include <algorithm>
@@ -19,6 +21,7 @@
 #include <cmath>
 #include <cstddef>
 #include <iostream>
+#include <optional>
 #include <random>
 #include <set>
 #include <stdexcept>
@@ -38,7 +41,7 @@ static void flips(std::mt19937& random)
     for(int c = 0; c < t.number_of_cell_slots(); ++c)
       if(t.is_alive(c))
       {
-        std::array<int, 4> v = {{ t.vertex(4 * c), t.vertex(4 * c + 1), t.vertex(4 * c + 2), t.vertex(4 * c + 3) }};
+        std::array<int, 4> v = t.cell(c);
         std::sort(v.begin(), v.end());
         s.insert(v);
       }
@@ -46,18 +49,18 @@ static void flips(std::mt19937& random)
   };
   const auto before = cells();
   int flipped = 0;
-  for(int slot = 0; slot < 4 * static_cast<int>(before.size()); slot += 7)
+  for(int n = 0; n < 4 * static_cast<int>(before.size()); n += 7)
   {
-    if(!t.is_alive(slot / 4) || Flat_triangulation_3::is_constrained(t.neighbor(slot)))
+    const Slot s(n);
+    if(!t.is_alive(s.cell()) || t.neighbor(s).is_side())
       continue;
-    const std::array<int, 3> three = t.flip_2_3(slot);
+    const std::array<int, 3> three = flip_2_3(t, s);
     check::that(t.is_valid(), "not valid after flip 2-3");
-    std::array<int, 3> ring;
-    const bool found = t.has_degree_3(three[1], 0, 1, ring);
-    check::that(found, "the new edge does not have degree 3");
-    if(!found)
+    const std::optional<Edge_ring_3> ring = ring_of_degree_3(t, three[1], 0, 1);
+    check::that(ring.has_value(), "the new edge does not have degree 3");
+    if(!ring)
       return;
-    t.flip_3_2(ring);
+    flip_3_2(t, *ring);
     check::that(t.is_valid(), "not valid after flip 3-2");
     ++flipped;
   }
@@ -118,23 +121,21 @@ struct Vain_flips
   Flat_triangulation_3& t;
   std::size_t most, number = 0;
 
-  std::array<int, 3> flip_2_3(int slot)
+  std::array<int, 3> flip_2_3(Slot s)
   {
     if(++number > most)
       throw std::runtime_error("endless flips");
-    const std::array<int, 3> three = t.flip_2_3(slot);
-    std::array<int, 3> ring;
-    t.has_degree_3(three[0], 0, 1, ring);
-    const std::array<int, 2> two = t.flip_3_2(ring);
+    const std::array<int, 3> three = CGAL::Global_odt_mesh_3::internal::flip_2_3(t, s);
+    const std::array<int, 2> two = CGAL::Global_odt_mesh_3::internal::flip_3_2(t, *ring_of_degree_3(t, three[0], 0, 1));
     return {{ two[0], two[1], two[1] }};
   }
 
-  std::array<int, 2> flip_3_2(const std::array<int, 3>& ring)
+  std::array<int, 2> flip_3_2(const Edge_ring_3& ring)
   {
     if(++number > most)
       throw std::runtime_error("endless flips");
-    const std::array<int, 2> two = t.flip_3_2(ring);
-    const std::array<int, 3> three = t.flip_2_3(4 * two[0]);
+    const std::array<int, 2> two = CGAL::Global_odt_mesh_3::internal::flip_3_2(t, ring);
+    const std::array<int, 3> three = CGAL::Global_odt_mesh_3::internal::flip_2_3(t, Slot(two[0], 0));
     return {{ three[0], three[1] }};
   }
 };
@@ -148,7 +149,7 @@ static void endless_flips(std::mt19937& random)
     Moving_triangulation_3 mesh = random_cube(3, 60, 0, false, random);
     for(int v = 0; v < mesh.number_of_movable_vertices; ++v)
       mesh.sites[v].x += u(random);
-    std::vector<int> facets;
+    std::vector<Slot> facets;
     for(int c = 0; c < mesh.topology.number_of_cell_slots(); ++c)
       mesh.push_facets(c, facets);
     std::shuffle(facets.begin(), facets.end(), random);
@@ -199,17 +200,16 @@ static void minimization(double shift, std::mt19937& random)
 static void rejected_trials(std::mt19937& random)
 {
   Moving_triangulation_3 mesh = random_cube(4, 200, 0, false, random);
-  const auto density = [](int, const Site& s) { return 1 + s.x * s.x + s.y; };
-  for(const Site& s : mesh.sites)
-    mesh.density.push_back(density(0, s));
-  Odt_objective_3 f(mesh, density);
+  Linear_density_quadrature_3 quadrature([](int, const Site& s) { return 1 + s.x * s.x + s.y; }, mesh.sites);
+  mesh.set_quadrature(&quadrature);
+  Odt_objective_3 f(mesh);
   std::uniform_real_distribution<double> u(-1, 1);
   int feasible = 0;
   for(int n = 0; n < 40; ++n)
   {
     const Eigen::VectorXd x = f.point(), g = f.gradient(), d = f.diagonal();
     const double value = f.value();
-    const std::vector<double> densities = mesh.density;
+    const std::vector<double> densities = quadrature.values();
     Eigen::VectorXd trial = x;
     for(double& t : trial)
       t += (n % 2 == 0 ? 0.02 : 1) * u(random);
@@ -222,7 +222,7 @@ static void rejected_trials(std::mt19937& random)
     f.reject();
     check::that(f.value() == value && f.point() == x && f.gradient() == g && f.diagonal() == d,
                 "a rejected trial leaves a trace in the objective");
-    check::that(mesh.energy() == value && mesh.density == densities && mesh.topology.is_valid(),
+    check::that(mesh.energy() == value && quadrature.values() == densities && mesh.topology.is_valid(),
                 "a rejected trial leaves a trace in the mesh");
     for(int v = 0; v < mesh.number_of_movable_vertices; ++v)
     {

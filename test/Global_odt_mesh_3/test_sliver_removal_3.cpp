@@ -16,12 +16,14 @@
 #include <CGAL/Global_odt_mesh_3/internal/slivers/Sliver_removal_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/slivers/Vertex_trial_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/triangulation/Flat_triangulation_3.h>
+#include <CGAL/Global_odt_mesh_3/internal/triangulation/Flips_3.h>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <iostream>
 #include <limits>
+#include <optional>
 #include <random>
 #include <vector>
 
@@ -36,7 +38,7 @@ static double deficit(const Tetrahedron& t, double bound)
 
 static Tetrahedron cell(const Moving_triangulation_3& mesh, int c)
 {
-  const int* const v = mesh.topology.cell_vertices() + 4 * c;
+  const int* const v = mesh.topology.vertices(c);
   return {{ mesh.sites[v[0]], mesh.sites[v[1]], mesh.sites[v[2]], mesh.sites[v[3]] }};
 }
 
@@ -120,21 +122,21 @@ struct Snapshot
     const Flat_triangulation_3& t = mesh.topology;
     for(int s = 0; s < number_of_slots; ++s)
     {
-      vertices.push_back(t.vertex(s));
-      neighbors.push_back(t.is_alive(s / 4) ? t.neighbor(s) : 0);
+      vertices.push_back(t.vertex(Slot(s)));
+      neighbors.push_back(t.is_alive(Slot(s).cell()) ? t.neighbor(Slot(s)).id() : 0);
     }
     for(std::size_t v = 0; v < mesh.sites.size(); ++v)
       incident_cells.push_back(t.incident_cell(static_cast<int>(v)));
     for(int w = 0; w < t.number_of_constrained_facets(); ++w)
       for(int side : { 0, 1 })
-        constrained_slots.push_back(t.constrained_slot(w, side));
+        constrained_slots.push_back(t.constrained_slot(w, side).id());
   }
 
   bool describes(const Moving_triangulation_3& mesh) const
   {
     const Snapshot now(mesh, static_cast<int>(vertices.size()));
     for(int s = static_cast<int>(vertices.size()); s < mesh.topology.number_of_slots(); ++s)
-      if(mesh.topology.is_alive(s / 4))
+      if(mesh.topology.is_alive(Slot(s).cell()))
         return false;
     return now.vertices == vertices && now.neighbors == neighbors && now.incident_cells == incident_cells
            && now.constrained_slots == constrained_slots && now.number_of_cells == number_of_cells
@@ -146,11 +148,11 @@ struct Snapshot
 // Whether some cell has all of these vertices.
 static bool has_cell_with(const Flat_triangulation_3& t, const std::vector<int>& vertices)
 {
-  std::vector<int> star;
+  std::vector<Slot> star;
   t.star(vertices[0], star);
-  return std::any_of(star.begin(), star.end(), [&](int slot)
+  return std::any_of(star.begin(), star.end(), [&](Slot s)
   {
-    return std::all_of(vertices.begin(), vertices.end(), [&](int v) { return t.index_in_cell(slot / 4, v) >= 0; });
+    return std::all_of(vertices.begin(), vertices.end(), [&](int v) { return t.has_vertex(s.cell(), v); });
   });
 }
 
@@ -160,21 +162,19 @@ static std::array<int, 2> flip_at_random(Flat_triangulation_3& t, int attempts, 
   std::array<int, 2> number = {{ 0, 0 }};
   for(int n = 0; n < attempts; ++n)
   {
-    const int slot = std::uniform_int_distribution<int>(0, t.number_of_slots() - 1)(random);
-    if(!t.is_alive(slot / 4) || Flat_triangulation_3::is_constrained(t.neighbor(slot)))
+    const Slot s(std::uniform_int_distribution<int>(0, t.number_of_slots() - 1)(random));
+    if(!t.is_alive(s.cell()) || t.neighbor(s).is_side())
       continue;
-    std::array<int, 3> ring;
-    const int i = slot % 4, j = (i + 1) % 4;
-    if(t.has_degree_3(slot / 4, i, j, ring))
+    if(const std::optional<Edge_ring_3> ring = ring_of_degree_3(t, s.cell(), s.index(), (s.index() + 1) % 4))
     {
-      if(has_cell_with(t, { t.vertex(ring[0]), t.vertex(ring[1]), t.vertex(ring[2]) }))
+      if(has_cell_with(t, { t.vertex((*ring)[0]), t.vertex((*ring)[1]), t.vertex((*ring)[2]) }))
         continue;
-      t.flip_3_2(ring);
+      flip_3_2(t, *ring);
       ++number[1];
     }
-    else if(!has_cell_with(t, { t.vertex(slot), t.vertex(t.neighbor(slot)) }))
+    else if(!has_cell_with(t, { t.vertex(s), t.vertex(t.neighbor(s)) }))
     {
-      t.flip_2_3(slot);
+      flip_2_3(t, s);
       ++number[0];
     }
   }
@@ -223,10 +223,8 @@ static int cells_beyond_surfaces(const Moving_triangulation_3& mesh)
   for(int c = 0; c < mesh.topology.number_of_cell_slots(); ++c)
     for(int i = 0; i < 4 && mesh.topology.is_alive(c); ++i)
     {
-      const int* const v = mesh.topology.cell_vertices() + 4 * c;
-      const int across = mesh.topology.neighbor(4 * c + i);
-      number += Flat_triangulation_3::is_constrained(across) && v[i] < mesh.number_of_interior_vertices
-                && mesh.is_beyond_surface(mesh.products(c), v, i, across);
+      const int* const v = mesh.topology.vertices(c);
+      number += v[i] < mesh.number_of_interior_vertices && mesh.is_beyond_surface(Slot(c, i));
     }
   return number;
 }
@@ -405,7 +403,7 @@ static int slivers(const Moving_triangulation_3& mesh, double bound, int vertice
   for(int c = 0; c < mesh.topology.number_of_cell_slots(); ++c)
     if(mesh.topology.is_alive(c))
     {
-      const int* const v = mesh.topology.cell_vertices() + 4 * c;
+      const int* const v = mesh.topology.vertices(c);
       number += *std::min_element(v, v + 4) < vertices && deficit(cell(mesh, c), bound) > 0;
     }
   return number;

@@ -78,13 +78,12 @@ static std::vector<Eigen::Vector3d> gain_of_polyhedron(const Moving_triangulatio
   for(int c = 0; c < mesh.topology.number_of_cell_slots(); ++c)
     for(int f = 0; mesh.topology.is_alive(c) && f < 4; ++f)
     {
-      if(!Flat_triangulation_3::is_constrained(mesh.topology.neighbor(4 * c + f)))
+      const Slot s(c, f);
+      if(!mesh.topology.neighbor(s).is_side())
         continue;
-      std::array<int, 3> t;
-      for(int k = 0; k < 3; ++k)
-        t[k] = mesh.topology.vertex(4 * c + Flat_triangulation_3::facet_vertices(f)[k]);
+      const std::array<int, 3> t = mesh.topology.facet(s);
       Eigen::Vector3d area = (point(t[1]) - point(t[0])).cross(point(t[2]) - point(t[0])) / 2;
-      if(area.dot(point(mesh.topology.vertex(4 * c + f)) - point(t[0])) > 0)
+      if(area.dot(point(mesh.topology.vertex(s)) - point(t[0])) > 0)
         area = -area;
       for(int i = 0; i < 3; ++i)
       {
@@ -112,7 +111,7 @@ static void odt_energy(const char* name, const std::vector<Vector>& on_surface, 
     const Vector n = normal(mesh.sites[v]);
     motions.push_back({ n, n.dot(n) > 0 ? 0.1 : 0., mesh.sites[v] });
   }
-  Odt_objective_3 objective(mesh, Odt_objective_3::Density(), motions);
+  Odt_objective_3 objective(mesh, motions);
   check::that(objective.is_feasible(), name, ": not feasible");
   const double scale = objective.gradient().cwiseAbs().maxCoeff();
   const std::vector<Eigen::Vector3d> gain = gain_of_polyhedron(mesh);

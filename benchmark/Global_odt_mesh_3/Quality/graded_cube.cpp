@@ -19,6 +19,7 @@
 
 #include <CGAL/Density_quadratures_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/optimization/Limited_memory_bfgs.h>
+#include <CGAL/Global_odt_mesh_3/internal/optimization/Minimizer_parameters.h>
 #include <CGAL/Global_odt_mesh_3/internal/optimization/Momentum_annealing.h>
 #include <CGAL/Global_odt_mesh_3/internal/slivers/Sliver_removal_3.h>
 
@@ -44,16 +45,7 @@ struct Rule
 {
   const char* name;
   Quadrature_choice choice;
-  double energy_tolerance;      // of the line search, as odt_optimize_mesh_3() has it
 };
-
-static Limited_memory_bfgs_parameters minimizer_parameters(const Rule& rule)
-{
-  Limited_memory_bfgs_parameters p;
-  p.memory = 15;
-  p.energy_tolerance = rule.energy_tolerance;
-  return p;
-}
 
 static void print(unsigned int seed, const std::string& method, double energy, double reference, const Outcome& o,
                   int iterations, double gradient)
@@ -69,10 +61,10 @@ int main(int argc, char* argv[])
   const unsigned int seeds = argc > 1 ? std::atoi(argv[1]) : 3;
   const std::size_t vertices = argc > 2 ? std::atoi(argv[2]) : 4000;
   const int steps = argc > 3 ? std::atoi(argv[3]) : 1200;
-  const std::vector<Rule> rules = { { "linear", CGAL::Linear_density_rule_3(), 1e-3 },
-                                    { "4 points", CGAL::Four_point_rule_3(), 1e-3 },
-                                    { "15 points", CGAL::Fifteen_point_rule_3(), 1e-9 },
-                                    { "cubature", CGAL::Adaptive_cubature_3{ 1e-4 }, 1e-9 } };
+  const std::vector<Rule> rules = { { "linear", CGAL::Linear_density_rule_3() },
+                                    { "4 points", CGAL::Four_point_rule_3() },
+                                    { "15 points", CGAL::Fifteen_point_rule_3() },
+                                    { "cubature", CGAL::Adaptive_cubature_3{ 1e-4 } } };
   Function_density_3 density([](const Site& s) { return density_of_figure_8(s.x, s.y, s.z); });
   std::printf("seed  %-26s %8s %6s %9s %7s %7s  %-13s %4s %4s  %s\n", "method", "E %", "its", "gradient", "CPU s", "3r/R",
               "angles", "<10", "<15", "rises of E, largest");
@@ -86,7 +78,7 @@ int main(int argc, char* argv[])
     const Moving_triangulation_3 cube = triangulate(points);
     double reference = 0;
     {
-      Graded_run run(cube, density, nullptr);
+      Graded_run run(cube, make_density_quadrature_3(CGAL::Linear_density_rule_3(), density, cube.sites));
       Averaging_iteration averaging;
       Energy_trace trace;
       run.repeat(500, [&](int) { return averaging.iterate(run.objective()); },
@@ -98,8 +90,8 @@ int main(int argc, char* argv[])
     }
     for(const Rule& rule : rules)
     {
-      Graded_run run(cube, density, make_density_quadrature_3(rule.choice, density));
-      Limited_memory_bfgs minimizer(minimizer_parameters(rule));
+      Graded_run run(cube, make_density_quadrature_3(rule.choice, density, cube.sites));
+      Limited_memory_bfgs minimizer(minimizer_parameters(run.mesh().quadrature()));
       Energy_trace trace;
       run.repeat(1000, [&](int)
       {
@@ -113,11 +105,11 @@ int main(int argc, char* argv[])
     for(std::size_t n = 0; n < 2; ++n)
     {
       const Rule& rule = rules[n];
-      Graded_run run(cube, density, make_density_quadrature_3(rule.choice, density));
+      Graded_run run(cube, make_density_quadrature_3(rule.choice, density, cube.sites));
       Momentum_annealing annealing(seed);
       annealing.start(run.objective());
       run.repeat(steps, [&](int step) { annealing.iterate(run.objective(), double(step) / steps); return true; });
-      Limited_memory_bfgs minimizer(minimizer_parameters(rule));
+      Limited_memory_bfgs minimizer(minimizer_parameters(run.mesh().quadrature()));
       run.repeat(40, [&](int) { return minimizer.iterate(run.objective()) == Limited_memory_bfgs::STEP_TAKEN; });
       const double time = run.time() + seconds([&] { Sliver_removal_3(run.mesh(), 20, seed).run(); });
       run.mesh().evaluate();

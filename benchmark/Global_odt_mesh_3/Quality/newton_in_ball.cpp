@@ -46,7 +46,7 @@ static std::vector<Coordinates> points_on_sphere(std::size_t number)
 
 static double exact_energy(Moving_triangulation_3 mesh, Density_quadrature_3& quadrature)
 {
-  mesh.quadrature = &quadrature;
+  mesh.set_quadrature(&quadrature);
   mesh.is_regular();
   return mesh.energy();
 }
@@ -77,7 +77,7 @@ int main(int argc, char* argv[])
       std::fflush(stdout);
     };
     {
-      Graded_run run(ball, density, std::make_unique<Quadratic_density_quadrature_3>(polynomial));
+      Graded_run run(ball, std::make_unique<Quadratic_density_quadrature_3>(polynomial));
       Limited_memory_bfgs minimizer;
       Energy_trace trace;
       run.repeat(iterations, [&](int) { return minimizer.iterate(run.objective()) == Limited_memory_bfgs::STEP_TAKEN; },
@@ -86,7 +86,7 @@ int main(int argc, char* argv[])
     }
     for(double step_length : { 1., 0.7 })
     {
-      Graded_run run(ball, density, one_point_quadrature(density));
+      Graded_run run(ball, one_point_quadrature(density));
       Approximate_newton newton(step_length);
       Energy_trace trace;
       run.repeat(iterations, [&](int) { return newton.iterate(run.mesh(), run.objective()); },

@@ -17,6 +17,7 @@
 #include <CGAL/Global_odt_mesh_3/internal/optimization/Convergence_monitor.h>
 #include <CGAL/Global_odt_mesh_3/internal/optimization/Global_search.h>
 #include <CGAL/Global_odt_mesh_3/internal/optimization/Limited_memory_bfgs.h>
+#include <CGAL/Global_odt_mesh_3/internal/optimization/Minimizer_parameters.h>
 #include <CGAL/Global_odt_mesh_3/internal/optimization/Odt_objective_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/restricted/Boundary_motion.h>
 #include <CGAL/Global_odt_mesh_3/internal/restricted/C3t3_reader_3.h>
@@ -37,7 +38,6 @@
 #include <limits>
 #include <memory>
 #include <utility>
-#include <variant>
 #include <vector>
 
 namespace CGAL {
@@ -117,16 +117,10 @@ private:
     density_ = make_density();
     // The density of the input is what it is at vertices, but a field may vary between them.
     if(!density_->is_uniform() || fields_)
-      quadrature_ = make_density_quadrature_3(parameters_.quadrature, *density_);
-    mesh_.quadrature = quadrature_.get();
-    if(density_->is_uniform())
-      return;
-    surface_density_at_vertex_ = [this](int v, const Site& s) { return density_->on_surface(v, s); };
-    if(quadrature_ != nullptr)
-      return;
-    density_at_vertex_ = [this](int v, const Site& s) { return density_->in_volume(v, s); };
-    for(std::size_t v = 0; v < mesh_.sites.size(); ++v)
-      mesh_.density.push_back(density_at_vertex_(static_cast<int>(v), mesh_.sites[v]));
+      quadrature_ = make_density_quadrature_3(parameters_.quadrature, *density_, mesh_.sites);
+    mesh_.set_quadrature(quadrature_.get());
+    if(!density_->is_uniform())
+      surface_density_at_vertex_ = [this](int v, const Site& s) { return density_->on_surface(v, s); };
   }
 
   std::unique_ptr<Density_3> make_density() const
@@ -141,7 +135,7 @@ private:
   // complex.
   bool make_rounds()
   {
-    Global_search search(parameters_.annealing_schedule, parameters_.random_seed, minimizer_parameters());
+    Global_search search(parameters_.annealing_schedule, parameters_.random_seed, minimizer_parameters(mesh_.quadrature()));
     int tries = most_tries_of_last_round;
     double energy = (std::numeric_limits<double>::max)();
     Round_plan::Stage previous = plan_->stage();
@@ -186,7 +180,7 @@ private:
   double make_round(Global_search& search)
   {
     {
-      Odt_objective_3 objective(mesh_, density_at_vertex_, surface_motions(plan_->stage() != Round_plan::REMESH));
+      Odt_objective_3 objective(mesh_, surface_motions(plan_->stage() != Round_plan::REMESH));
       if(plan_->stage() == Round_plan::SEARCH)
         search_round(search, objective);
       else
@@ -214,7 +208,7 @@ private:
 
   void minimize(Odt_objective_3& objective)
   {
-    Limited_memory_bfgs minimizer(minimizer_parameters());
+    Limited_memory_bfgs minimizer(minimizer_parameters(mesh_.quadrature()));
     Cell_order order(mesh_);
     for(int n = 0; n < plan_->iterations() && begin_iteration(); ++n)
     {
@@ -230,7 +224,7 @@ private:
   {
     Surface_cvt_objective_3 objective(complex_.state().boundary.complex(), mesh_.sites, mesh_.number_of_interior_vertices,
                                       surface_motions(true), surface_density_at_vertex_);
-    Limited_memory_bfgs minimizer(minimizer_parameters());
+    Limited_memory_bfgs minimizer(minimizer_parameters(mesh_.quadrature()));
     for(int n = 0; n < Round_plan::iterations_on_surface && control_.goes_on() && begin_iteration(); ++n)
     {
       if(minimizer.iterate(objective) == Limited_memory_bfgs::NO_STEP_FOUND)
@@ -276,10 +270,10 @@ private:
 
   bool minimize_interior()
   {
-    Odt_objective_3 objective(mesh_, density_at_vertex_);
+    Odt_objective_3 objective(mesh_);
     if(!objective.is_feasible())
       return false;
-    Limited_memory_bfgs minimizer(minimizer_parameters());
+    Limited_memory_bfgs minimizer(minimizer_parameters(mesh_.quadrature()));
     Convergence_monitor monitor(parameters_.freeze_bound, parameters_.do_freeze);
     Cell_order order(mesh_);
     for(const double reported = control_.reported(); ; end_iteration(order))
@@ -309,19 +303,6 @@ private:
     return tangential_motions(mesh_, complex_.state().boundary, moves ? longest_way_in_round : 0);
   }
 
-  Limited_memory_bfgs_parameters minimizer_parameters() const
-  {
-    Limited_memory_bfgs_parameters p;
-    if(mesh_.density_mode() != Moving_triangulation_3::UNIFORM)
-      p.memory = 15;
-    // (4.6) is not the derivative of the interpolated energy (4.1), so that (4.1) cannot be asked
-    // to fall. The same is true of the rule of four points.
-    if(mesh_.density_mode() == Moving_triangulation_3::LINEAR
-       || std::holds_alternative<Four_point_rule_3>(parameters_.quadrature))
-      p.energy_tolerance = 1e-3;
-    return p;
-  }
-
   bool begin_iteration()
   {
     const double done = double(control_.number_of_iterations()) / plan_->number_of_iterations();
@@ -343,7 +324,6 @@ private:
   std::unique_ptr<Round_plan> plan_;
   std::unique_ptr<Density_3> density_;
   std::unique_ptr<Density_quadrature_3> quadrature_;
-  Odt_objective_3::Density density_at_vertex_;
   Surface_cvt_objective_3::Density surface_density_at_vertex_;
   double search_begin_ = 0;                 // in fractions of the time
   std::size_t number_of_slivers_ = 0;

@@ -55,6 +55,8 @@ public:
     return kept.moments;
   }
 
+  double energy_tolerance() const override { return quadrature_->energy_tolerance(); }
+
   std::size_t number_of_quadratures() const { return number_of_quadratures_; }
 
 private:

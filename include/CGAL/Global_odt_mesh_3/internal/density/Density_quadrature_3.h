@@ -10,12 +10,13 @@
 #include <CGAL/Global_odt_mesh_3/internal/geometry/Site.h>
 
 #include <functional>
+#include <vector>
 
 namespace CGAL {
 namespace Global_odt_mesh_3 {
 namespace internal {
 
-// A way to integrate the density over cells more accurately than by its values at the vertices.
+// A way to integrate the density over cells.
 class Density_quadrature_3
 {
 public:
@@ -27,6 +28,21 @@ public:
   // The moments on a cell, given the numbers of its vertices, into `sites`. The number of the
   // cell is for what is kept of it.
   virtual Density_moments_3 moments(int cell, const int* vertices, const Site* sites) = 0;
+
+  // To be called when vertices have moved, up to that number; those beyond stay for ever.
+  virtual void update(const std::vector<Site>&, int /* number_of_movable_vertices */) {}
+
+  // Remembers what update() changes, or goes back to it.
+  virtual void keep() {}
+  virtual void restore() {}
+
+  // By how much, relatively, the energy may rise in a step of the minimizer: little more than rounding feigns, unless the
+  // gradient is not its derivative.
+  virtual double energy_tolerance() const { return 1e-9; }
+
+protected:
+  // For moments of which the energy is not what (4.6) is the derivative of, so that it cannot be asked to fall.
+  static constexpr double tolerance_of_rough_moments = 1e-3;
 };
 
 } // namespace internal

@@ -10,21 +10,25 @@
 #include <CGAL/Global_odt_mesh_3/internal/density/Density_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/density/Density_moment_cache_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/density/Density_quadrature_3.h>
+#include <CGAL/Global_odt_mesh_3/internal/density/Linear_density_quadrature_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/density/Point_rule_quadrature_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/density/Quadratic_density_quadrature_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/density/Quadrature_choice.h>
+#include <CGAL/Global_odt_mesh_3/internal/geometry/Site.h>
 
 #include <memory>
 #include <utility>
 #include <variant>
+#include <vector>
 
 namespace CGAL {
 namespace Global_odt_mesh_3 {
 namespace internal {
 
-// The quadrature that the caller has chosen, or null for the linear one, which needs none.
-inline std::unique_ptr<Density_quadrature_3> make_density_quadrature_3(const Quadrature_choice& choice,
-                                                                       Density_3& rho)
+// The quadrature that the caller has chosen, for a mesh with vertices there; null if that is to say that the
+// density is one. It refers to the density.
+inline std::unique_ptr<Density_quadrature_3> make_density_quadrature_3(const Quadrature_choice& choice, Density_3& rho,
+                                                                       const std::vector<Site>& sites)
 {
   if(std::holds_alternative<std::monostate>(choice) && rho.polynomial() != nullptr)
     return std::make_unique<Quadratic_density_quadrature_3>(*rho.polynomial());
@@ -37,9 +41,11 @@ inline std::unique_ptr<Density_quadrature_3> make_density_quadrature_3(const Qua
   else if(const auto* cubature = std::get_if<Adaptive_cubature_3>(&choice))
     quadrature = std::make_unique<Adaptive_cubature_quadrature_3>(density, cubature->tolerance,
                                                                   cubature->most_regions);
-  if(quadrature == nullptr)
+  if(quadrature != nullptr)
+    return std::make_unique<Density_moment_cache_3>(std::move(quadrature));
+  if(rho.is_uniform())
     return nullptr;
-  return std::make_unique<Density_moment_cache_3>(std::move(quadrature));
+  return std::make_unique<Linear_density_quadrature_3>([&rho](int v, const Site& s) { return rho.in_volume(v, s); }, sites);
 }
 
 } // namespace internal

@@ -31,24 +31,30 @@ public:
     Density_samples_3::Barycentric_coordinates coordinates;
   };
 
-  Point_rule_quadrature_3(std::vector<Point> rule, Density density)
+  struct Rule
+  {
+    int degree;
+    std::vector<Point> points;
+  };
+
+  Point_rule_quadrature_3(Rule rule, Density density)
     : rule_(std::move(rule))
     , density_(std::move(density))
   {}
 
   // Of degree 2 (Stroud, Approximate Calculation of Multiple Integrals, T3:2-1).
-  static std::vector<Point> four_points()
+  static Rule four_points()
   {
-    std::vector<Point> rule;
+    Rule rule = { 2, {} };
     add_vertex_orbit((5 - std::sqrt(5.)) / 20, 0.25, rule);
     return rule;
   }
 
   // Of degree 5 (the same, T3:5-1).
-  static std::vector<Point> fifteen_points()
+  static Rule fifteen_points()
   {
     const double root = std::sqrt(15.);
-    std::vector<Point> rule = {{ 16. / 135, {{ 0.25, 0.25, 0.25, 0.25 }} }};
+    Rule rule = { 5, {{ 16. / 135, {{ 0.25, 0.25, 0.25, 0.25 }} }} };
     add_vertex_orbit((7 - root) / 34, (2665 + 14 * root) / 37800, rule);
     add_vertex_orbit((7 + root) / 34, (2665 - 14 * root) / 37800, rule);
     add_edge_orbit((5 - root) / 20, 10. / 189, rule);
@@ -59,34 +65,40 @@ public:
   {
     const Density_samples_3 samples(density_, vertices, sites);
     Density_samples_3::Products sum = {};
-    for(const Point& p : rule_)
+    for(const Point& p : rule_.points)
       samples.add(p.coordinates, p.weight, sum);
     return Density_samples_3::moments(sum);
   }
 
+  // The moments multiply the density by two coordinates.
+  double energy_tolerance() const override
+  {
+    return rule_.degree <= 2 ? tolerance_of_rough_moments : Density_quadrature_3::energy_tolerance();
+  }
+
 private:
   // Points with three coordinates `a`.
-  static void add_vertex_orbit(double a, double weight, std::vector<Point>& rule)
+  static void add_vertex_orbit(double a, double weight, Rule& rule)
   {
     for(int i = 0; i < 4; ++i)
     {
-      rule.push_back({ weight, {{ a, a, a, a }} });
-      rule.back().coordinates[i] = 1 - 3 * a;
+      rule.points.push_back({ weight, {{ a, a, a, a }} });
+      rule.points.back().coordinates[i] = 1 - 3 * a;
     }
   }
 
   // Points with two coordinates `a`.
-  static void add_edge_orbit(double a, double weight, std::vector<Point>& rule)
+  static void add_edge_orbit(double a, double weight, Rule& rule)
   {
     for(const std::array<int, 2>& edge : Density_moments_3::edges)
     {
-      rule.push_back({ weight, {{ a, a, a, a }} });
+      rule.points.push_back({ weight, {{ a, a, a, a }} });
       for(int i : edge)
-        rule.back().coordinates[i] = 0.5 - a;
+        rule.points.back().coordinates[i] = 0.5 - a;
     }
   }
 
-  std::vector<Point> rule_;
+  Rule rule_;
   Density density_;
 };
 

@@ -12,7 +12,6 @@
 #include <Eigen/Core>
 
 #include <cstddef>
-#include <functional>
 #include <utility>
 #include <vector>
 
@@ -30,15 +29,11 @@ namespace internal {
 class Odt_objective_3
 {
 public:
-  // The density at a vertex, given its number and position.
-  typedef std::function<double(int, const Site&)> Density;
-
   // `motions` are those of the vertices beyond the interior ones. Vertices whose
   // motion has no radius stay.
-  explicit Odt_objective_3(Moving_triangulation_3& mesh, Density density = Density(),
+  explicit Odt_objective_3(Moving_triangulation_3& mesh,
                            std::vector<Tangential_motion> motions = std::vector<Tangential_motion>())
     : mesh_(mesh)
-    , density_(std::move(density))
     , motions_(std::move(motions))
     , frozen_(mesh.number_of_movable_vertices, false)
     , retreats_(mesh.number_of_movable_vertices, 0)
@@ -49,7 +44,6 @@ public:
       if(motion(v) == nullptr || motion(v)->is_at_rest())
         freeze(v);
     mesh_.keep();
-    update_density();
     is_feasible_ = mesh_.evaluate();
     gather();
     keep();
@@ -75,7 +69,6 @@ public:
       if(v >= mesh_.number_of_interior_vertices)
         motion(v)->hold_in_disk(s);
     }
-    update_density();
     if(!mesh_.evaluate())
       return false;
     std::swap(current_, other_);
@@ -150,13 +143,6 @@ private:
     return n < motions_.size() ? &motions_[n] : nullptr;
   }
 
-  void update_density()
-  {
-    if(density_)
-      for(int v = 0; v < mesh_.number_of_movable_vertices; ++v)
-        mesh_.density[v] = density_(v, mesh_.sites[v]);
-  }
-
   void gather()
   {
     const std::vector<Site_gradient>& g = mesh_.gradient();
@@ -179,7 +165,6 @@ private:
   }
 
   Moving_triangulation_3& mesh_;
-  Density density_;
   std::vector<Tangential_motion> motions_;
   std::vector<char> frozen_;
   std::vector<int> retreats_;

@@ -7,6 +7,7 @@
 #define CGAL_GLOBAL_ODT_MESH_3_INTERNAL_OPTIMIZATION_TANGENTIAL_MOTION_H
 
 #include <CGAL/Global_odt_mesh_3/internal/geometry/Site.h>
+#include <CGAL/Global_odt_mesh_3/internal/triangulation/Position_control_3.h>
 
 #include <Eigen/Core>
 
@@ -24,13 +25,7 @@ struct Tangential_motion
 
   bool is_at_rest() const { return !(radius > 0); }
 
-  void hold_in_disk(Site& s) const
-  {
-    const Eigen::Vector3d way = position(s) - position(center);
-    const double distance = way.norm();
-    if(distance > radius)
-      s = site_at(position(center) + radius / distance * way, s.weight);
-  }
+  void hold_in_disk(Site& s) const { internal::hold_in_disk(center, radius, s); }
 
   Eigen::Vector3d tangential_part(const Eigen::Vector3d& g) const
   {

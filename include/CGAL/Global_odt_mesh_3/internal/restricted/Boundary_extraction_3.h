@@ -10,7 +10,7 @@
 #include <CGAL/Global_odt_mesh_3/internal/restricted/Cell_knowledge.h>
 #include <CGAL/Global_odt_mesh_3/internal/restricted/Restricted_candidate_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/surface/Boundary_complex_3.h>
-#include <CGAL/Global_odt_mesh_3/internal/triangulation/Flat_triangulation_3.h>
+#include <CGAL/Global_odt_mesh_3/internal/triangulation/Slot.h>
 
 #include <Eigen/Core>
 
@@ -61,7 +61,7 @@ public:
       const bool separates = c->subdomain_index() != d->subdomain_index();
       if(!separates && !candidate_.state.has_unseparating_facets)
         continue;
-      const std::array<int, 3>& k = Flat_triangulation_3::facet_vertices(f.second);
+      const std::array<int, 3>& k = facet_indices(f.second);
       Boundary_facet b;
       for(std::size_t i = 0; i < 3; ++i)
         b.vertices[i] = candidate_.numbered->number(c->vertex(k[i]));

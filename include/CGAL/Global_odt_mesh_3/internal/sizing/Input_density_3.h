@@ -8,6 +8,7 @@
 
 #include <CGAL/Global_odt_mesh_3/internal/density/Density_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/triangulation/Moving_triangulation_3.h>
+#include <CGAL/Global_odt_mesh_3/internal/triangulation/Slot.h>
 
 #include <Eigen/Core>
 #include <Eigen/Geometry>
@@ -70,7 +71,7 @@ private:
     c = locate(c, s, b);
     double size = 0;
     for(int i = 0; i < 4; ++i)
-      size += b[i] * size_[topology_.vertex(4 * c + i)];
+      size += b[i] * size_[topology_.vertices(c)[i]];
     return size;
   }
 
@@ -82,7 +83,7 @@ private:
       for(int i = 0; topology_.is_alive(c) && i < 3; ++i)
         for(int j = i + 1; j < 4; ++j)
         {
-          const int u = topology_.vertex(4 * c + i), v = topology_.vertex(4 * c + j);
+          const int u = topology_.vertices(c)[i], v = topology_.vertices(c)[j];
           const double l = std::sqrt(Constrained_triangulation_3::squared_distance(sites_[u], sites_[v]));
           sum[u] += l; sum[v] += l;
           ++count[u]; ++count[v];
@@ -110,16 +111,16 @@ private:
     int previous = -1;
     for(int step = 0; step < max_steps; ++step)
     {
-      const double total = volumes(topology_.cell_vertices() + 4 * c, s, b);
+      const double total = volumes(topology_.vertices(c), s, b);
       int leave = -1;
       double lowest = 0;
       for(int i = 0; i < 4; ++i)
       {
-        const int across = topology_.neighbor(4 * c + i);
-        if(b[i] < lowest && !Flat_triangulation_3::is_constrained(across) && across / 4 != previous)
+        const Slot across = topology_.neighbor(Slot(c, i));
+        if(b[i] < lowest && !across.is_side() && across.cell() != previous)
         {
           lowest = b[i];
-          leave = across / 4;
+          leave = across.cell();
         }
       }
       if(leave < 0 || step + 1 == max_steps)

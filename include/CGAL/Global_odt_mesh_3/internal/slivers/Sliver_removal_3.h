@@ -181,7 +181,7 @@ private:
   // Those of the interior come first: that needs no question to the domain.
   std::vector<int> movable_vertices(int cell) const
   {
-    const int* const v = mesh_.topology.cell_vertices() + 4 * cell;
+    const int* const v = mesh_.topology.vertices(cell);
     std::vector<int> vertices(v, v + 4);
     std::sort(vertices.begin(), vertices.end());
     while(!vertices.empty() && vertices.back() >= mesh_.number_of_movable_vertices)

@@ -9,8 +9,8 @@
 #include <CGAL/Global_odt_mesh_3/internal/geometry/Angle_deficit_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/slivers/Sliver_removal_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/surface/Boundary_geometry_3.h>
-#include <CGAL/Global_odt_mesh_3/internal/triangulation/Flat_triangulation_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/triangulation/Moving_triangulation_3.h>
+#include <CGAL/Global_odt_mesh_3/internal/triangulation/Slot.h>
 
 #include <Eigen/Core>
 
@@ -122,7 +122,7 @@ private:
     Deficit sum;
     for_each_deficit(bound, [&](int c, double d)
     {
-      const int* const v = mesh_.topology.cell_vertices() + 4 * c;
+      const int* const v = mesh_.topology.vertices(c);
       sum.all += d;
       if(d > 0 && *std::min_element(v, v + 4) < mesh_.number_of_movable_vertices)
         sum.improvable += d;
@@ -208,22 +208,19 @@ private:
   {
     const Moving_triangulation_3& mesh = mesh_;
     mesh.topology.star(v, star_);
-    for(int slot : star_)
-      for(int i : Flat_triangulation_3::facet_vertices(slot % 4))
+    for(Slot slot : star_)
+      for(int i : facet_indices(slot.index()))
       {
-        const int facet = slot - slot % 4 + i, across = mesh.topology.neighbor(facet);
-        if(!Flat_triangulation_3::is_constrained(across))
+        const Slot facet = slot.in_cell(i), across = mesh.topology.neighbor(facet);
+        if(!across.is_side())
           continue;
         // A constrained facet with cells on both sides is looked at from the first.
-        const int first = mesh.topology.constrained_slot(Flat_triangulation_3::constrained_facet(across), 0);
-        if(first >= 0 && first != facet)
+        const Slot first = mesh.topology.constrained_slot(across.constrained_facet(), 0);
+        if(!first.is_none() && first != facet)
           continue;
         Eigen::Vector3d centroid = Eigen::Vector3d::Zero();
-        for(int j : Flat_triangulation_3::facet_vertices(i))
-        {
-          const int w = mesh.topology.vertex(facet - i + j);
+        for(int w : mesh.topology.facet(facet))
           centroid += position(w == v ? s : mesh.sites[w]) / 3;
-        }
         if(!complex_.is_close_to_surface(centroid))
           return false;
       }
@@ -237,7 +234,7 @@ private:
   bool is_patient_ = false;               // with a bound below the one wanted
   std::vector<int> barred_;               // for so many rounds
   std::vector<double> shortest_edge_;
-  std::vector<int> star_;
+  std::vector<Slot> star_;
 };
 
 } // namespace internal

@@ -9,8 +9,11 @@
 #include <CGAL/Global_odt_mesh_3/internal/geometry/Angle_deficit_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/geometry/Site.h>
 #include <CGAL/Global_odt_mesh_3/internal/triangulation/Constrained_triangulation_3.h>
-#include <CGAL/Global_odt_mesh_3/internal/triangulation/Flat_triangulation_3.h>
+#include <CGAL/Global_odt_mesh_3/internal/triangulation/Flips_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/triangulation/Lawson_flips_3.h>
+#include <CGAL/Global_odt_mesh_3/internal/triangulation/Slot.h>
+
+#include <CGAL/assertions.h>
 
 #include <array>
 #include <cstddef>
@@ -56,12 +59,12 @@ public:
     mesh_.topology.star(v, star_);
     mesh_.sites[v] = s;
     irregular_.clear();
-    for(int slot : star_)
+    for(Slot t : star_)
     {
-      if(!(mesh_.products(slot / 4).determinant > 0))
+      if(mesh_.is_inverted(t.cell()))
         return (std::numeric_limits<double>::infinity)();
-      touch(slot / 4);
-      mesh_.push_facets(slot / 4, irregular_);
+      touch(t.cell());
+      mesh_.push_facets(t.cell(), irregular_);
     }
     if(!Lawson_flips_3<Vertex_trial_3>(mesh_, *this, irregular_).make_regular())
       return (std::numeric_limits<double>::infinity)();
@@ -130,28 +133,29 @@ public:
       mesh_.sites[s->first] = s->second;
     for(auto d = deficits_since_mark_.rbegin(); d != deficits_since_mark_.rend(); ++d)
       deficit_[d->first] = d->second;
+    CGAL_expensive_assertion(mesh_.topology.is_valid());
     accept_since_mark();
   }
 
 private:
   friend class Lawson_flips_3<Vertex_trial_3>;
 
-  std::array<int, 3> flip_2_3(int slot)
+  std::array<int, 3> flip_2_3(Slot s)
   {
-    touch(slot / 4);
-    touch(mesh_.topology.neighbor(slot) / 4);
-    const std::array<int, 3> cells = mesh_.topology.flip_2_3(slot);
+    touch(s.cell());
+    touch(mesh_.topology.neighbor(s).cell());
+    const std::array<int, 3> cells = internal::flip_2_3(mesh_.topology, s);
     make_room();
     for(int c : cells)
       touch(c);
     return cells;
   }
 
-  std::array<int, 2> flip_3_2(const std::array<int, 3>& ring)
+  std::array<int, 2> flip_3_2(const Edge_ring_3& ring)
   {
-    for(int slot : ring)
-      touch(slot / 4);
-    return mesh_.topology.flip_3_2(ring);
+    for(Slot s : ring)
+      touch(s.cell());
+    return internal::flip_3_2(mesh_.topology, ring);
   }
 
   // Cells that were not there before have no deficit.
@@ -182,14 +186,9 @@ private:
   // Whether a vertex of the interior has pushed the dual point of the cell through the surface.
   bool is_beyond_surface(int c) const
   {
-    const int* const v = mesh_.topology.cell_vertices() + 4 * c;
     for(int i = 0; i < 4; ++i)
-    {
-      const int across = mesh_.topology.neighbor(4 * c + i);
-      if(Flat_triangulation_3::is_constrained(across) && v[i] < mesh_.number_of_interior_vertices
-         && mesh_.is_beyond_surface(mesh_.products(c), v, i, across))
+      if(mesh_.topology.vertices(c)[i] < mesh_.number_of_interior_vertices && mesh_.is_beyond_surface(Slot(c, i)))
         return true;
-    }
     return false;
   }
 
@@ -201,7 +200,8 @@ private:
   int vertex_ = -1;
   Site from_;
   double before_ = 0, after_ = 0;
-  std::vector<int> touched_, star_, irregular_;
+  std::vector<int> touched_;
+  std::vector<Slot> star_, irregular_;
   std::size_t begin_ = 0;                   // of the trial, in the history since the mark
   bool has_mark_ = false;
   std::vector<std::pair<int, Site> > sites_since_mark_;         // and where they were

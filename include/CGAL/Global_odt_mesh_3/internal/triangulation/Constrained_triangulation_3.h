@@ -10,6 +10,9 @@
 #include <CGAL/Global_odt_mesh_3/internal/geometry/Cell_products_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/geometry/Site.h>
 #include <CGAL/Global_odt_mesh_3/internal/triangulation/Flat_triangulation_3.h>
+#include <CGAL/Global_odt_mesh_3/internal/triangulation/Slot.h>
+
+#include <CGAL/assertions.h>
 
 #include <algorithm>
 #include <array>
@@ -39,8 +42,9 @@ struct Constrained_triangulation_3
 
   Cell_products products(int cell) const
   {
-    return products(topology.vertex(4 * cell), topology.vertex(4 * cell + 1),
-                    topology.vertex(4 * cell + 2), topology.vertex(4 * cell + 3));
+    CGAL_assertion(topology.is_alive(cell));
+    const int* const v = topology.vertices(cell);
+    return products(v[0], v[1], v[2], v[3]);
   }
 
   Cell_products products(int a, int b, int c, int d) const
@@ -48,26 +52,23 @@ struct Constrained_triangulation_3
     return Cell_products(sites[a], sites[b], sites[c], sites[d]);
   }
 
+  bool is_inverted(int cell) const { return topology.is_alive(cell) && !(products(cell).determinant > 0); }
+
   double determinant(int a, int b, int c, int d) const { return products(a, b, c, d).determinant; }
 
   // What the angles of the cell lack, or 0 if it is not alive.
   double deficit(int cell, const Angle_deficit_3& angle_deficit) const
   {
-    const int* const v = topology.cell_vertices() + 4 * cell;
+    const int* const v = topology.vertices(cell);
     return topology.is_alive(cell) ? angle_deficit(sites[v[0]], sites[v[1]], sites[v[2]], sites[v[3]]) : 0.;
   }
 
-  // Six times the volumes of the cells that flip_2_3(slot) would make.
-  std::array<double, 3> volumes_after_2_3(int slot) const
+  // Six times the volumes of the cells that flip_2_3() would make.
+  std::array<double, 3> volumes_after_2_3(Slot s) const
   {
-    const int a = topology.vertex(slot), b = topology.vertex(topology.neighbor(slot));
-    const int c = slot - slot % 4;
-    const std::array<int, 3>& f = Flat_triangulation_3::facet_vertices(slot % 4);
-    std::array<double, 3> volume;
-    for(int k = 0; k < 3; ++k)
-      volume[k] = determinant(a, b, topology.vertex(c + f[(k + 1) % 3]),
-                              topology.vertex(c + f[(k + 2) % 3]));
-    return volume;
+    const int a = topology.vertex(s), b = topology.vertex(topology.neighbor(s));
+    const std::array<int, 3> f = topology.facet(s);
+    return {{ determinant(a, b, f[1], f[2]), determinant(a, b, f[2], f[0]), determinant(a, b, f[0], f[1]) }};
   }
 
   double squared_distance(int u, int v) const { return squared_distance(sites[u], sites[v]); }
@@ -86,18 +87,18 @@ struct Constrained_triangulation_3
   }
 
   // Appends the facets of the cell that flips may remove.
-  void push_facets(int cell, std::vector<int>& facets) const
+  void push_facets(int cell, std::vector<Slot>& facets) const
   {
     for(int i = 0; i < 4; ++i)
-      if(!Flat_triangulation_3::is_constrained(topology.neighbor(4 * cell + i)))
-        facets.push_back(4 * cell + i);
+      if(!topology.neighbor(Slot(cell, i)).is_side())
+        facets.push_back(Slot(cell, i));
   }
 
-  // Whether the dual point of a cell is beyond the surface at the constrained facet opposite to
-  // its vertex i.
-  bool is_beyond_surface(const Cell_products& t, const int* v, int i, int across) const
+  // Whether the dual point of a cell with vertices `v` is beyond the surface at the facet opposite to
+  // vertex i, which is looked at from that side.
+  bool is_beyond_surface(const Cell_products& t, const int* v, int i, Slot side) const
   {
-    const std::array<int, 3>& f = Flat_triangulation_3::facet_vertices(i);
+    const std::array<int, 3>& f = facet_indices(i);
     const Site& origin = sites[v[0]];
     const Site& p = sites[v[f[0]]];
     const Site& q = sites[v[f[1]]];
@@ -109,9 +110,15 @@ struct Constrained_triangulation_3
     const double g = 2 * t.determinant;
     const double above = mx * (t.nx - g * (p.x - origin.x)) + my * (t.ny - g * (p.y - origin.y))
                          + mz * (t.nz - g * (p.z - origin.z));
-    const double height = surface_heights[Flat_triangulation_3::constrained_facet(across)]
-                          * (Flat_triangulation_3::constrained_side(across) == 0 ? 1 : -1);
+    const double height = surface_heights[side.constrained_facet()] * (side.side() == 0 ? 1 : -1);
     return above > height * g * std::sqrt(mx * mx + my * my + mz * mz);
+  }
+
+  // The same for a slot, whose facet need not be constrained.
+  bool is_beyond_surface(Slot s) const
+  {
+    const Slot across = topology.neighbor(s);
+    return across.is_side() && is_beyond_surface(products(s.cell()), topology.vertices(s.cell()), s.index(), across);
   }
 
   // The mean length of the edges of each movable vertex; an edge counts once for
@@ -156,7 +163,7 @@ private:
       for(int i = 0; i < 3 && topology.is_alive(c); ++i)
         for(int j = i + 1; j < 4; ++j)
         {
-          const int u = topology.vertex(4 * c + i), v = topology.vertex(4 * c + j);
+          const int u = topology.vertices(c)[i], v = topology.vertices(c)[j];
           f(u, v, squared_distance(sites[u], sites[v]));
         }
   }

@@ -7,9 +7,11 @@
 #define CGAL_GLOBAL_ODT_MESH_3_INTERNAL_TRIANGULATION_FLATTEN_TRIANGULATION_3_H
 
 #include <CGAL/Global_odt_mesh_3/internal/triangulation/Flat_triangulation_3.h>
+#include <CGAL/Global_odt_mesh_3/internal/triangulation/Slot.h>
 
 #include <CGAL/Time_stamper.h>
 #include <CGAL/Unique_hash_map.h>
+#include <CGAL/assertions.h>
 
 #include <array>
 #include <cstddef>
@@ -27,77 +29,104 @@ struct Constrained_facet
   std::array<int, 3> vertices;      // clockwise seen from facet.first
 };
 
-// Loads the cells of `tr` for which `is_inside` holds into flat arrays, vertices
-// being named by `number`. Facets for which `is_constrained` holds, and those between
-// inside and outside, become constrained facets, with side 0 on the side of the facet's cell.
-// The constrained facets are returned, followed by facets that are constrained facets according to
-// `is_constrained` and have no cell inside.
+// Loads cells of a triangulation into flat arrays.
 template <class Triangulation, class Number, class Is_inside, class Is_constrained>
-std::vector<Constrained_facet<Triangulation> >
-flatten_triangulation_3(const Triangulation& tr,
-                        const Number& number,
-                        const Is_inside& is_inside,
-                        const Is_constrained& is_constrained,
-                        Flat_triangulation_3& flat)
+class Triangulation_flattener_3
 {
+public:
+  Triangulation_flattener_3(const Triangulation& tr, const Number& number, const Is_inside& is_inside,
+                            const Is_constrained& is_constrained, Flat_triangulation_3& flat)
+    : tr_(tr)
+    , number_(number)
+    , is_inside_(is_inside)
+    , is_constrained_(is_constrained)
+    , flat_(flat)
+    , cell_number_(-1, 2 * tr.number_of_vertices())
+  {}
+
+  std::vector<Constrained_facet<Triangulation> > operator()()
+  {
+    flat_ = Flat_triangulation_3();
+    flat_.reserve(tr_.number_of_vertices(), tr_.number_of_cells());
+    for(auto c = tr_.finite_cells_begin(); c != tr_.finite_cells_end(); ++c)
+      if(is_inside_(c))
+        add_cell(c);
+      else
+        add_outside_facets(c);
+    for(std::size_t n = 0; n < cells_.size(); ++n)
+      for(int i = 0; i < 4; ++i)
+        set_neighbors(Slot(static_cast<int>(n), i));
+    facets_.insert(facets_.end(), outside_facets_.begin(), outside_facets_.end());
+    CGAL_expensive_assertion(flat_.is_valid());
+    return facets_;
+  }
+
+private:
   typedef typename Triangulation::Cell_handle Cell_handle;
   typedef typename Triangulation::Facet Facet;
-  typedef CGAL::Hash_handles_with_or_without_timestamps Hash;
 
-  std::vector<Constrained_facet<Triangulation> > constrained_facets, outside_facets;
-  std::vector<Cell_handle> cells;
-  CGAL::Unique_hash_map<Cell_handle, int, Hash> cell_number(-1, 2 * tr.number_of_vertices());
-  flat = Flat_triangulation_3();
-  flat.reserve(tr.number_of_vertices(), tr.number_of_cells());
-  for(auto c = tr.finite_cells_begin(); c != tr.finite_cells_end(); ++c)
+  // CGAL orders the vertices of a cell as we do.
+  void add_cell(Cell_handle c)
   {
-    std::array<int, 4> v;
-    for(int i = 0; i < 4; ++i)
-      v[i] = number(c->vertex(i));
-    if(is_inside(c))
-    {
-      // CGAL orders the vertices of a cell as we do.
-      cell_number[c] = flat.add_cell(v[0], v[1], v[2], v[3]);
-      cells.push_back(c);
-      continue;
-    }
-    // Facets of the complex without any cell of the complex occur where the
-    // surface folds.
+    cell_number_[c] = flat_.add_cell(number_(c->vertex(0)), number_(c->vertex(1)), number_(c->vertex(2)),
+                                     number_(c->vertex(3)));
+    cells_.push_back(c);
+  }
+
+  // Facets of the complex without any cell of the complex occur where the surface folds.
+  void add_outside_facets(Cell_handle c)
+  {
     for(int i = 0; i < 4; ++i)
     {
       const Cell_handle d = c->neighbor(i);
-      const bool second_visit = !tr.is_infinite(d) && d < Cell_handle(c);
-      if(!second_visit && (tr.is_infinite(d) || !is_inside(d)) && is_constrained(Facet(c, i)))
-      {
-        const auto& f = Flat_triangulation_3::facet_vertices(i);
-        outside_facets.push_back({ Facet(c, i), {{ v[f[0]], v[f[1]], v[f[2]] }} });
-      }
+      const bool second_visit = !tr_.is_infinite(d) && d < c;
+      if(second_visit || (!tr_.is_infinite(d) && is_inside_(d)) || !is_constrained_(Facet(c, i)))
+        continue;
+      const std::array<int, 3>& f = facet_indices(i);
+      outside_facets_.push_back({ Facet(c, i), {{ number_(c->vertex(f[0])), number_(c->vertex(f[1])),
+                                                  number_(c->vertex(f[2])) }} });
     }
   }
-  for(std::size_t n = 0; n < cells.size(); ++n)
-    for(int i = 0; i < 4; ++i)
-    {
-      const Cell_handle c = cells[n], d = c->neighbor(i);
-      const int slot = static_cast<int>(4 * n) + i;
-      const int beyond = cell_number[d];
-      const int mirror = beyond < 0 ? -1 : 4 * beyond + d->index(c);
-      if(mirror >= 0 && mirror < slot)
-        continue;
-      if(mirror >= 0 && !is_constrained(Facet(c, i)))
-      {
-        flat.set_neighbors(slot, mirror);
-        continue;
-      }
-      const int facet_number = static_cast<int>(constrained_facets.size());
-      const auto& f = Flat_triangulation_3::facet_vertices(i);
-      constrained_facets.push_back({ Facet(c, i), {{ flat.vertex(slot - i + f[0]), flat.vertex(slot - i + f[1]),
-                                        flat.vertex(slot - i + f[2]) }} });
-      flat.set_neighbors(slot, Flat_triangulation_3::constrained_neighbor(facet_number, 0));
-      if(mirror >= 0)
-        flat.set_neighbors(mirror, Flat_triangulation_3::constrained_neighbor(facet_number, 1));
-    }
-  constrained_facets.insert(constrained_facets.end(), outside_facets.begin(), outside_facets.end());
-  return constrained_facets;
+
+  void set_neighbors(Slot s)
+  {
+    const Cell_handle c = cells_[s.cell()], d = c->neighbor(s.index());
+    const int beyond = cell_number_[d];
+    const bool has_mirror = beyond >= 0;
+    const Slot mirror = has_mirror ? Slot(beyond, d->index(c)) : Slot();
+    if(has_mirror && mirror < s)
+      return;
+    const Facet facet(c, s.index());
+    if(has_mirror && !is_constrained_(facet))
+      return flat_.set_neighbors(s, mirror);
+    const int number = static_cast<int>(facets_.size());
+    facets_.push_back({ facet, flat_.facet(s) });
+    flat_.set_neighbors(s, Slot::side(number, 0));
+    if(has_mirror)
+      flat_.set_neighbors(mirror, Slot::side(number, 1));
+  }
+
+  const Triangulation& tr_;
+  const Number& number_;
+  const Is_inside& is_inside_;
+  const Is_constrained& is_constrained_;
+  Flat_triangulation_3& flat_;
+  CGAL::Unique_hash_map<Cell_handle, int, CGAL::Hash_handles_with_or_without_timestamps> cell_number_;
+  std::vector<Cell_handle> cells_;
+  std::vector<Constrained_facet<Triangulation> > facets_, outside_facets_;
+};
+
+// Loads the cells of `tr` for which `is_inside` holds into flat arrays, vertices
+// being named by `number`. Facets for which `is_constrained` holds, and those between
+// inside and outside, become constrained facets, with side 0 on the side of the facet's cell.
+// They are returned, followed by facets that `is_constrained` names and that have no cell inside.
+template <class Triangulation, class Number, class Is_inside, class Is_constrained>
+std::vector<Constrained_facet<Triangulation> >
+flatten_triangulation_3(const Triangulation& tr, const Number& number, const Is_inside& is_inside,
+                        const Is_constrained& is_constrained, Flat_triangulation_3& flat)
+{
+  return Triangulation_flattener_3<Triangulation, Number, Is_inside, Is_constrained>(tr, number, is_inside, is_constrained,
+                                                                                    flat)();
 }
 
 } // namespace internal

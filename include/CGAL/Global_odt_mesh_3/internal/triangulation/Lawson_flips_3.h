@@ -8,28 +8,30 @@
 
 #include <CGAL/Global_odt_mesh_3/internal/geometry/Cell_products_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/triangulation/Constrained_triangulation_3.h>
-#include <CGAL/Global_odt_mesh_3/internal/triangulation/Flat_triangulation_3.h>
+#include <CGAL/Global_odt_mesh_3/internal/triangulation/Flips_3.h>
+#include <CGAL/Global_odt_mesh_3/internal/triangulation/Slot.h>
 
 #include <algorithm>
 #include <array>
 #include <cstddef>
+#include <optional>
 #include <vector>
 
 namespace CGAL {
 namespace Global_odt_mesh_3 {
 namespace internal {
 
-// Lawson's algorithm: makes a constrained triangulation regular, from the facets (slots) in
+// Lawson's algorithm: makes a constrained triangulation regular, from the facets in
 // `irregular` on, which is empty in the end. Facets that no flip can remove wait until flips
 // nearby have changed their surroundings.
 //
-// `flips` makes the flips in the triangulation, as Flat_triangulation_3 does, and keeps the
+// `flips` makes the flips in the triangulation, as the functions of Flips_3.h do, and keeps the
 // books that its owner wants.
 template <class Flips>
 class Lawson_flips_3
 {
 public:
-  Lawson_flips_3(const Constrained_triangulation_3& mesh, Flips& flips, std::vector<int>& irregular)
+  Lawson_flips_3(const Constrained_triangulation_3& mesh, Flips& flips, std::vector<Slot>& irregular)
     : mesh_(mesh)
     , flips_(flips)
     , irregular_(irregular)
@@ -40,7 +42,7 @@ public:
   bool make_regular()
   {
     std::size_t budget = 1000 + 40 * irregular_.size();
-    std::vector<int> waiting;
+    std::vector<Slot> waiting;
     for(bool has_flipped = true; has_flipped; irregular_.swap(waiting))
     {
       has_flipped = false;
@@ -51,14 +53,14 @@ public:
           irregular_.clear();
           return false;
         }
-        const int slot = irregular_.back();
+        const Slot s = irregular_.back();
         irregular_.pop_back();
-        if(!is_irregular(slot))
+        if(!is_irregular(s))
           continue;
-        if(remove_facet(slot))
+        if(remove_facet(s))
           has_flipped = true;
         else
-          waiting.push_back(slot);
+          waiting.push_back(s);
       }
     }
     irregular_.clear();
@@ -66,49 +68,49 @@ public:
   }
 
 private:
-  bool is_irregular(int slot)
+  bool is_irregular(Slot s)
   {
-    const int c = slot / 4;
+    const int c = s.cell();
     if(!mesh_.topology.is_alive(c))
       return false;
-    const int across = mesh_.topology.neighbor(slot);
-    if(Flat_triangulation_3::is_constrained(across))
+    const Slot across = mesh_.topology.neighbor(s);
+    if(across.is_side())
       return false;
-    const int origin = mesh_.topology.vertex(4 * c), q = mesh_.topology.vertex(across);
+    const int origin = mesh_.topology.vertex(Slot(c, 0)), q = mesh_.topology.vertex(across);
     const Cell_products t = mesh_.products(c);
     determinant_ = t.determinant;
     return mesh_.is_irregular(t.power(mesh_.sites[origin], mesh_.sites[q]), mesh_.squared_distance(origin, q));
   }
 
   // By a flip, if there is one.
-  bool remove_facet(int slot)
+  bool remove_facet(Slot s)
   {
-    const double volume = determinant_ + mesh_.products(mesh_.topology.neighbor(slot) / 4).determinant;
-    const std::array<double, 3> after = mesh_.volumes_after_2_3(slot);
+    const double volume = determinant_ + mesh_.products(mesh_.topology.neighbor(s).cell()).determinant;
+    const std::array<double, 3> after = mesh_.volumes_after_2_3(s);
     const double flat = 1e-12 * volume;
     const int k = static_cast<int>(std::min_element(after.begin(), after.end()) - after.begin());
     if(after[k] > flat)
     {
-      for(int c : flips_.flip_2_3(slot))
+      for(int c : flips_.flip_2_3(s))
         mesh_.push_facets(c, irregular_);
       return true;
     }
     // The edge across from the k-th vertex of the facet is reflex.
     if(after[(k + 1) % 3] <= flat || after[(k + 2) % 3] <= flat)
       return false;
-    const std::array<int, 3>& f = Flat_triangulation_3::facet_vertices(slot % 4);
-    const int u = f[(k + 1) % 3], v = f[(k + 2) % 3];
-    std::array<int, 3> ring;
-    if(!mesh_.topology.has_degree_3(slot / 4, u, v, ring))
+    const std::array<int, 3>& f = facet_indices(s.index());
+    const std::optional<Edge_ring_3> ring
+      = ring_of_degree_3(mesh_.topology, s.cell(), f[(k + 1) % 3], f[(k + 2) % 3]);
+    if(!ring)
       return false;
-    for(int c : flips_.flip_3_2(ring))
+    for(int c : flips_.flip_3_2(*ring))
       mesh_.push_facets(c, irregular_);
     return true;
   }
 
   const Constrained_triangulation_3& mesh_;
   Flips& flips_;
-  std::vector<int>& irregular_;
+  std::vector<Slot>& irregular_;
   double determinant_ = 0;        // of the cell of the facet that was last looked at
 };
 

@@ -1,0 +1,64 @@
+// Copyright (c) 2026 The Global_odt_mesh_3 authors.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_GLOBAL_ODT_MESH_3_INTERNAL_DENSITY_LINEAR_DENSITY_QUADRATURE_3_H
+#define CGAL_GLOBAL_ODT_MESH_3_INTERNAL_DENSITY_LINEAR_DENSITY_QUADRATURE_3_H
+
+#include <CGAL/Global_odt_mesh_3/internal/density/Density_moments_3.h>
+#include <CGAL/Global_odt_mesh_3/internal/density/Density_quadrature_3.h>
+#include <CGAL/Global_odt_mesh_3/internal/geometry/Site.h>
+
+#include <cstddef>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Global_odt_mesh_3 {
+namespace internal {
+
+// The moments of the density that is interpolated linearly between the vertices, where it is asked once for
+// each position.
+class Linear_density_quadrature_3 final
+  : public Density_quadrature_3
+{
+public:
+  Linear_density_quadrature_3(Density density, const std::vector<Site>& sites)
+    : density_(std::move(density))
+  {
+    values_.reserve(sites.size());
+    for(std::size_t v = 0; v < sites.size(); ++v)
+      values_.push_back(density_(static_cast<int>(v), sites[v]));
+  }
+
+  // Of vertices.
+  const std::vector<double>& values() const { return values_; }
+
+  Density_moments_3 moments(int, const int* v, const Site*) override { return moments(v); }
+  Density_moments_3 moments(const int* v) const
+  {
+    return linear_density_moments({{ values_[v[0]], values_[v[1]], values_[v[2]], values_[v[3]] }});
+  }
+
+  void update(const std::vector<Site>& sites, int number_of_movable_vertices) override
+  {
+    for(int v = 0; v < number_of_movable_vertices; ++v)
+      values_[v] = density_(v, sites[v]);
+  }
+
+  void keep() override { kept_values_ = values_; }
+  void restore() override { values_ = kept_values_; }
+
+  double energy_tolerance() const override { return tolerance_of_rough_moments; }
+
+private:
+  Density density_;
+  std::vector<double> values_, kept_values_;
+};
+
+} // namespace internal
+} // namespace Global_odt_mesh_3
+} // namespace CGAL
+
+#endif // CGAL_GLOBAL_ODT_MESH_3_INTERNAL_DENSITY_LINEAR_DENSITY_QUADRATURE_3_H
