@@ -3,7 +3,7 @@
 # it is not there yet.
 set -euo pipefail
 
-packages="g++ cmake make ccache libcgal-dev libcgal-demo libeigen3-dev libtbb-dev libgmp-dev libmpfr-dev
+packages="g++ clang cmake make ccache libcgal-dev libcgal-demo libeigen3-dev libtbb-dev libgmp-dev libmpfr-dev
           libboost-dev zlib1g-dev gnuplot-nox"
 missing=""
 for package in $packages; do

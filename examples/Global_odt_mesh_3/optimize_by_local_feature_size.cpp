@@ -11,6 +11,7 @@
 // Without the elephant of CGAL's data package, and without a file, there is nothing to do.
 
 #include "optimize_and_report.h"
+#include "read_surface.h"
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Local_feature_size_field_3.h>
@@ -19,11 +20,9 @@
 #include <CGAL/Mesh_polyhedron_3.h>
 #include <CGAL/Mesh_triangulation_3.h>
 #include <CGAL/Polyhedral_mesh_domain_3.h>
-#include <CGAL/boost/graph/helpers.h>
 #include <CGAL/make_mesh_3.h>
 
 #include <cstdlib>
-#include <fstream>
 #include <iostream>
 #include <string>
 
@@ -38,18 +37,14 @@ namespace params = CGAL::parameters;
 int main(int argc, char* argv[])
 {
   const std::string file = argc > 1 ? argv[1] : CGAL::data_file_path("meshes/elephant.off");
-  std::ifstream in(file);
-  Polyhedron polyhedron;
-  if(!in && argc <= 1)
+  if(argc <= 1 && !can_be_opened(file))
   {
     std::cout << file << " is not there\n";
     return EXIT_SUCCESS;
   }
-  if(!(in >> polyhedron) || !CGAL::is_closed(polyhedron) || !CGAL::is_triangle_mesh(polyhedron))
-  {
-    std::cerr << file << " is not a closed surface of triangles in OFF\n";
+  Polyhedron polyhedron;
+  if(!read_surface(file, polyhedron))
     return EXIT_FAILURE;
-  }
   const Domain domain(polyhedron);
   const CGAL::Local_feature_size_field_3<Domain> size(domain);
   const Criteria criteria(params::facet_angle = 25, params::facet_size = size,

@@ -9,6 +9,7 @@
 //   optimize_labeled_image_mesh [image.inr.gz]
 
 #include "optimize_and_report.h"
+#include "read_surface.h"
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Image_3.h>
@@ -33,9 +34,10 @@ int main(int argc, char* argv[])
 {
   const std::string file = argc > 1 ? argv[1] : CGAL::data_file_path("images/liver.inr.gz");
   CGAL::Image_3 image;
-  if(!image.read(file.c_str()))
+  const bool is_there = can_be_opened(file);
+  if(!is_there || !image.read(file.c_str()))
   {
-    std::cerr << "cannot read the image " << file << '\n';
+    std::cerr << file << (is_there ? " is not an image that ImageIO can read\n" : " cannot be opened\n");
     return EXIT_FAILURE;
   }
   const Domain domain = Domain::create_labeled_image_mesh_domain(image);

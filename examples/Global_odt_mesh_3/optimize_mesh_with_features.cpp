@@ -9,6 +9,7 @@
 //   optimize_mesh_with_features [surface.off]
 
 #include "optimize_and_report.h"
+#include "read_surface.h"
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Mesh_complex_3_in_triangulation_3.h>
@@ -19,7 +20,6 @@
 #include <CGAL/make_mesh_3.h>
 
 #include <cstdlib>
-#include <fstream>
 #include <iostream>
 #include <string>
 
@@ -35,12 +35,8 @@ int main(int argc, char* argv[])
 {
   const std::string file = argc > 1 ? argv[1] : CGAL::data_file_path("meshes/fandisk.off");
   Polyhedron polyhedron;
-  std::ifstream in(file);
-  if(!(in >> polyhedron))
-  {
-    std::cerr << "cannot read the surface " << file << '\n';
+  if(!read_surface(file, polyhedron))
     return EXIT_FAILURE;
-  }
   Domain domain(polyhedron);
   domain.detect_features();
   const Criteria criteria(params::edge_size = 0.025, params::facet_angle = 25, params::facet_size = 0.03,

@@ -13,6 +13,7 @@
 
 #include "mesh_picture.h"
 #include "optimize_and_report.h"
+#include "read_surface.h"
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Labeled_mesh_domain_3.h>
@@ -21,12 +22,10 @@
 #include <CGAL/Mesh_polyhedron_3.h>
 #include <CGAL/Mesh_triangulation_3.h>
 #include <CGAL/Polyhedral_mesh_domain_3.h>
-#include <CGAL/boost/graph/helpers.h>
 #include <CGAL/make_mesh_3.h>
 
 #include <cmath>
 #include <cstdlib>
-#include <fstream>
 #include <iostream>
 #include <string>
 
@@ -69,19 +68,15 @@ int main(int argc, char* argv[])
     return EXIT_FAILURE;
   }
 
-  Polyhedron polyhedron;
-  std::ifstream in(file);
-  if(!in && argc <= 1)
+  if(argc <= 1 && !can_be_opened(file))
   {
     std::cout << file << " is not there; meshing a torus\n";
     run(Implicit_domain::create_implicit_mesh_domain(torus, K::Sphere_3(CGAL::ORIGIN, 4.)), 5 * relative_size, prefix);
     return EXIT_SUCCESS;
   }
-  if(!(in >> polyhedron) || !CGAL::is_closed(polyhedron) || !CGAL::is_triangle_mesh(polyhedron))
-  {
-    std::cerr << file << " is not a closed surface of triangles in OFF\n";
+  Polyhedron polyhedron;
+  if(!read_surface(file, polyhedron))
     return EXIT_FAILURE;
-  }
   std::cout << "meshing " << file << std::endl;
   const Polyhedral_domain domain(polyhedron);
   const CGAL::Bbox_3 b = domain.bbox();

@@ -73,6 +73,31 @@ struct Mesh_quality_report_3
   }
 };
 
+namespace Global_odt_mesh_3 {
+namespace internal {
+
+inline std::size_t bin(double value, int number_of_bins)
+{
+  return static_cast<std::size_t>((std::min)(static_cast<int>(value), number_of_bins - 1));
+}
+
+inline void add_shape(Mesh_quality_report_3& report, const Cell_shape_3& shape)
+{
+  const auto extremes = std::minmax_element(shape.angles.begin(), shape.angles.end());
+  report.smallest_angle = (std::min)(report.smallest_angle, *extremes.first);
+  report.largest_angle = (std::max)(report.largest_angle, *extremes.second);
+  for(auto& bound : report.cells_below)
+    bound.second += *extremes.first < bound.first;
+  for(double a : shape.angles)
+    ++report.angles[bin(a, Mesh_quality_report_3::number_of_angle_bins)];
+  report.smallest_radius_ratio = (std::min)(report.smallest_radius_ratio, shape.radius_ratio);
+  const int bins = Mesh_quality_report_3::number_of_radius_ratio_bins;
+  ++report.radius_ratios[bin(shape.radius_ratio * bins, bins)];
+}
+
+} // namespace internal
+} // namespace Global_odt_mesh_3
+
 /*!
 \ingroup PkgGlobalOdtMesh3Functions
 
@@ -99,23 +124,14 @@ Mesh_quality_report_3 mesh_quality_report_3(const C3T3& c3t3,
   for(auto c = c3t3.cells_in_complex_begin(); c != c3t3.cells_in_complex_end(); ++c)
   {
     std::array<odt::Site, 4> s;
-    for(int i = 0; i < 4; ++i)
+    for(std::size_t i = 0; i < 4; ++i)
     {
-      const auto& p = c3t3.triangulation().point(c, i);
+      const auto& p = c3t3.triangulation().point(c, static_cast<int>(i));
       s[i] = { to_double(p.x()), to_double(p.y()), to_double(p.z()), to_double(p.weight()) };
     }
     const odt::Cell_shape_3 shape(s[0], s[1], s[2], s[3]);
-    const auto extremes = std::minmax_element(shape.angles.begin(), shape.angles.end());
-    report.smallest_angle = (std::min)(report.smallest_angle, *extremes.first);
-    report.largest_angle = (std::max)(report.largest_angle, *extremes.second);
-    for(auto& bound : report.cells_below)
-      bound.second += *extremes.first < bound.first;
-    for(double a : shape.angles)
-      ++report.angles[(std::min)(static_cast<int>(a), Report::number_of_angle_bins - 1)];
+    odt::add_shape(report, shape);
     sum += shape.radius_ratio;
-    report.smallest_radius_ratio = (std::min)(report.smallest_radius_ratio, shape.radius_ratio);
-    ++report.radius_ratios[(std::min)(static_cast<int>(shape.radius_ratio * Report::number_of_radius_ratio_bins),
-                                      Report::number_of_radius_ratio_bins - 1)];
     const odt::Cell_products t(s[0], s[1], s[2], s[3]);
     Report::Subdomain& subdomain = subdomains[c3t3.subdomain_index(c)];
     ++subdomain.number_of_cells;

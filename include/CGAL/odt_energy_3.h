@@ -22,6 +22,7 @@
 #include <CGAL/Global_odt_mesh_3/internal/geometry/Point_coordinates.h>
 
 #include <algorithm>
+#include <array>
 #include <cstddef>
 #include <map>
 #include <memory>
@@ -36,56 +37,69 @@ namespace internal {
 // What odt_energy_3() reads.
 typedef Parameter_list<tags::sizing_field, internal_np::density_t, internal_np::quadrature_t> Energy_parameters;
 
+// The cells of a complex by the numbers of their vertices. The density of a cell is asked of its vertex of the lowest
+// number, which is one of the highest dimension.
+template <class C3t3>
+struct Numbered_cells_3
+{
+  typedef typename C3t3::Vertex_handle Vertex_handle;
+
+  explicit Numbered_cells_3(const C3t3& c3t3)
+  {
+    std::map<Vertex_handle, int> numbers;
+    for(auto c = c3t3.cells_in_complex_begin(); c != c3t3.cells_in_complex_end(); ++c)
+      for(int i = 0; i < 4; ++i)
+        numbers[c->vertex(i)] = 0;
+    // The order of handles is left to chance.
+    for(auto v = c3t3.triangulation().finite_vertices_begin(); v != c3t3.triangulation().finite_vertices_end(); ++v)
+      if(numbers.count(v) != 0)
+        vertices.push_back(v);
+    std::stable_sort(vertices.begin(), vertices.end(), [](Vertex_handle u, Vertex_handle v)
+                     { return u->in_dimension() > v->in_dimension(); });
+    for(Vertex_handle v : vertices)
+    {
+      numbers[v] = static_cast<int>(sites.size());
+      sites.push_back(weighted_site(c3t3.triangulation().point(v)));
+    }
+    for(auto c = c3t3.cells_in_complex_begin(); c != c3t3.cells_in_complex_end(); ++c)
+      cells.push_back({{ numbers[c->vertex(0)], numbers[c->vertex(1)], numbers[c->vertex(2)], numbers[c->vertex(3)] }});
+  }
+
+  // The sum over all cells, of which `moments` gives the moments of the density.
+  template <class Moments>
+  double energy(const Moments& moments) const
+  {
+    double sum = 0;
+    for(const Cell_vertices& v : cells)
+      sum += cell_energy(sites, v, moments(v));
+    return sum;
+  }
+
+  std::vector<Vertex_handle> vertices;
+  std::vector<Site> sites;
+  std::vector<Cell_vertices> cells;
+};
+
 template <class C3t3>
 double odt_energy(const C3t3& c3t3, const User_fields_3<C3t3>& fields, Quadrature_choice choice)
 {
-  typedef typename C3t3::Vertex_handle Vertex_handle;
   fields.check();
   check(choice);
   if(std::holds_alternative<std::monostate>(choice) && !fields.quadratic_density)
     choice = Adaptive_cubature_3{ 1e-8 };
-  // The density of a cell is asked of its vertex of the lowest number, which is to be that of the highest dimension.
-  std::map<Vertex_handle, int> numbers;
-  for(auto c = c3t3.cells_in_complex_begin(); c != c3t3.cells_in_complex_end(); ++c)
-    for(int i = 0; i < 4; ++i)
-      numbers[c->vertex(i)] = 0;
-  // The order of handles is left to chance.
-  std::vector<Vertex_handle> vertices;
-  for(auto v = c3t3.triangulation().finite_vertices_begin(); v != c3t3.triangulation().finite_vertices_end(); ++v)
-    if(numbers.count(v) != 0)
-      vertices.push_back(v);
-  std::stable_sort(vertices.begin(), vertices.end(), [](Vertex_handle u, Vertex_handle v)
-                   { return u->in_dimension() > v->in_dimension(); });
-  std::vector<Site> sites;
-  for(Vertex_handle v : vertices)
-  {
-    numbers[v] = static_cast<int>(sites.size());
-    sites.push_back(weighted_site(c3t3.triangulation().point(v)));
-  }
-
-  std::vector<Cell_vertices> cells;
-  for(auto c = c3t3.cells_in_complex_begin(); c != c3t3.cells_in_complex_end(); ++c)
-    cells.push_back({{ numbers[c->vertex(0)], numbers[c->vertex(1)], numbers[c->vertex(2)], numbers[c->vertex(3)] }});
-
-  const auto sum = [&](const auto& moments)
-  {
-    double energy = 0;
-    for(const Cell_vertices& v : cells)
-      energy += cell_energy(sites, v, moments(v));
-    return energy;
-  };
+  const Numbered_cells_3<C3t3> mesh(c3t3);
   const auto uniform = [](const Cell_vertices&) { return linear_density_moments({{ 1, 1, 1, 1 }}); };
   if(!fields)
-    return sum(uniform);
+    return mesh.energy(uniform);
   const std::unique_ptr<Field_density_3> density
-    = fields.make_density(sites, [&vertices](int v) { return vertices[v]; });
+    = fields.make_density(mesh.sites, [&mesh](int v) { return mesh.vertices[static_cast<std::size_t>(v)]; });
   const double unit = density->unit_density();
   if(const auto* cubature = std::get_if<Adaptive_cubature_3>(&choice))
-    return unit * reference_energy(sites, cells, *density, *cubature);
-  const std::unique_ptr<Density_quadrature_3> quadrature = make_density_quadrature_3(choice, *density, sites);
+    return unit * reference_energy(mesh.sites, mesh.cells, *density, *cubature);
+  const std::unique_ptr<Density_quadrature_3> quadrature = make_density_quadrature_3(choice, *density, mesh.sites);
   if(quadrature == nullptr)
-    return unit * sum(uniform);
-  return unit * sum([&](const Cell_vertices& v) { return quadrature->moments(0, v.data(), sites.data()); });
+    return unit * mesh.energy(uniform);
+  return unit * mesh.energy([&](const Cell_vertices& v) { return quadrature->moments(0, v.data(), mesh.sites.data()); });
 }
 
 } // namespace internal

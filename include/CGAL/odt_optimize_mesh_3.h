@@ -36,8 +36,10 @@ is defined by `<CGAL/odt_optimize_mesh_3.h>` of this package, and not by the hea
 #include <CGAL/Mesh_optimization_return_code.h>
 #include <CGAL/tags.h>
 
+#include <algorithm>
 #include <cstddef>
 #include <functional>
+#include <limits>
 #include <type_traits>
 
 namespace CGAL {
@@ -55,7 +57,8 @@ optimize_periodic(C3T3& c3t3, const MeshDomain& domain, const Odt_parameters& p)
   Mesh_3::Mesh_global_optimizer<C3T3, MeshDomain, Move>
     optimizer(c3t3, domain, p.freeze_bound, p.do_freeze, p.convergence);
   optimizer.set_time_limit(p.time_limit);
-  return optimizer(p.max_iteration_number == 0 ? 1000 : static_cast<int>(p.max_iteration_number));
+  constexpr std::size_t most = (std::numeric_limits<int>::max)();
+  return optimizer(p.max_iteration_number == 0 ? 1000 : int((std::min)(p.max_iteration_number, most)));
 }
 
 template <class C3T3>

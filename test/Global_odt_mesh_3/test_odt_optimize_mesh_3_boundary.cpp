@@ -406,7 +406,12 @@ static void exceptions(const Ellipsoid_domain& domain, const Ellipsoid_c3t3& inp
     Ellipsoid_c3t3 complete(input);
     call(remeshes, complete);
     const std::array<long, 3> asked = domain.questions.asked;
+    check::that(asked[0] > 0 && asked[2] > 0, "the domain was not asked");
     for(int kind = 0; kind < 3; ++kind)
+    {
+      // Where Mesh_3 no longer asks the predicate, neither do we.
+      if(asked[kind] == 0)
+        continue;
       for(long n : { 0L, asked[kind] / 3, asked[kind] - 1 })
       {
         Ellipsoid_c3t3 c3t3(input);
@@ -419,6 +424,7 @@ static void exceptions(const Ellipsoid_domain& domain, const Ellipsoid_c3t3& inp
         check::that(thrown, "the domain did not throw at question ", n, " of kind ", kind);
         contract.check_untouched(c3t3);
       }
+    }
   }
 }
 
@@ -432,9 +438,8 @@ static void projection(const char* name, const Domain& domain, const Point_3& fr
   typedef typename Oracle::Vector Vector;
   Oracle oracle(domain);
   const double distance = std::sqrt(CGAL::squared_distance(from, expected));
-  const Vector start = {{ from.x(), from.y(), from.z() }};
-  const Vector normal = {{ (from.x() - expected.x()) / distance, (from.y() - expected.y()) / distance,
-                           (from.z() - expected.z()) / distance }};
+  const Vector start(from.x(), from.y(), from.z());
+  const Vector normal = (start - Vector(expected.x(), expected.y(), expected.z())) / distance;
   Vector p = start;
   typename Domain::Index index;
   check::that(oracle.intersect(p, normal, 2 * distance, index), name, ": no surface found");
@@ -468,8 +473,8 @@ static void projection()
   projection("ellipsoid", ellipsoid, Point_3(0.5, 0, 0), Point_3(0.35, 0, 0), 1e-12);
   ellipsoid.questions.misses_of_dozen = 12;
   CGAL::Global_odt_mesh_3::internal::Domain_oracle_3<Ellipsoid_domain> oracle(ellipsoid);
-  std::array<double, 3> p = {{ 0.5, 0, 0 }};
-  check::that(!oracle.project(p, {{ 1, 0, 0 }}, 0.3, { 1 }) && p[0] == 0.5, "projected although all intersections are missed");
+  Eigen::Vector3d p(0.5, 0, 0);
+  check::that(!oracle.project(p, Eigen::Vector3d(1, 0, 0), 0.3, { 1 }) && p[0] == 0.5, "projected although all intersections are missed");
 }
 
 int main()

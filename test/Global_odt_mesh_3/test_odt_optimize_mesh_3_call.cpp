@@ -79,7 +79,19 @@ static void parameter_styles(const Labeled_c3t3& input, const Labeled_domain& do
     CGAL::odt_optimize_mesh_3(c, domain, 100, 5, 0.001, 0.0005, false);
     compare(c, "values by position");
   }
+  {
+    Labeled_c3t3 c(input);
+    CGAL::odt_optimize_mesh_3(c, domain, 100, 5, 0.001, params::do_freeze = false, params::freeze_bound = 0.0005,
+                              params::optimize_boundary = true);
+    compare(c, "values by position, then by name");
+  }
 #else
+  {
+    Labeled_c3t3 c(input), by_default(input);
+    CGAL::odt_optimize_mesh_3(c, domain, params::default_values());
+    CGAL::odt_optimize_mesh_3(by_default, domain);
+    check::that(Contract::points(c) == Contract::points(by_default), "default_values() are others");
+  }
   {
     Labeled_c3t3 c(input);
     CGAL::odt_optimize_mesh_3(c, domain, params::time_limit(100).max_iteration_number(5).convergence(0.001)

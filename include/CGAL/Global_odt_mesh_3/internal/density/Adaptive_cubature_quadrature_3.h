@@ -114,10 +114,10 @@ private:
 
   // Of the points with that k in the rule of an order (Grundmann and Moeller, Invariant integration formulas for the
   // n-simplex by combinatorial methods, SIAM J. Numer. Anal. 15, 1978).
-  static double weight(int order, int k)
+  static double weight(int of_order, int k)
   {
-    const int i = order - k, degree = 2 * order + 1;
-    double w = (i % 2 == 0 ? 6 : -6) * std::pow(0.25, order) * std::pow(2 * k + 4, degree);
+    const int i = of_order - k, degree = 2 * of_order + 1;
+    double w = (i % 2 == 0 ? 6 : -6) * std::pow(0.25, of_order) * std::pow(2 * k + 4, degree);
     for(int n = 2; n <= i; ++n)
       w /= n;
     for(int n = 2; n <= degree + 3 - i; ++n)

@@ -30,7 +30,8 @@ typedef std::array<int, 4> Cell_vertices;
 
 inline double cell_energy(const std::vector<Site>& sites, const Cell_vertices& v, const Density_moments_3& moments)
 {
-  const Site &s0 = sites[v[0]], &s1 = sites[v[1]], &s2 = sites[v[2]], &s3 = sites[v[3]];
+  const Site* const s = sites.data();
+  const Site &s0 = s[v[0]], &s1 = s[v[1]], &s2 = s[v[2]], &s3 = s[v[3]];
   return odt_energy(Cell_products(s0, s1, s2, s3), s0, s1, s2, s3, moments).energy;
 }
 

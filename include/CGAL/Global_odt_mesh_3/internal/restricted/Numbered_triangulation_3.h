@@ -35,7 +35,7 @@ public:
   Triangulation& triangulation() { return tr_; }
   Vertex_handle vertex(int v) const
   {
-    CGAL_assertion(is_visible(v));
+    CGAL_assertion(vertices_[v] != Vertex_handle());
     return vertices_[v];
   }
   std::size_t number_of_vertices() const { return vertices_.size(); }

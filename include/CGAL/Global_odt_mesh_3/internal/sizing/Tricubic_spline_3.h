@@ -15,7 +15,6 @@
 #include <boost/math/interpolators/cardinal_cubic_b_spline.hpp>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <cstddef>
 #include <vector>
@@ -40,12 +39,12 @@ public:
   struct Grid
   {
     Triple low, high;
-    std::array<int, 3> nodes;
+    Eigen::Vector3i nodes;
 
     Grid(const Bbox_3& box, int nx, int ny, int nz)
       : low(box.xmin(), box.ymin(), box.zmin())
       , high(box.xmax(), box.ymax(), box.zmax())
-      , nodes{{ nx, ny, nz }}
+      , nodes(nx, ny, nz)
     {
       for(int axis = 0; axis < 3; ++axis)
       {
@@ -68,14 +67,14 @@ public:
                        : "Spline_grid_field_3: the box is empty or not finite along z";
     }
 
-    std::size_t number_of_nodes() const { return stride(2) * nodes[2]; }
+    std::size_t number_of_nodes() const { return stride(3); }
 
     // From a node to the next one along an axis.
     std::size_t stride(int axis) const
     {
       std::size_t n = 1;
       for(int a = 0; a < axis; ++a)
-        n *= nodes[a];
+        n *= static_cast<std::size_t>(nodes[a]);
       return n;
     }
 
@@ -107,7 +106,7 @@ public:
   double value(const Triple& p) const
   {
     const Position q = locate(p);
-    return combine(q.node, { values(q.t[0]), values(q.t[1]), values(q.t[2]) });
+    return combine(q.node, values(q.t));
   }
 
   Triple gradient(const Triple& p) const
@@ -116,8 +115,8 @@ public:
     Triple g;
     for(int axis = 0; axis < 3; ++axis)
     {
-      Weights w = { values(q.t[0]), values(q.t[1]), values(q.t[2]) };
-      w[axis] = slopes(q.t[axis]);
+      Weights w = values(q.t);
+      w.col(axis) = slopes(q.t[axis]);
       g[axis] = q.is_clamped[axis] ? 0 : scale_[axis] * combine(q.node, w);
     }
     return g;
@@ -129,27 +128,37 @@ public:
   }
 
 private:
+  // The bits of the index: in x, y, and z.
+  typedef Eigen::Array<double, 8, 1> Derivatives;
+
   // Factors of value and derivative at the lower end of an interval, and of those at the upper one.
-  typedef std::array<double, 4> Hermite;
-  typedef std::array<Hermite, 3> Weights;
+  typedef Eigen::Vector4d Hermite;
+  typedef Eigen::Matrix<double, 4, 3> Weights;      // of the three axes
 
   struct Position
   {
     std::size_t node;                   // the lowest of the box
     Triple t;                           // in [0, 1]
-    std::array<bool, 3> is_clamped;
+    Eigen::Array<bool, 3, 1> is_clamped;
   };
 
   static Hermite values(double t)
   {
     const double s = 1 - t;
-    return {{ (1 + 2 * t) * s * s, t * s * s, t * t * (3 - 2 * t), -t * t * s }};
+    return { (1 + 2 * t) * s * s, t * s * s, t * t * (3 - 2 * t), -t * t * s };
+  }
+
+  static Weights values(const Triple& t)
+  {
+    Weights w;
+    w << values(t[0]), values(t[1]), values(t[2]);
+    return w;
   }
 
   static Hermite slopes(double t)
   {
     const double s = 1 - t;
-    return {{ -6 * t * s, s * (1 - 3 * t), 6 * t * s, t * (3 * t - 2) }};
+    return { -6 * t * s, s * (1 - 3 * t), 6 * t * s, t * (3 * t - 2) };
   }
 
   Position locate(const Triple& p) const
@@ -162,7 +171,7 @@ private:
       // What is not a number goes to the lower face.
       const double inside = u > 0 ? (std::min)(u, last) : 0;
       const int i = (std::min)(static_cast<int>(inside), grid_.nodes[axis] - 2);
-      q.node += i * grid_.stride(axis);
+      q.node += static_cast<std::size_t>(i) * grid_.stride(axis);
       q.t[axis] = inside - i;
       q.is_clamped[axis] = p[axis] < grid_.low[axis] || p[axis] > grid_.high[axis];
     }
@@ -175,20 +184,20 @@ private:
     for(int up = 0; up < 2; ++up)
       for(int back = 0; back < 2; ++back)
       {
-        const std::size_t n = node + up * grid_.stride(2) + back * grid_.stride(1);
-        const std::array<double, 8>& left = data_[n];
-        const std::array<double, 8>& right = data_[n + 1];
+        const std::size_t n = node + (up == 0 ? 0 : grid_.stride(2)) + (back == 0 ? 0 : grid_.stride(1));
+        const Derivatives& left = data_[n];
+        const Derivatives& right = data_[n + 1];
         const auto along_x = [&](int d)
-        { return w[0][0] * left[d] + w[0][1] * left[d + 1] + w[0][2] * right[d] + w[0][3] * right[d + 1]; };
-        const auto along_y = [&](int d) { return w[1][2 * back] * along_x(d) + w[1][2 * back + 1] * along_x(d + 2); };
-        sum += w[2][2 * up] * along_y(0) + w[2][2 * up + 1] * along_y(4);
+        { return w(0, 0) * left[d] + w(1, 0) * left[d + 1] + w(2, 0) * right[d] + w(3, 0) * right[d + 1]; };
+        const auto along_y = [&](int d) { return w(2 * back, 1) * along_x(d) + w(2 * back + 1, 1) * along_x(d + 2); };
+        sum += w(2 * up, 2) * along_y(0) + w(2 * up + 1, 2) * along_y(4);
       }
     return sum;
   }
 
   void differentiate(int axis, int from, int to)
   {
-    const std::size_t stride = grid_.stride(axis), length = grid_.nodes[axis];
+    const std::size_t stride = grid_.stride(axis), length = static_cast<std::size_t>(grid_.nodes[axis]);
     std::vector<double> line(length);
     for(std::size_t start = 0; start < data_.size(); ++start)
     {
@@ -213,7 +222,7 @@ private:
 
   Grid grid_;
   Triple scale_;
-  std::vector<std::array<double, 8> > data_;   // bits of the second index: derivatives in x, y, and z
+  std::vector<Derivatives> data_;
 };
 
 } // namespace internal

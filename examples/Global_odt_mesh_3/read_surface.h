@@ -1,0 +1,41 @@
+// Copyright (c) 2026 The Global_odt_mesh_3 authors.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef GLOBAL_ODT_MESH_3_EXAMPLES_READ_SURFACE_H
+#define GLOBAL_ODT_MESH_3_EXAMPLES_READ_SURFACE_H
+
+#include <CGAL/boost/graph/helpers.h>
+
+#include <fstream>
+#include <iostream>
+#include <string>
+
+inline bool can_be_opened(const std::string& file)
+{
+  return std::ifstream(file).good();
+}
+
+// Reads a surface in OFF that bounds a volume. If there is none, says why, and gives false.
+template <class Polyhedron>
+bool read_surface(const std::string& file, Polyhedron& polyhedron)
+{
+  const char* complaint = nullptr;
+  std::ifstream in(file);
+  if(!in)
+    complaint = "cannot be opened";
+  else if(!(in >> polyhedron))
+    complaint = "is not a 2-manifold surface in OFF";
+  else if(num_faces(polyhedron) == 0)
+    complaint = "has no facets";
+  else if(!CGAL::is_triangle_mesh(polyhedron))
+    complaint = "has facets that are not triangles";
+  else if(!CGAL::is_closed(polyhedron))
+    complaint = "is not closed";
+  if(complaint != nullptr)
+    std::cerr << file << ' ' << complaint << '\n';
+  return complaint == nullptr;
+}
+
+#endif // GLOBAL_ODT_MESH_3_EXAMPLES_READ_SURFACE_H
