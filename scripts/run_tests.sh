@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # Installs what is missing, builds and runs the tests: all with the system's
-# CGAL, those of the contract also with the CGAL of Debian 13 and of Debian
+# CGAL, along with the examples, those of the contract also with the CGAL of Debian 13 and of Debian
 # testing.
 #
 #   [JOBS=n] run_tests.sh [build directory]
@@ -22,6 +22,7 @@ run() {
   echo "=== tests with the CGAL of $name ==="
   cmake -S . -B "$build/$name" -DCMAKE_BUILD_TYPE=Release -DGLOBAL_ODT_MESH_3_BUILD_TESTS=ON \
         -DGLOBAL_ODT_MESH_3_CONTRACT_TESTS_ONLY="$([ -n "$label" ] && echo ON || echo OFF)" \
+        -DGLOBAL_ODT_MESH_3_BUILD_EXAMPLES="$([ -n "$label" ] && echo OFF || echo ON)" \
         -DCMAKE_CXX_COMPILER_LAUNCHER=ccache -DCGAL_DATA_DIR="$data" "$@" > "$build/$name.log" 2>&1 \
     || { cat "$build/$name.log"; status=1; return; }
   cmake --build "$build/$name" -j"$jobs" || { status=1; return; }

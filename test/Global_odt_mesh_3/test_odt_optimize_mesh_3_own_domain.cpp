@@ -188,7 +188,7 @@ static void questions()
   Visitor visitor;
   const CGAL::Global_odt_mesh_3::internal::Odt_parameters parameters;
   CGAL::Global_odt_mesh_3::internal::Odt_mesh_optimizer_3<C3t3, Complete_ball, Visitor>
-    optimizer(c3t3, ball, parameters, visitor);
+    optimizer(c3t3, ball, CGAL::Global_odt_mesh_3::internal::Odt_task::OPTIMIZE, parameters, visitor);
   optimizer();
   std::cout << ball.number_of_intersections << " intersections, " << ball.number_of_predicates << " predicates" << std::endl;
   check::that(ball.number_of_intersections > 0, "the domain is not asked");
