@@ -76,7 +76,7 @@ static void perturbation()
   mesh.number_of_interior_vertices -= on_surface;
   std::vector<Tangential_motion> motions;
   for(int n = 0; n < on_surface; ++n)
-    motions.push_back({ {{ 0.6, 0, 0.8 }}, 1, mesh.sites[mesh.number_of_interior_vertices + n] });
+    motions.push_back({ Eigen::Vector3d(0.6, 0, 0.8), 1, mesh.sites[mesh.number_of_interior_vertices + n] });
   Odt_objective_3 f(mesh, motions);
   f.freeze(3);
 

@@ -10,6 +10,9 @@
 
 #include <CGAL/number_utils.h>
 
+#include <Eigen/Core>
+#include <Eigen/Geometry>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -30,24 +33,17 @@ public:
 
   double operator()(const Site& s0, const Site& s1, const Site& s2, const Site& s3) const
   {
-    typedef std::array<double, 3> Vector;
-    const auto minus = [](const Site& a, const Site& b) { return Vector{{ a.x - b.x, a.y - b.y, a.z - b.z }}; };
-    const auto cross = [](const Vector& a, const Vector& b)
-    { return Vector{{ a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0] }}; };
-    const auto dot = [](const Vector& a, const Vector& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; };
-
-    const Vector a = minus(s1, s0), b = minus(s2, s0), c = minus(s3, s0);
-    std::array<Vector, 4> normal = {{ {}, cross(c, b), cross(a, c), cross(b, a) }};   // outward
+    const Eigen::Vector3d a = position(s1) - position(s0), b = position(s2) - position(s0), c = position(s3) - position(s0);
+    const Eigen::Vector3d n1 = c.cross(b), n2 = a.cross(c), n3 = b.cross(a);
+    const std::array<Eigen::Vector3d, 4> normal = {{ -(n1 + n2 + n3), n1, n2, n3 }};   // outward
     std::array<double, 4> area;
-    for(int i = 0; i < 3; ++i)
-      normal[0][i] = -(normal[1][i] + normal[2][i] + normal[3][i]);
     for(int i = 0; i < 4; ++i)
-      area[i] = std::sqrt(dot(normal[i], normal[i]));
+      area[i] = normal[i].norm();
     double deficit = 0;
     for(int i = 0; i < 3; ++i)
       for(int j = i + 1; j < 4; ++j)
       {
-        const double scale = area[i] * area[j], cosine = -dot(normal[i], normal[j]);
+        const double scale = area[i] * area[j], cosine = -normal[i].dot(normal[j]);
         if(scale > 0 && cosine <= cosine_ * scale)
           continue;
         const double angle = scale > 0 ? std::acos((std::min)(1., cosine / scale)) * 180 / CGAL_PI : 0.;

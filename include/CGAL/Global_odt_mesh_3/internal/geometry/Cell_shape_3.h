@@ -11,6 +11,9 @@
 
 #include <CGAL/number_utils.h>
 
+#include <Eigen/Core>
+#include <Eigen/Geometry>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -27,34 +30,22 @@ struct Cell_shape_3
 
   Cell_shape_3(const Site& s0, const Site& s1, const Site& s2, const Site& s3)
   {
-    const std::array<const Site*, 4> s = {{ &s0, &s1, &s2, &s3 }};
-    typedef std::array<double, 3> Vector;
-    const auto minus = [](const Site& a, const Site& b) { return Vector{{ a.x - b.x, a.y - b.y, a.z - b.z }}; };
-    const auto cross = [](const Vector& a, const Vector& b)
-    { return Vector{{ a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0] }}; };
-    const auto dot = [](const Vector& a, const Vector& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; };
-
+    const std::array<Eigen::Vector3d, 4> s = {{ position(s0), position(s1), position(s2), position(s3) }};
     // Inward normals of the facets opposite to each vertex; their lengths are
     // twice the areas.
-    std::array<Vector, 4> normal;
+    std::array<Eigen::Vector3d, 4> normal;
     double area = 0;
     for(int i = 0; i < 4; ++i)
     {
-      const Site& a = *s[(i + 1) % 4];
-      normal[i] = cross(minus(*s[(i + 2) % 4], a), minus(*s[(i + 3) % 4], a));
-      if(i % 2 == 0)
-        for(double& x : normal[i])
-          x = -x;
-      area += std::sqrt(dot(normal[i], normal[i])) / 2;
+      const Eigen::Vector3d& a = s[(i + 1) % 4];
+      normal[i] = (i % 2 == 0 ? -1. : 1.) * (s[(i + 2) % 4] - a).cross(s[(i + 3) % 4] - a);
+      area += normal[i].norm() / 2;
     }
     int n = 0;
     for(int i = 0; i < 3; ++i)
       for(int j = i + 1; j < 4; ++j)
-      {
-        const Vector c = cross(normal[i], normal[j]);
         // The angle between the facets is the supplement of that of the normals.
-        angles[n++] = std::atan2(std::sqrt(dot(c, c)), -dot(normal[i], normal[j])) * 180 / CGAL_PI;
-      }
+        angles[n++] = std::atan2(normal[i].cross(normal[j]).norm(), -normal[i].dot(normal[j])) * 180 / CGAL_PI;
     // r = 3 V / area; R = |N| / (2 det) of the unweighted sites.
     const auto unweighted = [](Site p) { p.weight = 0; return p; };
     const Cell_products t(unweighted(s0), unweighted(s1), unweighted(s2), unweighted(s3));

@@ -6,11 +6,12 @@
 #ifndef CGAL_GLOBAL_ODT_MESH_3_INTERNAL_OPTIMIZATION_LIMITED_MEMORY_BFGS_H
 #define CGAL_GLOBAL_ODT_MESH_3_INTERNAL_OPTIMIZATION_LIMITED_MEMORY_BFGS_H
 
+#include <boost/circular_buffer.hpp>
+
 #include <Eigen/Core>
 
 #include <cmath>
-#include <cstddef>
-#include <vector>
+#include <utility>
 
 namespace CGAL {
 namespace Global_odt_mesh_3 {
@@ -45,10 +46,11 @@ public:
   explicit Limited_memory_bfgs(const Limited_memory_bfgs_parameters& parameters
                                  = Limited_memory_bfgs_parameters())
     : parameters_(parameters)
+    , pairs_(parameters.memory)
   {}
 
   // Forgets the curvature seen so far, as needed when the function changes.
-  void reset() { size_ = 0; }
+  void reset() { pairs_.clear(); }
 
   // One iteration from the function's current point.
   template <class Function>
@@ -65,7 +67,7 @@ public:
       if(slope < -1e-15 * std::abs(energy) && line_search(f, energy, slope))
         return STEP_TAKEN;
       // The curvature may be stale; try the plain preconditioned gradient.
-      if(size_ == 0)
+      if(pairs_.empty())
         return NO_STEP_FOUND;
       reset();
     }
@@ -75,21 +77,16 @@ private:
   void compute_direction(const Eigen::VectorXd& diagonal)
   {
     direction_ = g_;
-    alpha_.resize(size_);
-    for(int n = size_ - 1; n >= 0; --n)
+    for(auto p = pairs_.rbegin(); p != pairs_.rend(); ++p)
     {
-      const Pair& p = pair(n);
-      alpha_[n] = p.s.dot(direction_) / p.sy;
-      direction_ -= alpha_[n] * p.y;
+      p->alpha = p->s.dot(direction_) / p->sy;
+      direction_ -= p->alpha * p->y;
     }
     direction_.array() /= diagonal.array();
-    if(size_ > 0)
-      direction_ *= pair(size_ - 1).gamma;
-    for(int n = 0; n < size_; ++n)
-    {
-      const Pair& p = pair(n);
-      direction_ += (alpha_[n] - p.y.dot(direction_) / p.sy) * p.s;
-    }
+    if(!pairs_.empty())
+      direction_ *= pairs_.back().gamma;
+    for(const Pair& p : pairs_)
+      direction_ += (p.alpha - p.y.dot(direction_) / p.sy) * p.s;
     direction_ = -direction_;
   }
 
@@ -120,46 +117,33 @@ private:
   template <class Function>
   void update(const Function& f)
   {
-    if(pairs_.size() < static_cast<std::size_t>(parameters_.memory))
-      pairs_.resize(parameters_.memory);
-    if(size_ == 0)
-      first_ = 0;
-    Pair& p = size_ < parameters_.memory ? pair(size_) : pair(0);
+    Pair& p = next_;
     p.s = f.point() - x_;
     p.y = f.gradient() - g_;
     p.sy = p.s.dot(p.y);
-    const double yy = (p.y.array().square() / f.diagonal().array()).sum();
+    // Negative curvature says nothing of use.
     if(!(p.sy > 1e-10 * std::sqrt(p.s.squaredNorm() * p.y.squaredNorm())))
+      return;
+    p.gamma = p.sy / (p.y.array().square() / f.diagonal().array()).sum();
+    if(!pairs_.full())
     {
-      // Negative curvature says nothing of use; with the memory full it has
-      // overwritten the oldest pair, which goes.
-      if(size_ == parameters_.memory)
-      {
-        first_ = (first_ + 1) % parameters_.memory;
-        --size_;
-      }
+      pairs_.push_back(std::move(p));
       return;
     }
-    p.gamma = p.sy / yy;
-    if(size_ < parameters_.memory)
-      ++size_;
-    else
-      first_ = (first_ + 1) % parameters_.memory;
+    // The new pair takes the place of the oldest, whose memory serves the next.
+    std::swap(p, pairs_.front());
+    pairs_.rotate(pairs_.begin() + 1);
   }
 
   struct Pair
   {
     Eigen::VectorXd s, y;
-    double sy, gamma;
+    double sy, gamma, alpha;
   };
 
-  Pair& pair(int n) { return pairs_[(first_ + n) % parameters_.memory]; }
-
   Limited_memory_bfgs_parameters parameters_;
-  std::vector<Pair> pairs_;   // a ring, from the oldest to the newest
-  int first_ = 0;
-  int size_ = 0;
-  std::vector<double> alpha_;
+  boost::circular_buffer<Pair> pairs_;    // from the oldest to the newest
+  Pair next_;
   Eigen::VectorXd x_, g_, direction_, trial_;
 };
 
