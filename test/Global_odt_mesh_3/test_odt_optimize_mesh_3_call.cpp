@@ -465,7 +465,7 @@ static void visitor(const Labeled_c3t3& input, const Labeled_domain& domain)
 
 // Marks on the second side the facets that are in the complex on one only, after
 // a vertex was inserted outside.
-static void mend_facets(Labeled_c3t3& c3t3)
+static void complete_facets(Labeled_c3t3& c3t3)
 {
   auto& tr = c3t3.triangulation();
   for(auto f = tr.finite_facets_begin(); f != tr.finite_facets_end(); ++f)
@@ -548,13 +548,13 @@ static void degenerate(const Labeled_c3t3& sphere_mesh, const Labeled_domain& do
     Labeled_c3t3 c(sphere_mesh);
     const auto v = c.triangulation().insert(Weighted_point(Point_3(2, 0.1, 0.2)));
     v->set_dimension(2);
-    mend_facets(c);
+    complete_facets(c);
     survives("isolated vertex", c, true);
   }
   {
     Labeled_c3t3 c(sphere_mesh);
     c.add_far_point(Weighted_point(Point_3(20, 1, 2)));
-    mend_facets(c);
+    complete_facets(c);
     survives("far point", c, true);
     check::that(c.number_of_far_points() == 1, "the far point was lost");
   }
