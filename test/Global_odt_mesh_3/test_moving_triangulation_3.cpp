@@ -70,7 +70,7 @@ static void flips(std::mt19937& random)
   check::that(t.is_valid() && cells() == before, "compaction changes cells");
 }
 
-// After every step of a random walk, the mended triangulation is the exact one.
+// After every step of a random walk, the repaired triangulation is the exact one.
 // Lawson's flips may get stuck after a wild step; this must be rare, be noticed
 // by is_regular(), and be over with the next step.
 static void random_walk(bool weighted, double shift, std::mt19937& random)
@@ -110,13 +110,13 @@ static void random_walk(bool weighted, double shift, std::mt19937& random)
     check::that(std::abs(mesh.gradient()[0].x - g.x) <= 1e-10 * g.diagonal, "the gradient is not that of the cells");
     mesh.keep();
   }
-  check::that(failures < 10, failures, " of 40 steps could not be mended");
+  check::that(failures < 10, failures, " of 40 steps could not be repaired");
   check::that(stuck <= 1, stuck, " of 40 steps did not end on the exact triangulation");
   check::that(mesh.statistics().flips > 1000, "the walk hardly flipped");
 }
 
-// Takes back what it flips, as rounding may do.
-struct Vain_flips
+// Each flip is taken back at once, as rounding may do later.
+struct Flips_taken_back
 {
   Flat_triangulation_3& t;
   std::size_t most, number = 0;
@@ -153,9 +153,9 @@ static void endless_flips(std::mt19937& random)
     for(int c = 0; c < mesh.topology.number_of_cell_slots(); ++c)
       mesh.push_facets(c, facets);
     std::shuffle(facets.begin(), facets.end(), random);
-    Vain_flips flips = { mesh.topology, 1000 + 40 * facets.size() };
+    Flips_taken_back flips = { mesh.topology, 1000 + 40 * facets.size() };
     bool is_regular = true;
-    try { is_regular = Lawson_flips_3<Vain_flips>(mesh, flips, facets).make_regular(); }
+    try { is_regular = Lawson_flips_3<Flips_taken_back>(mesh, flips, facets).make_regular(); }
     catch(const std::runtime_error& e) { check::that(false, e.what()); }
     check::that(flips.number > 0 && !is_regular && facets.empty(), "facets are left, and nothing is said of them");
   }
@@ -239,7 +239,7 @@ static void rejected_trials(std::mt19937& random)
 }
 
 // The objective, of which some trials are said not to be feasible; what is tried is recorded.
-struct Obstinate_function
+struct Function_with_refusals
 {
   Odt_objective_3& f;
   int refusals = 0;
@@ -263,7 +263,7 @@ static void second_direction(std::mt19937& random)
 {
   Moving_triangulation_3 mesh = random_cube(4, 200, 0, false, random);
   Odt_objective_3 objective(mesh);
-  Obstinate_function f = { objective };
+  Function_with_refusals f = { objective };
   Limited_memory_bfgs_parameters parameters;
   Limited_memory_bfgs minimizer(parameters);
   for(int n = 0; n < 5; ++n)

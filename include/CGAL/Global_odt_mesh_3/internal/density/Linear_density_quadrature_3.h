@@ -10,6 +10,8 @@
 #include <CGAL/Global_odt_mesh_3/internal/density/Density_quadrature_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/geometry/Site.h>
 
+#include <CGAL/assertions.h>
+
 #include <cstddef>
 #include <utility>
 #include <vector>
@@ -43,6 +45,7 @@ public:
 
   void update(const std::vector<Site>& sites, int number_of_movable_vertices) override
   {
+    CGAL_assertion(sites.size() == values_.size());
     for(int v = 0; v < number_of_movable_vertices; ++v)
       values_[v] = density_(v, sites[v]);
   }

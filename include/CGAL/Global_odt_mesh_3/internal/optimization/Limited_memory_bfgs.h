@@ -31,13 +31,13 @@ struct Limited_memory_bfgs_parameters
 // that ends on the approximate Wolfe condition (Hager and Zhang, 2005).
 //
 // The function has to model
-//   double value() const;                  at the point last evaluated
+//   double value() const;                  at the current point or, after evaluate(), at the trial
 //   const Eigen::VectorXd& point() const;
 //   const Eigen::VectorXd& gradient() const;
 //   const Eigen::VectorXd& diagonal() const;
 //   bool evaluate(const Eigen::VectorXd& x);   may alter x; false: not feasible
-//   void accept();                         the last point becomes the current one
-//   void reject();                         goes back to the current point
+//   void accept();                         the trial becomes the current point
+//   void reject();                         goes back to the current point, with all of the above
 class Limited_memory_bfgs
 {
 public:

@@ -9,6 +9,8 @@
 #include <CGAL/Global_odt_mesh_3/internal/optimization/Tangential_motion.h>
 #include <CGAL/Global_odt_mesh_3/internal/triangulation/Moving_triangulation_3.h>
 
+#include <CGAL/assertions.h>
+
 #include <Eigen/Core>
 
 #include <cstddef>
@@ -58,6 +60,7 @@ public:
 
   bool evaluate(const Eigen::VectorXd& x)
   {
+    CGAL_assertion(x.size() == point().size() && !is_on_trial_);
     for(int v = 0; v < mesh_.number_of_movable_vertices; ++v)
     {
       if(frozen_[v])

@@ -107,6 +107,7 @@ public:
 
   void set_mark()
   {
+    CGAL_assertion(!has_mark_);
     has_mark_ = true;
     mesh_.topology.begin_trial();
   }
@@ -122,12 +123,14 @@ public:
 
   void accept_since_mark()
   {
+    CGAL_assertion(has_mark_);
     mesh_.topology.end_trial();
     forget_mark();
   }
 
   void reject_since_mark()
   {
+    CGAL_assertion(has_mark_);
     mesh_.topology.undo_trial();
     for(auto s = sites_since_mark_.rbegin(); s != sites_since_mark_.rend(); ++s)
       mesh_.sites[s->first] = s->second;

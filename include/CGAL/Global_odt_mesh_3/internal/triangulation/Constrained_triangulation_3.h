@@ -17,6 +17,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstddef>
 #include <limits>
 #include <vector>
 
@@ -110,6 +111,7 @@ struct Constrained_triangulation_3
     const double g = 2 * t.determinant;
     const double above = mx * (t.nx - g * (p.x - origin.x)) + my * (t.ny - g * (p.y - origin.y))
                          + mz * (t.nz - g * (p.z - origin.z));
+    CGAL_assertion(side.is_side() && static_cast<std::size_t>(side.constrained_facet()) < surface_heights.size());
     const double height = surface_heights[side.constrained_facet()] * (side.side() == 0 ? 1 : -1);
     return above > height * g * std::sqrt(mx * mx + my * my + mz * mz);
   }

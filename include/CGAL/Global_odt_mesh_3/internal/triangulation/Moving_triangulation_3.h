@@ -73,6 +73,7 @@ public:
 
   void restore()
   {
+    CGAL_assertion(kept_sites_.size() == sites.size());
     sites = kept_sites_;
     energy_ = kept_energy_;
     if(!has_kept_gradient_)
@@ -286,6 +287,7 @@ private:
   // Moves `v` if all its cells, those of its star, become positive.
   bool relocate(int v, const std::vector<Slot>& star, const Site& s)
   {
+    CGAL_assertion(std::all_of(star.begin(), star.end(), [&](Slot t) { return topology.vertex(t) == v; }));
     const Site old = sites[v];
     for(Slot t : star)
       add_cell(t.cell(), -1);
