@@ -80,11 +80,12 @@ void compare(const char* name, const C3t3& input, const Domain& domain)
     C3t3 copy(moved);
     bridge = (std::min)(bridge, seconds([&]
     {
+      typedef odt::Restricted_complex_3<Triangulation, Domain> Complex;
+      Complex complex(domain, odt::Boundary_motion::NONE);
       odt::Moving_triangulation_3 mesh;
-      odt::C3t3_bridge_3<C3t3, Domain> b(copy, domain);
-      b.load(mesh, false);
-      b.store(mesh, { false, false, odt::Restricted_update::GOOD_EVIDENCE, true });
-      b.commit();
+      complex.start(odt::C3t3_reader_3<C3t3, typename Complex::Domain>(copy, complex.domain()).read(mesh, false));
+      if(complex.advance(mesh.sites, true))
+        odt::C3t3_writer_3<C3t3, typename Complex::Domain>(complex.take_state(), complex.domain()).write(copy);
     }));
   }
   std::printf("  exact rebuild %.1f ms; import and export %.1f ms, %.2f rebuilds\n",
