@@ -37,11 +37,26 @@ public:
   // Of vertices.
   const std::vector<double>& values() const { return values_; }
 
-  Density_moments_3 moments(int, const int* v, const Site*) override { return moments(v); }
-  Density_moments_3 moments(const int* v) const
+  // The same for loops over cells: the compiler need not fear that what they write alters where the values are.
+  class View
   {
-    return linear_density_moments({{ values_[v[0]], values_[v[1]], values_[v[2]], values_[v[3]] }});
-  }
+  public:
+    explicit View(const double* values) : values_(values) {}
+
+    const View* operator->() const { return this; }
+
+    Density_moments_3 moments(int, const int* v, const Site*) const
+    {
+      return linear_density_moments({{ values_[v[0]], values_[v[1]], values_[v[2]], values_[v[3]] }});
+    }
+
+  private:
+    const double* values_;
+  };
+
+  View view() const { return View(values_.data()); }
+
+  Density_moments_3 moments(int cell, const int* v, const Site* s) override { return view().moments(cell, v, s); }
 
   void update(const std::vector<Site>& sites, int number_of_movable_vertices) override
   {

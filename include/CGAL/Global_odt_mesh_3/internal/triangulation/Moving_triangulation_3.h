@@ -160,7 +160,7 @@ private:
     irregular_.clear();
     intruders_.clear();
     energy_ = quadrature_ == nullptr ? fused_pass(nullptr)
-            : linear_quadrature_ != nullptr ? fused_pass(linear_quadrature_) : fused_pass(quadrature_);
+            : linear_quadrature_ != nullptr ? fused_pass(linear_quadrature_->view()) : fused_pass(quadrature_);
   }
 
   // Energy, gradient, orientation and regularity of everything at once; each
@@ -213,7 +213,7 @@ private:
     const Cell_products t = products(cell);
     const Site* const s = sites.data();
     const Cell_energy e = quadrature_ == nullptr ? cell_energy(t, cell, v, s, nullptr)
-                        : linear_quadrature_ != nullptr ? cell_energy(t, cell, v, s, linear_quadrature_)
+                        : linear_quadrature_ != nullptr ? cell_energy(t, cell, v, s, linear_quadrature_->view())
                                                         : cell_energy(t, cell, v, s, quadrature_);
     energy_ += sign * e.energy;
     for(int i = 0; i < 4; ++i)
