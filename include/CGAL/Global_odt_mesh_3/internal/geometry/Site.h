@@ -22,6 +22,8 @@ struct Site
 
 inline Eigen::Vector3d position(const Site& s) { return Eigen::Vector3d(s.x, s.y, s.z); }
 
+inline bool same_place(const Site& a, const Site& b) { return a.x == b.x && a.y == b.y && a.z == b.z; }
+
 inline Site site_at(const Eigen::Vector3d& p, double weight) { return { p.x(), p.y(), p.z(), weight }; }
 
 } // namespace internal

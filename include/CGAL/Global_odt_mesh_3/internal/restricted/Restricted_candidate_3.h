@@ -194,8 +194,6 @@ private:
   typedef typename Triangulation::Weighted_point Weighted_point;
   typedef typename Triangulation::Bare_point Bare_point;
 
-  static bool same_place(const Site& a, const Site& b) { return a.x == b.x && a.y == b.y && a.z == b.z; }
-
   // Vertices that do not move keep the exact points of the input.
   Weighted_point point(int v) const
   {

@@ -92,8 +92,7 @@ struct Restricted_state_3
   // Whether the vertices that may move are there.
   bool has_positions(const std::vector<Site>& positions) const
   {
-    return std::equal(sites.begin(), sites.begin() + numbering->number_of_movable_vertices, positions.begin(),
-                      [](const Site& a, const Site& b) { return a.x == b.x && a.y == b.y && a.z == b.z; });
+    return std::equal(sites.begin(), sites.begin() + numbering->number_of_movable_vertices, positions.begin(), same_place);
   }
 
   // Of a vertex that moves on a surface.
