@@ -70,8 +70,8 @@ using Optimization_parameters = std::conditional_t<
   is_periodic<C3T3>,
   Parameter_list<tags::time_limit, tags::max_iteration_number, tags::convergence, tags::freeze_bound, tags::do_freeze>,
   Parameter_list<tags::time_limit, tags::max_iteration_number, tags::convergence, tags::freeze_bound, tags::do_freeze,
-                 tags::sliver_bound, tags::sizing_field, internal_np::density_t, internal_np::quadrature_t,
-                 internal_np::annealing_schedule_t, internal_np::number_of_rounds_t, internal_np::optimize_boundary_t,
+                 tags::sliver_bound, internal_np::do_remove_slivers_t, tags::sizing_field, internal_np::density_t,
+                 internal_np::quadrature_t, internal_np::annealing_schedule_t, internal_np::number_of_rounds_t, internal_np::optimize_boundary_t,
                  internal_np::random_seed_t, internal_np::callback_t, internal_np::visitor_t> >;
 
 template <class T>
@@ -130,9 +130,11 @@ of \f$ E^\rho_{ODT} \f$ equidistributes the integral of \f$ \rho^{3/5} \f$. With
 those of the input's cells, so that a graded mesh stays graded; see `sizing_field` and `density`. As the number of vertices is that of the
 input, only the ratios of sizes or densities matter.
 
-The global search comes in rounds (see `number_of_rounds` and `annealing_schedule`). At the end, vertices of cells with
-dihedral angles below `sliver_bound` try positions around them, one by one, until no such cell is left or
-nothing improves the rest.
+The global search comes in rounds (see `number_of_rounds` and `annealing_schedule`). At the end, slivers are removed: vertices of
+cells with dihedral angles below a bound try positions around them, one by one. The bound rises in steps of 20, 30, 35, 40, ... degrees,
+and a step is kept only if the smallest angle of all cells and the numbers of cells below the steps before have not become worse; so
+that a higher `sliver_bound` never leads to smaller angles. This takes at most about half as long as the stages before; where
+the bound cannot be reached in that time, longer stages, that is, a higher `number_of_rounds`, buy more.
 
 Vertices in dimension 2 move on the surface, first toward a centroidal Voronoi tessellation of it
 (see `remesh_boundary_mesh_3()`) and then together with the interior. They end on the surface:
@@ -252,11 +254,18 @@ version of %CGAL in use knows: `parameters::time_limit = 10, parameters::do_free
     \cgalParamDefault{4 for momentum annealing, 20 for Algorithm 2}
   \cgalParamNEnd
   \cgalParamNBegin{sliver_bound}
-    \cgalParamDescription{the dihedral angle, in degrees, that all cells should exceed in the end; 0 switches the removal of slivers off.
+    \cgalParamDescription{the dihedral angle, in degrees, that all cells should exceed in the end; the removal of slivers stops at the first
+                          step that is not below it. 0 means as high as can be had, as long as slivers are exceptions: above 30 degrees, no step
+                          is taken that asks for more than one cell in thirty to be improved.
                           From \cgal 5.6 on also called `lower_sliver_bound`.}
     \cgalParamType{`double`}
     \cgalParamPrecondition{`0 <= sliver_bound <= 70.5`, the regular tetrahedron having angles of 70.53 degrees}
-    \cgalParamDefault{20}
+    \cgalParamDefault{0}
+  \cgalParamNEnd
+  \cgalParamNBegin{do_remove_slivers}
+    \cgalParamDescription{whether slivers are removed; otherwise the mesh is left where its energy has converged.}
+    \cgalParamType{`bool`}
+    \cgalParamDefault{`true`}
   \cgalParamNEnd
   \cgalParamNBegin{random_seed}
     \cgalParamDescription{the seed of all that is left to chance.}
@@ -275,7 +284,7 @@ version of %CGAL in use knows: `parameters::time_limit = 10, parameters::do_free
                           `end_of_iteration(int)`, called in each iteration in this order, and
                           `after_rebuild_restricted_delaunay()`, called when `c3t3` is final. If it has a member
                           `after_sliver_removal(std::size_t)`, that is called before, with the number of cells that are left below
-                          `sliver_bound`.
+                          `sliver_bound`, hence 0 if that is 0.
                           It is spelled `parameters::visitor(v)` and copied; pass `std::ref(v)` to keep its state.}
     \cgalParamType{a class like `CGAL::Mesh_3::Null_global_optimizer_visitor`}
     \cgalParamDefault{a visitor that does nothing}
@@ -287,7 +296,7 @@ version of %CGAL in use knows: `parameters::time_limit = 10, parameters::do_free
 - `CGAL::MAX_ITERATION_NUMBER_REACHED` when `max_iteration_number` iterations have been made;
 - `CGAL::CONVERGENCE_REACHED` when the largest displacements are below `convergence`;
 - `CGAL::ALL_VERTICES_FROZEN` when `do_freeze` is `true` and all vertices that may move are frozen, also when there are none;
-- `CGAL::CANT_IMPROVE_ANYMORE` when cells below `sliver_bound` are left, when no step along the search direction, nor
+- `CGAL::CANT_IMPROVE_ANYMORE` when cells below a positive `sliver_bound` are left, when no step along the search direction, nor
   along the gradient, lowers the energy, or when no valid mesh can be made, in which case `c3t3` is as before.
 
 \pre No vertex but those on features carries a weight, that is, `exude_mesh_3()` has not been called before.

@@ -48,10 +48,10 @@ static void parameter_styles(const Labeled_c3t3& input, const Labeled_domain& do
   Labeled_c3t3 local(input);
   CGAL::odt_optimize_mesh_3(local, domain, params::max_iteration_number = 5, params::convergence = 0.001,
                             params::freeze_bound = 0.0005, params::do_freeze = false,
-                            params::number_of_rounds = 0, params::sliver_bound = 0);
+                            params::number_of_rounds = 0, params::do_remove_slivers = false);
   const auto expected = Contract::points(reference), expected_without_search = Contract::points(local);
   check::that(expected != Contract::points(input), "parameters: nothing moved");
-  check::that(expected != expected_without_search, "parameters: sliver_bound = 0 has no effect");
+  check::that(expected != expected_without_search, "parameters: those of search and slivers have no effect");
   const auto compare = [&](const Labeled_c3t3& c3t3, const char* style, bool searches = true)
   {
     check::that(Contract::points(c3t3) == (searches ? expected : expected_without_search),
@@ -60,7 +60,7 @@ static void parameter_styles(const Labeled_c3t3& input, const Labeled_domain& do
   {
     Labeled_c3t3 c(input);
     CGAL::odt_optimize_mesh_3(c, domain, params::do_freeze = false, params::number_of_rounds = 0,
-                              params::freeze_bound = 0.0005, params::sliver_bound = 0, params::random_seed(5),
+                              params::freeze_bound = 0.0005, params::do_remove_slivers = false, params::random_seed(5),
                               params::convergence = 0.001, params::max_iteration_number = 5);
     compare(c, "values with =, in another order, with the new ones among them", false);
   }
@@ -107,8 +107,9 @@ static void parameter_styles(const Labeled_c3t3& input, const Labeled_domain& do
   {
     Labeled_c3t3 c(input);
     CGAL::odt_optimize_mesh_3(c, domain, params::number_of_rounds(0).convergence(0.001).max_iteration_number(5),
-                              params::freeze_bound(0.0005).do_freeze(false).random_seed(3).sliver_bound(0));
-    compare(c, "two chains", false);
+                              params::freeze_bound(0.0005).do_freeze(false).random_seed(3),
+                              params::do_remove_slivers(false));
+    compare(c, "chains", false);
   }
 #endif
   {
@@ -145,19 +146,19 @@ static void return_codes(const Labeled_c3t3& input, const Labeled_domain& domain
   {
     Labeled_c3t3 c(input);
     expect(CGAL::odt_optimize_mesh_3(c, domain, params::convergence = 0.05, params::do_freeze = false,
-                                     params::number_of_rounds = 0, params::sliver_bound = 0),
+                                     params::number_of_rounds = 0, params::do_remove_slivers = false),
            CGAL::CONVERGENCE_REACHED, c, "convergence");
   }
   {
     Labeled_c3t3 c(input);
     expect(CGAL::odt_optimize_mesh_3(c, domain, params::convergence = 0, params::freeze_bound = 0.3,
-                                     params::number_of_rounds = 0, params::sliver_bound = 0),
+                                     params::number_of_rounds = 0, params::do_remove_slivers = false),
            CGAL::ALL_VERTICES_FROZEN, c, "freezing");
   }
   {
     Labeled_c3t3 c(input);
     expect(CGAL::odt_optimize_mesh_3(c, domain, params::convergence = 0, params::do_freeze = false,
-                                     params::number_of_rounds = 0, params::sliver_bound = 0),
+                                     params::number_of_rounds = 0, params::do_remove_slivers = false),
            CGAL::CANT_IMPROVE_ANYMORE, c, "exhaustion");
   }
 }
@@ -247,7 +248,7 @@ static void schedules(const Labeled_c3t3& input, const Labeled_domain& domain)
   {
     Labeled_c3t3 c(input);
     CGAL::odt_optimize_mesh_3(c, domain, params::annealing_schedule = schedule, params::random_seed(seed),
-                              params::number_of_rounds = 2, params::sliver_bound = 0);
+                              params::number_of_rounds = 2, params::do_remove_slivers = false);
     check_moved(contract, c);
     return Contract::points(c);
   };
@@ -299,57 +300,72 @@ struct Sliver_visitor
   void after_sliver_removal(std::size_t n) { ++calls; slivers = n; }
 };
 
-// The return code and the visitor tell how many cells stay below the bound; without a bound,
-// slivers stay.
+// The numbers of cells below each angle that the removal of slivers goes for.
+static std::vector<std::size_t> cells_below_steps(const Labeled_c3t3& c3t3)
+{
+  std::vector<std::size_t> numbers;
+  for(double angle : { 20., 30., 35., 40., 45., 50. })
+    numbers.push_back(cells_below(c3t3, angle));
+  return numbers;
+}
+
+// The return code and the visitor tell how many cells stay below the bound; a higher bound never leads to less;
+// and nothing is done if it is not wanted.
 static void slivers()
 {
   const Labeled_domain domain = domains::sphere();
   const Labeled_c3t3 input = domains::mesh(domain, 0.2), coarse = domains::mesh(domain, 0.5);
-  const auto optimized = [&](const Labeled_c3t3& from, double bound, CGAL::Mesh_optimization_return_code& code,
-                             Sliver_visitor& visitor, std::size_t rounds = 4)
+  CGAL::Mesh_optimization_return_code code;
+  Sliver_visitor visitor;
+  const auto optimized = [&](const Labeled_c3t3& from, double bound, std::size_t rounds = 4, bool removes = true)
   {
     const Contract contract(from, domain, "slivers");
     Labeled_c3t3 c(from);
     visitor = Sliver_visitor();
-    code = CGAL::odt_optimize_mesh_3(c, domain, params::sliver_bound = bound, params::number_of_rounds = rounds,
-                                     params::visitor(std::ref(visitor)));
+    code = CGAL::odt_optimize_mesh_3(c, domain, params::sliver_bound = bound, params::do_remove_slivers = removes,
+                                     params::number_of_rounds = rounds, params::visitor(std::ref(visitor)));
     check_moved(contract, c, 0.1);
     check::that(visitor.calls == 1 && visitor.is_before_rebuilt, "the visitor hears of slivers ", visitor.calls, " times");
     return c;
   };
-  CGAL::Mesh_optimization_return_code code;
-  Sliver_visitor visitor;
-  const Labeled_c3t3 usual = optimized(input, 20, code, visitor);
-  check::that(visitor.slivers == 0 && cells_below(usual, 20) == 0, cells_below(usual, 20), " slivers remain, the visitor hears of ",
-              visitor.slivers);
-  check::that(code == CGAL::CONVERGENCE_REACHED || code == CGAL::ALL_VERTICES_FROZEN, "without slivers, the return code is ", code);
-  Labeled_c3t3 by_default(input);
-  check::that(CGAL::odt_optimize_mesh_3(by_default, domain) == code && Contract::points(by_default) == Contract::points(usual),
-              "the bound is not 20 degrees by default");
-
-  const Labeled_c3t3 out_of_reach = optimized(coarse, 69, code, visitor);
-  check::that(visitor.slivers > 0 && visitor.slivers == cells_below(out_of_reach, 69), cells_below(out_of_reach, 69),
-              " cells are below 69 degrees, the visitor hears of ", visitor.slivers);
-  check::that(code == CGAL::CANT_IMPROVE_ANYMORE, "with cells below the bound, the return code is ", code);
+  const Labeled_c3t3 by_default = optimized(input, 0);
+  const bool is_usual = code == CGAL::CONVERGENCE_REACHED || code == CGAL::ALL_VERTICES_FROZEN;
+  check::that(is_usual && visitor.slivers == 0, "by default, the return code is ", code, " and the visitor hears of ", visitor.slivers);
+  check::that(cells_below(by_default, 35) == 0, "by default, ", cells_below(by_default, 35), " cells are below 35 degrees");
 
   // Where nearly all cells lack something, the call ends all the same, and they get no worse for it.
-  for(double bound : { 50., 60., 70.5 })
+  std::vector<std::size_t> before;
+  double smallest = 0;
+  for(double bound : { 10., 20., 30., 40., 50., 60., 70.5 })
   {
-    const Labeled_c3t3 most = optimized(input, bound, code, visitor);
-    std::cout << "slivers: " << cells_below(most, bound) << " cells below " << bound << " degrees" << std::endl;
-    check::that(cells_below(most, 20) == 0, "striving for ", bound, " degrees leaves cells below 20");
-    check::that(visitor.slivers == cells_below(most, bound) && code == CGAL::CANT_IMPROVE_ANYMORE,
-                "with cells below ", bound, " degrees, the return code is ", code);
+    const Labeled_c3t3 c = optimized(input, bound);
+    const std::vector<std::size_t> now = cells_below_steps(c);
+    const double angle = CGAL::mesh_quality_report_3(c).smallest_angle;
+    std::cout << "slivers: bound " << bound << ", smallest angle " << angle << ", " << cells_below(c, bound) << " cells below" << std::endl;
+    check::that(visitor.slivers == cells_below(c, bound), cells_below(c, bound), " cells are below ", bound,
+                " degrees, the visitor hears of ", visitor.slivers);
+    check::that((code == CGAL::CANT_IMPROVE_ANYMORE) == (visitor.slivers > 0), "with bound ", bound, " the return code is ", code);
+    check::that(angle >= smallest - 1e-6, "the bound ", bound, " leads to ", angle, " degrees, a lower one to ", smallest);
+    for(std::size_t n = 0; n < before.size(); ++n)
+      check::that(now[n] <= before[n], "the bound ", bound, " leads to ", now[n], " cells where a lower one leads to ", before[n]);
+    if(bound <= 40)
+      check::that(visitor.slivers == 0, visitor.slivers, " cells are left below ", bound, " degrees");
+    // Cells that a lower bound has not gone for may have any angle.
+    before.assign(now.begin(), now.begin() + (bound < 20 ? 0 : bound < 30 ? 1 : bound < 40 ? 2 : bound < 50 ? 4 : 6));
+    smallest = angle;
   }
+  const Labeled_c3t3 out_of_reach = optimized(coarse, 69);
+  check::that(visitor.slivers > 0 && visitor.slivers == cells_below(out_of_reach, 69) && code == CGAL::CANT_IMPROVE_ANYMORE,
+              cells_below(out_of_reach, 69), " cells are below 69 degrees, the visitor hears of ", visitor.slivers);
 
   // The search may have left none by chance.
-  const Labeled_c3t3 on = optimized(input, 20, code, visitor, 0), off = optimized(input, 0, code, visitor, 0);
+  const Labeled_c3t3 on = optimized(input, 20, 0), off = optimized(input, 20, 0, false);
   std::cout << "slivers: " << cells_below(input, 20) << " in the input, " << cells_below(off, 20)
             << " in the local minimum, then " << cells_below(on, 20) << std::endl;
-  check::that(visitor.slivers == 0, "without a bound, the visitor hears of ", visitor.slivers, " slivers");
-  check::that(code == CGAL::CONVERGENCE_REACHED || code == CGAL::ALL_VERTICES_FROZEN, "without a bound, the return code is ", code);
+  check::that(visitor.slivers == 0, "without removal, the visitor hears of ", visitor.slivers, " slivers");
+  check::that(code == CGAL::CONVERGENCE_REACHED || code == CGAL::ALL_VERTICES_FROZEN, "without removal, the return code is ", code);
   check::that(cells_below(off, 20) > cells_below(on, 20) && Contract::points(off) != Contract::points(on),
-              "sliver_bound = 0 has no effect");
+              "do_remove_slivers = false has no effect");
 }
 
 // A limit that is too short for the whole schedule shortens all stages: the call ends in time, give

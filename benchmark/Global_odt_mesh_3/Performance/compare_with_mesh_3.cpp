@@ -101,7 +101,7 @@ void compare(const char* name, const C3t3& input, const Domain& domain)
   {
     CGAL::odt_optimize_mesh_3(hundred, domain, params::do_freeze = false, params::convergence = 0,
                               params::max_iteration_number = 100, params::number_of_rounds = 0,
-                              params::sliver_bound = 0, params::visitor(std::ref(timer)));
+                              params::do_remove_slivers = false, params::visitor(std::ref(timer)));
   });
   print_quality("ours, 100 iterations", hundred);
 

@@ -96,7 +96,7 @@ void compare(const char* name, const C3t3& input, const Domain& domain)
   }
   odt::Odt_parameters together;
   together.number_of_rounds = 0;
-  together.sliver_bound = 0;
+  together.do_remove_slivers = false;
   odt::Odt_parameters fixed = together, searching = together;
   fixed.optimize_boundary = false;
   searching.number_of_rounds = search_rounds;

@@ -37,7 +37,8 @@ struct Odt_parameters
   Quadrature_choice quadrature;
   Annealing_schedule annealing_schedule;
   std::size_t number_of_rounds = usual_number_of_rounds;    // of the schedule
-  double sliver_bound = 20;
+  double sliver_bound = 0;                                  // in degrees; 0: as high as can be had
+  bool do_remove_slivers = true;
   unsigned int random_seed = 0;
   std::function<bool(double)> callback;
 
@@ -54,6 +55,7 @@ struct Odt_parameters
     arguments.template read<internal_np::annealing_schedule_t>(annealing_schedule);
     read_count<internal_np::number_of_rounds_t>(arguments, number_of_rounds, "number_of_rounds must be a number, not negative");
     arguments.template read<tags::sliver_bound>(sliver_bound);
+    arguments.template read<internal_np::do_remove_slivers_t>(do_remove_slivers);
     arguments.template read<internal_np::random_seed_t>(random_seed);
     arguments.template read<internal_np::callback_t>(callback);
   }

@@ -247,25 +247,31 @@ private:
       return false;
     if(!control_.goes_on())
       code_ = control_.code();
-    return removes_slivers() ? remove_slivers() : is_untouched() || complex_.advance(mesh_.sites, true);
+    return removes_slivers() ? remove_slivers() : is_untouched() || complex_.advance(mesh_.sites, true).has_value();
   }
 
   // Also if the iterations are used up, but not if the time is.
   bool removes_slivers() const
   {
-    return parameters_.sliver_bound > 0 && plan_->optimizes()
+    return parameters_.do_remove_slivers && plan_->optimizes()
            && (control_.goes_on() || control_.code() != TIME_LIMIT_REACHED);
   }
 
   bool remove_slivers()
   {
-    Sliver_stage_3<Complex> stage(complex_, mesh_, parameters_.sliver_bound, parameters_.random_seed);
+    Sliver_stage_3<Complex> stage(complex_, mesh_, parameters_.sliver_bound, parameters_.random_seed, sliver_budget());
     if(!stage.run([this] { return control_.has_time(); }, [this] { return control_.may_go_on(); }))
       return false;
     number_of_slivers_ = stage.number_of_slivers();
     if(number_of_slivers_ > 0)
       code_ = control_.goes_on() ? CANT_IMPROVE_ANYMORE : control_.code();
     return true;
+  }
+
+  // A share of what the stages before have taken: a try costs as much as some hundred cells in an iteration.
+  Sliver_budget sliver_budget() const
+  {
+    return { std::size_t(control_.number_of_iterations()) * mesh_.topology.number_of_cells() / 80, 20 + complex_.number_of_checks() };
   }
 
   bool minimize_interior()

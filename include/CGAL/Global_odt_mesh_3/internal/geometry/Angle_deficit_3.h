@@ -31,28 +31,87 @@ public:
     , cosine_(std::cos(bound * CGAL_PI / 180))
   {}
 
-  double operator()(const Site& s0, const Site& s1, const Site& s2, const Site& s3) const
+  double operator()(const std::array<Site, 4>& cell) const
   {
-    const Eigen::Vector3d a = position(s1) - position(s0), b = position(s2) - position(s0), c = position(s3) - position(s0);
-    const Eigen::Vector3d n1 = c.cross(b), n2 = a.cross(c), n3 = b.cross(a);
-    const std::array<Eigen::Vector3d, 4> normal = {{ -(n1 + n2 + n3), n1, n2, n3 }};   // outward
-    std::array<double, 4> area;
-    for(int i = 0; i < 4; ++i)
-      area[i] = normal[i].norm();
     double deficit = 0;
-    for(int i = 0; i < 3; ++i)
-      for(int j = i + 1; j < 4; ++j)
-      {
-        const double scale = area[i] * area[j], cosine = -normal[i].dot(normal[j]);
-        if(scale > 0 && cosine <= cosine_ * scale)
-          continue;
-        const double angle = scale > 0 ? std::acos((std::min)(1., cosine / scale)) * 180 / CGAL_PI : 0.;
-        deficit += (bound_ - angle) * (bound_ - angle);
-      }
+    for_each_lack(cell, [&deficit](double lack) { deficit += lack * lack; });
     return deficit;
   }
 
+  // Calls f(lack) for each angle that lacks something.
+  template <class F>
+  void for_each_lack(const std::array<Site, 4>& cell, const F& f) const
+  {
+    for_each_lack(Facets(cell), [&f](int, int, double lack) { f(lack); });
+  }
+
+  // Calls f(lack, gradient) for each angle that lacks something, with the gradient of the angle, in degrees over
+  // length, with respect to vertex m.
+  template <class F>
+  void for_each_gradient(const std::array<Site, 4>& cell, int m, const F& f) const
+  {
+    const Facets facets(cell);
+    for_each_lack(facets, [&](int i, int j, double lack) { f(lack, facets.gradient(i, j, m) * (180 / CGAL_PI)); });
+  }
+
 private:
+  // The facets opposite to each vertex, by their outward normals, which are as long as twice the areas.
+  struct Facets
+  {
+    std::array<Eigen::Vector3d, 4> x, normal;
+    std::array<double, 4> area;
+
+    explicit Facets(const std::array<Site, 4>& s)
+      : x{{ position(s[0]), position(s[1]), position(s[2]), position(s[3]) }}
+    {
+      const Eigen::Vector3d a = x[1] - x[0], b = x[2] - x[0], c = x[3] - x[0];
+      normal[1] = c.cross(b);
+      normal[2] = a.cross(c);
+      normal[3] = b.cross(a);
+      normal[0] = -(normal[1] + normal[2] + normal[3]);
+      for(int i = 0; i < 4; ++i)
+        area[i] = normal[i].norm();
+    }
+
+    // Of the angle between the facets opposite to i and j, with respect to vertex m. A vertex off their common edge
+    // opens the angle along the normal of its facet; an end of the edge does the opposite, by its share of the lever.
+    Eigen::Vector3d gradient(int i, int j, int m) const
+    {
+      const int k = m != i && m != j ? m : other_than(i, j, -1), l = other_than(i, j, k);
+      const Eigen::Vector3d edge = x[k] - x[l];
+      const double length = edge.norm();
+      const Eigen::Vector3d of_i = length / (area[j] * area[j]) * normal[j], of_j = length / (area[i] * area[i]) * normal[i];
+      if(m == i)
+        return of_i;
+      if(m == j)
+        return of_j;
+      return -((x[i] - x[l]).dot(edge) * of_i + (x[j] - x[l]).dot(edge) * of_j) / (length * length);
+    }
+
+    static int other_than(int i, int j, int k)
+    {
+      int n = 0;
+      while(n == i || n == j || n == k)
+        ++n;
+      return n;
+    }
+  };
+
+  // Calls f(i, j, lack) for each angle, between the facets opposite to vertices i and j, that lacks something.
+  template <class F>
+  void for_each_lack(const Facets& facets, const F& f) const
+  {
+    for(int i = 0; i < 3; ++i)
+      for(int j = i + 1; j < 4; ++j)
+      {
+        const double scale = facets.area[i] * facets.area[j], cosine = -facets.normal[i].dot(facets.normal[j]);
+        if(scale > 0 && cosine <= cosine_ * scale)
+          continue;
+        const double angle = scale > 0 ? std::acos((std::min)(1., cosine / scale)) * 180 / CGAL_PI : 0.;
+        f(i, j, bound_ - angle);
+      }
+  }
+
   double bound_, cosine_;
 };
 

@@ -7,6 +7,7 @@
 #define CGAL_GLOBAL_ODT_MESH_3_INTERNAL_RESTRICTED_RESTRICTED_COMPLEX_3_H
 
 #include <CGAL/Global_odt_mesh_3/internal/geometry/Site.h>
+#include <CGAL/Global_odt_mesh_3/internal/restricted/Angle_check_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/restricted/Boundary_extraction_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/restricted/Boundary_motion.h>
 #include <CGAL/Global_odt_mesh_3/internal/restricted/Boundary_peeling_3.h>
@@ -25,7 +26,9 @@
 #include <Eigen/Core>
 
 #include <algorithm>
+#include <cstddef>
 #include <iterator>
+#include <optional>
 #include <set>
 #include <utility>
 #include <vector>
@@ -81,9 +84,14 @@ public:
   // Whether that is close enough to the surface for the centroid of a boundary facet.
   bool is_close_to_surface(const Eigen::Vector3d& point) const { return fidelity_.is_close(point); }
 
-  // Goes to new positions of the movable vertices, as far as possible; false if nothing could be done.
+  // How often candidates have been checked, which is most of the work.
+  std::size_t number_of_checks() const { return number_of_checks_; }
+
+  // Goes to new positions of the movable vertices, as far as possible, and gives the state that is replaced, or
+  // nothing if nothing could be done.
   // In a final state, all vertices are on their surfaces and all boundary facets have surface centers.
-  bool advance(const std::vector<Site>& target, bool is_final)
+  // If there are least angles, no cell falls below them.
+  std::optional<State> advance(const std::vector<Site>& target, bool is_final, const Least_angles* least_angles = nullptr)
   {
     Candidate candidate(state_, target, motion_, is_final);
     Surface_projection_3<Domain> projection(candidate, domain_);
@@ -92,17 +100,17 @@ public:
     candidate.build();
     for(int attempt = 0; attempt < most_attempts; ++attempt)
     {
-      const Report report = check(candidate);
+      const Report report = check(candidate, least_angles);
       if(report.is_clean())
-      {
-        state_ = candidate.finish(domain_);
-        return true;
-      }
+        return std::exchange(state_, candidate.finish(domain_));
       if(report.is_beyond_repair() || !apply(report, candidate, projection, attempt))
-        return false;
+        return std::nullopt;
     }
-    return false;
+    return std::nullopt;
   }
+
+  // Goes back to a state that has been replaced.
+  void return_to(State earlier) { state_ = std::move(earlier); }
 
 private:
   typedef Restricted_candidate_3<Triangulation> Candidate;
@@ -117,8 +125,9 @@ private:
   static constexpr double most_moved_one_by_one = 1 / 20.;
 
   // Completes the candidate until something is found wrong.
-  Report check(Candidate& candidate)
+  Report check(Candidate& candidate, const Least_angles* least_angles)
   {
+    ++number_of_checks_;
     if(!candidate.numbered->is_complete())
       return hidden_vertices(candidate);
     const Report labels = Cell_labels_3<Domain>(candidate, domain_).label_cells();
@@ -132,7 +141,10 @@ private:
     if(candidate.boundary_moves())
       Boundary_peeling_3<Domain>(candidate, domain_, extraction, fidelity_).peel();
     const Report centers = Surface_centers_3<Domain>(candidate, domain_).find_surface_centers();
-    return candidate.boundary_moves() && centers.is_clean() ? fidelity_.check(candidate) : centers;
+    if(!centers.is_clean())
+      return centers;
+    const Report fidelity = candidate.boundary_moves() ? fidelity_.check(candidate) : centers;
+    return fidelity.is_clean() && least_angles != nullptr ? check_angles(candidate, domain_, *least_angles) : fidelity;
   }
 
   static Report hidden_vertices(const Candidate& candidate)
@@ -211,6 +223,7 @@ private:
   Boundary_motion motion_;
   Fidelity_check_3<Domain> fidelity_;
   State state_;
+  std::size_t number_of_checks_ = 0;
 };
 
 } // namespace internal

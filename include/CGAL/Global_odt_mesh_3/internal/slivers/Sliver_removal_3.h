@@ -8,6 +8,7 @@
 
 #include <CGAL/Global_odt_mesh_3/internal/geometry/Angle_deficit_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/geometry/Random_source.h>
+#include <CGAL/Global_odt_mesh_3/internal/slivers/Given_up_cells.h>
 #include <CGAL/Global_odt_mesh_3/internal/slivers/Vertex_trial_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/triangulation/Constrained_triangulation_3.h>
 
@@ -27,16 +28,14 @@ namespace internal {
 
 struct Sliver_removal_parameters
 {
-  double margin = 2;                // degrees by which cells should exceed the bound: surfaces may take some away
-  int tries_per_vertex = 16;
+  double margin = 0.5;              // degrees by which cells should exceed the bound: surfaces may take some away
+  int tries_per_vertex = 8;
   double farthest = 0.35, nearest = 0.12;   // the longest tries, over the mean incident edge length, in turn
   int most_failures = 3;            // for the same cell
   int most_passes = 12;
   double joint_farthest = 0.2;                // the longest of a vertex, over the same
-  int joint_tries_per_sliver = 4, most_joint_tries = 100, passes_after_joint_try = 5;
-  // Tries of single vertices, which are what takes time, are at most so many: bounds within reach take less than ten a
-  // cell, but with bounds beyond reach nearly every cell lacks something, and can be improved a little again and again.
-  std::size_t tries_per_cell = 32, more_tries = 10000;
+  int joint_tries_per_sliver = 2, most_joint_tries = 20, passes_after_joint_try = 5;
+  std::size_t most_tries = (std::numeric_limits<std::size_t>::max)();     // of single vertices, which are what takes time
 };
 
 // Where the vertices of slivers may go.
@@ -62,10 +61,11 @@ class Sliver_removal_3
 {
 public:
   // Without a motion, vertices of the interior go anywhere, and those on surfaces stay.
-  Sliver_removal_3(Constrained_triangulation_3& mesh, double bound, unsigned int seed,
+  Sliver_removal_3(Constrained_triangulation_3& mesh, Given_up_cells& given_up, double bound, unsigned int seed,
                    Vertex_motion_3* motion = nullptr,
                    const Sliver_removal_parameters& parameters = Sliver_removal_parameters())
     : mesh_(mesh)
+    , given_up_(given_up)
     , parameters_(parameters)
     , trial_(mesh, bound + parameters.margin)
     , motion_(motion)
@@ -86,8 +86,6 @@ public:
   void run(const Predicate& may_go_on)
   {
     int joint_tries = parameters_.most_joint_tries;
-    most_tries_ = number_of_tries_ + parameters_.more_tries
-                  + parameters_.tries_per_cell * static_cast<std::size_t>(mesh_.topology.number_of_cells());
     do
       for(int n = 0; n < parameters_.most_passes && improve(all_slivers(), may_go_on); ++n) {}
     while(displace_slivers(joint_tries, may_go_on));
@@ -101,7 +99,7 @@ private:
   {
     std::vector<std::pair<double, int> > slivers;
     for(int c : cells)
-      if(trial_.deficit(c) > 0)
+      if(is_sliver(c))
         slivers.emplace_back(-trial_.deficit(c), c);
     std::sort(slivers.begin(), slivers.end());
     slivers.erase(std::unique(slivers.begin(), slivers.end()), slivers.end());
@@ -118,7 +116,10 @@ private:
     return sort(std::move(cells));
   }
 
-  // Whether something has been improved.
+  // Whether the cell lacks more than one angle at the bound does.
+  bool is_sliver(int c) const { return trial_.deficit(c) > parameters_.margin * parameters_.margin; }
+
+  // Whether something has been improved, or may be next time.
   template <class Predicate>
   bool improve(const std::vector<int>& slivers, const Predicate& may_go_on)
   {
@@ -127,7 +128,7 @@ private:
     {
       if(!has_tries() || !may_go_on())
         return false;
-      if(trial_.deficit(c) > 0 && improve(c))
+      if(is_sliver(c) && improve(c))
         improved = true;
     }
     return improved;
@@ -139,7 +140,7 @@ private:
   {
     bool improved = false;
     for(int c : all_slivers())
-      for(int n = 0; n < parameters_.joint_tries_per_sliver && trial_.deficit(c) > parameters_.margin * parameters_.margin; ++n)
+      for(int n = 0; n < parameters_.joint_tries_per_sliver && is_sliver(c); ++n)
       {
         if(!has_tries() || --joint_tries < 0 || !may_go_on())
           return false;
@@ -199,6 +200,7 @@ private:
   // Without a motion, no vertex on a surface gets beyond this.
   bool approach(int v, Site& s) { return motion_ != nullptr ? motion_->approach(v, s) : !is_on_surface(v); }
 
+  // A cell that steps toward more do not help gets random positions tried when its turn comes again.
   bool improve(int cell)
   {
     if(failures_.size() <= static_cast<std::size_t>(cell))
@@ -206,52 +208,76 @@ private:
     Failures& failures = failures_[cell];
     if(failures.deficit != trial_.deficit(cell))
       failures = { trial_.deficit(cell), 0 };
-    if(failures.number == parameters_.most_failures)
+    if(failures.number == parameters_.most_failures || given_up_.contain(mesh_, cell))
       return false;
     best_change_ = -least_improvement;
     best_vertex_ = -1;
     for(int v : movable_vertices(cell))
-      if(try_positions(v))
+      if(failures.number == 0 ? try_steps(v) : try_positions(v))
         return true;
     if(best_vertex_ < 0)
     {
-      ++failures.number;
+      if(++failures.number < parameters_.most_failures)
+        return true;
+      given_up_.add(mesh_, cell);
       return false;
     }
     accept(best_vertex_, move(best_vertex_, best_site_));
     return true;
   }
 
-  // Whether one was found, and accepted, that leaves no deficit.
+  // These say whether a position was found, and accepted, that leaves no deficit.
+  bool try_steps(int v)
+  {
+    Eigen::Vector3d step = trial_.step_to_more(v);
+    const double length = step.norm(), longest = parameters_.farthest * edge_length_[v];
+    if(length > longest)
+      step *= longest / length;
+    for(double factor : { 1., .5, .25 })
+      if(try_position(v, site_at(position(mesh_.sites[v]) + factor * step, mesh_.sites[v].weight)) == SOLVED)
+        return true;
+    return false;
+  }
+
   bool try_positions(int v)
   {
     for(int n = 0; n < parameters_.tries_per_vertex; ++n)
-    {
-      Site s = displaced(v, n % 2 == 0 ? parameters_.farthest : parameters_.nearest);
-      if(!approach(v, s))
-        return false;
-      double change = move(v, s, best_change_);
-      if(is_on_surface(v) && change < best_change_)
+      switch(try_position(v, displaced(v, n % 2 == 0 ? parameters_.farthest : parameters_.nearest)))
       {
-        trial_.reject();
-        if(!motion_->settle(v, s))
-          return false;
-        change = move(v, s, best_change_);
+        case SOLVED: return true;
+        case STAYS: return false;
+        case TRIED: break;
       }
-      if(change < -least_improvement && trial_.deficit_after() == 0)
-      {
-        accept(v, change);
-        return true;
-      }
-      trial_.reject();
-      if(change < best_change_)
-      {
-        best_change_ = change;
-        best_vertex_ = v;
-        best_site_ = s;
-      }
-    }
     return false;
+  }
+
+  enum Outcome { TRIED, STAYS, SOLVED };
+
+  Outcome try_position(int v, Site s)
+  {
+    if(!approach(v, s))
+      return STAYS;
+    double change = move(v, s, best_change_);
+    if(is_on_surface(v) && change < best_change_)
+    {
+      trial_.reject();
+      if(!motion_->settle(v, s))
+        return STAYS;
+      change = move(v, s, best_change_);
+    }
+    if(change < -least_improvement && trial_.deficit_after() == 0)
+    {
+      accept(v, change);
+      return SOLVED;
+    }
+    trial_.reject();
+    if(change < best_change_)
+    {
+      best_change_ = change;
+      best_vertex_ = v;
+      best_site_ = s;
+    }
+    return TRIED;
   }
 
   void accept(int v, double change)
@@ -262,7 +288,7 @@ private:
     number_of_surface_moves_ += is_on_surface(v);
   }
 
-  bool has_tries() const { return number_of_tries_ < most_tries_; }
+  bool has_tries() const { return number_of_tries_ < parameters_.most_tries; }
 
   double move(int v, const Site& s, double most = (std::numeric_limits<double>::infinity)())
   {
@@ -282,6 +308,7 @@ private:
   static constexpr double least_improvement = 1e-6;     // square degrees
 
   Constrained_triangulation_3& mesh_;
+  Given_up_cells& given_up_;
   Sliver_removal_parameters parameters_;
   Vertex_trial_3 trial_;
   Vertex_motion_3* motion_;
@@ -293,7 +320,7 @@ private:
   int best_vertex_ = -1;
   Site best_site_ = { 0, 0, 0, 0 };
   std::size_t number_of_moves_ = 0, number_of_surface_moves_ = 0;
-  std::size_t number_of_tries_ = 0, most_tries_ = 0;
+  std::size_t number_of_tries_ = 0;
 };
 
 } // namespace internal

@@ -15,6 +15,9 @@
 
 #include <CGAL/assertions.h>
 
+#include <Eigen/Core>
+#include <Eigen/Cholesky>
+
 #include <array>
 #include <cstddef>
 #include <limits>
@@ -80,6 +83,28 @@ public:
     return after_ - before_;
   }
 
+  // The displacement that would give the cells around the vertex what their angles lack, in first order and as far
+  // as one vertex can: the step of Gauss and Newton, damped.
+  Eigen::Vector3d step_to_more(int v)
+  {
+    Eigen::Matrix3d normal_equations = Eigen::Matrix3d::Zero();
+    Eigen::Vector3d right_side = Eigen::Vector3d::Zero();
+    mesh_.topology.star(v, star_);
+    for(Slot t : star_)
+    {
+      if(!(deficit_[t.cell()] > 0))
+        continue;
+      angle_deficit_.for_each_gradient(mesh_.cell_sites(t.cell()), t.index(), [&](double lack, const Eigen::Vector3d& gradient)
+      {
+        normal_equations += gradient * gradient.transpose();
+        right_side += lack * gradient;
+      });
+    }
+    normal_equations.diagonal().array() += damping * normal_equations.trace();
+    const Eigen::Vector3d step = normal_equations.ldlt().solve(right_side);
+    return step.allFinite() ? step : Eigen::Vector3d(Eigen::Vector3d::Zero());
+  }
+
   // The sum of the deficits of the cells that the trial has made.
   double deficit_after() const { return after_; }
 
@@ -141,6 +166,8 @@ public:
   }
 
 private:
+  static constexpr double damping = 1e-2;
+
   friend class Lawson_flips_3<Vertex_trial_3>;
 
   std::array<int, 3> flip_2_3(Slot s)

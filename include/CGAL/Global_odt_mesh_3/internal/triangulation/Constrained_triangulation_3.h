@@ -57,11 +57,16 @@ struct Constrained_triangulation_3
 
   double determinant(int a, int b, int c, int d) const { return products(a, b, c, d).determinant; }
 
+  std::array<Site, 4> cell_sites(int cell) const
+  {
+    const int* const v = topology.vertices(cell);
+    return {{ sites[v[0]], sites[v[1]], sites[v[2]], sites[v[3]] }};
+  }
+
   // What the angles of the cell lack, or 0 if it is not alive.
   double deficit(int cell, const Angle_deficit_3& angle_deficit) const
   {
-    const int* const v = topology.vertices(cell);
-    return topology.is_alive(cell) ? angle_deficit(sites[v[0]], sites[v[1]], sites[v[2]], sites[v[3]]) : 0.;
+    return topology.is_alive(cell) ? angle_deficit(cell_sites(cell)) : 0.;
   }
 
   // Six times the volumes of the cells that flip_2_3() would make.
