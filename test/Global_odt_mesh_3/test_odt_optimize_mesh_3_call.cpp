@@ -13,8 +13,10 @@
 #include <CGAL/Annealing_schedules_3.h>
 #include <CGAL/Density_quadratures_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/geometry/Cell_shape_3.h>
+#include <CGAL/Mesh_quality_report_3.h>
 #include <CGAL/Real_timer.h>
 #include <CGAL/odt_optimize_mesh_3.h>
+#include <CGAL/remove_slivers_mesh_3.h>
 #include <CGAL/refine_mesh_3.h>
 #include <CGAL/version.h>
 
@@ -23,6 +25,7 @@
 #include <cmath>
 #include <functional>
 #include <iostream>
+#include <iterator>
 #include <stdexcept>
 #include <string>
 #include <vector>
@@ -212,7 +215,8 @@ static void progress(const Labeled_c3t3& input, const Labeled_domain& domain)
   { CGAL::odt_optimize_mesh_3(c3t3, domain, params::callback(f), params::optimize_boundary = false); });
 }
 
-// The bound is for the iterations of all stages together, and the search takes place within it.
+// The bound is for the iterations of all stages together, and the search takes place within it. Rounds of the removal of
+// slivers would ask the callback, too.
 static void iteration_bound(const Labeled_c3t3& input, const Labeled_domain& domain)
 {
   const Contract contract(input, domain, "70 iterations");
@@ -223,7 +227,8 @@ static void iteration_bound(const Labeled_c3t3& input, const Labeled_domain& dom
     Labeled_c3t3 c(input);
     iterations = 0;
     const auto code = CGAL::odt_optimize_mesh_3(c, domain, params::max_iteration_number = 70, params::number_of_rounds = rounds,
-                                                params::convergence = 0, params::do_freeze = false, params::callback(count));
+                                                params::convergence = 0, params::do_freeze = false, params::do_remove_slivers = false,
+                                                params::callback(count));
     check::that(iterations <= 70, iterations, " iterations instead of 70 at most");
     check::that(code == (iterations == 70 ? CGAL::MAX_ITERATION_NUMBER_REACHED : CGAL::CANT_IMPROVE_ANYMORE),
                 iterations, " iterations of 70: return code ", code);
@@ -235,7 +240,8 @@ static void iteration_bound(const Labeled_c3t3& input, const Labeled_domain& dom
   {
     Labeled_c3t3 c(input);
     iterations = 0;
-    CGAL::odt_optimize_mesh_3(c, domain, params::max_iteration_number = 70, params::do_freeze = freezes, params::callback(count));
+    CGAL::odt_optimize_mesh_3(c, domain, params::max_iteration_number = 70, params::do_freeze = freezes,
+                              params::do_remove_slivers = false, params::callback(count));
     check::that(iterations <= 70, iterations, " iterations of the usual call instead of 70 at most");
   }
 }
@@ -366,6 +372,37 @@ static void slivers()
   check::that(code == CGAL::CONVERGENCE_REACHED || code == CGAL::ALL_VERTICES_FROZEN, "without removal, the return code is ", code);
   check::that(cells_below(off, 20) > cells_below(on, 20) && Contract::points(off) != Contract::points(on),
               "do_remove_slivers = false has no effect");
+}
+
+// Slivers alone are removed by moving few vertices, from a mesh that nothing has minimized.
+static void slivers_alone()
+{
+  const Labeled_domain domain = domains::sphere();
+  const Labeled_c3t3 input = domains::mesh(domain, 0.15);
+  const Contract contract(input, domain, "slivers alone");
+  for(bool moves : { true, false })
+  {
+    Labeled_c3t3 c(input), fixed_bound(input);
+    Sliver_visitor visitor;
+    const auto code = CGAL::remove_slivers_mesh_3(c, domain, params::optimize_boundary = moves, params::random_seed(3),
+                                                  params::visitor(std::ref(visitor)));
+    check_moved(contract, c, 0.1);
+    check::that(code == CGAL::CONVERGENCE_REACHED && visitor.calls == 1, "the removal of slivers alone returns ", code);
+    CGAL::remove_slivers_mesh_3(fixed_bound, domain, params::sliver_bound = 20, params::optimize_boundary = moves);
+    const auto before = Contract::points(input), after = Contract::points(fixed_bound);
+    std::vector<typename decltype(before)::value_type> kept;
+    std::set_intersection(before.begin(), before.end(), after.begin(), after.end(), std::back_inserter(kept));
+    std::cout << "slivers alone: " << cells_below(input, 20) << " -> " << cells_below(fixed_bound, 20) << ", " << kept.size()
+              << " vertices of " << before.size() << " stay; " << CGAL::mesh_quality_report_3(c).smallest_angle
+              << " degrees without a bound" << std::endl;
+    check::that(cells_below(fixed_bound, 20) * 20 < cells_below(input, 20), "slivers are left");
+    check::that(kept.size() > before.size() / 3, "only ", kept.size(), " vertices stay");
+    check::that(CGAL::mesh_quality_report_3(c).smallest_angle >= CGAL::mesh_quality_report_3(fixed_bound).smallest_angle - 1e-6,
+                "a bound leads to more than none");
+  }
+  Labeled_c3t3 c(input);
+  check::that(CGAL::remove_slivers_mesh_3(c, domain, params::callback([](double) { return false; })) == CGAL::TIME_LIMIT_REACHED,
+              "the callback is not obeyed");
 }
 
 // A limit that is too short for the whole schedule shortens all stages: the call ends in time, give
@@ -618,6 +655,7 @@ int main()
   iteration_bound(mesh, domain);
   schedules(mesh, domain);
   slivers();
+  slivers_alone();
   time_limit();
   throwing_fields(mesh, domain);
   exceptions(mesh);

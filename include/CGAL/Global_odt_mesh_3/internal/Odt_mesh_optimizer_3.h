@@ -53,7 +53,7 @@ public:
     std::vector<Boundary_motion> motions;
     if(parameters_.optimize_boundary)
       motions = { Boundary_motion::BY_NORMALS, Boundary_motion::BY_DOMAIN };
-    if(task_ == Odt_task::OPTIMIZE)
+    if(task_ != Odt_task::REMESH_BOUNDARY)
       motions.push_back(Boundary_motion::NONE);
     for(Boundary_motion motion : motions)
     {

@@ -82,6 +82,8 @@ public:
     if(complex_.motion() == Boundary_motion::BY_NORMALS && is_surface_rough(complex_.state(), complex_.domain()))
       return false;
     control_.start(plan_->usual_most_iterations());
+    if(plan_->is_done())
+      return remove_slivers();
     prepare_density();
     return make_rounds();
   }
@@ -109,6 +111,7 @@ private:
   static constexpr double least_gain_of_round = 2e-4;     // of the energy, relatively
   static constexpr double longest_way_in_round = 0.3;     // of a surface vertex, over its shortest edge on the surface
   static constexpr double share_of_rounds = 0.8;          // of the progress that is reported
+  static constexpr std::size_t cells_in_iteration_for_a_try = 80, least_checks_for_slivers = 20;
 
   bool boundary_moves() const { return number_of_surface_vertices() > 0; }
 
@@ -253,7 +256,7 @@ private:
   // Also if the iterations are used up, but not if the time is.
   bool removes_slivers() const
   {
-    return parameters_.do_remove_slivers && plan_->optimizes()
+    return parameters_.do_remove_slivers && plan_->removes_slivers()
            && (control_.goes_on() || control_.code() != TIME_LIMIT_REACHED);
   }
 
@@ -263,15 +266,19 @@ private:
     if(!stage.run([this] { return control_.has_time(); }, [this] { return control_.may_go_on(); }))
       return false;
     number_of_slivers_ = stage.number_of_slivers();
-    if(number_of_slivers_ > 0)
-      code_ = control_.goes_on() ? CANT_IMPROVE_ANYMORE : control_.code();
+    if(!control_.goes_on())
+      code_ = control_.code();
+    else if(number_of_slivers_ > 0)
+      code_ = CANT_IMPROVE_ANYMORE;
     return true;
   }
 
-  // A share of what the stages before have taken: a try costs as much as some hundred cells in an iteration.
+  // A share of what the stages before have taken.
   Sliver_budget sliver_budget() const
   {
-    return { std::size_t(control_.number_of_iterations()) * mesh_.topology.number_of_cells() / 80, 20 + complex_.number_of_checks() };
+    const int iterations = plan_->optimizes() ? control_.number_of_iterations() : plan_->number_of_iterations();
+    return { std::size_t(iterations) * mesh_.topology.number_of_cells() / cells_in_iteration_for_a_try,
+             least_checks_for_slivers + complex_.number_of_checks() };
   }
 
   bool minimize_interior()

@@ -18,8 +18,9 @@ namespace CGAL {
 namespace Global_odt_mesh_3 {
 namespace internal {
 
-// What the caller wants: a mesh with better cells, or the surfaces spaced by the restricted CVT.
-enum class Odt_task { OPTIMIZE, REMESH_BOUNDARY };
+// What the caller wants: a mesh with better cells, the surfaces spaced by the restricted CVT, or a mesh as it is but for
+// its slivers.
+enum class Odt_task { OPTIMIZE, REMESH_BOUNDARY, REMOVE_SLIVERS };
 
 // How many rounds of which kind, with how many iterations, lie ahead.
 class Round_plan
@@ -41,6 +42,8 @@ public:
     const int minimizer_rounds = is_rough ? rounds_of_minimizer_on_rough_surfaces : most_rounds_of_minimizer;
     if(task == Odt_task::REMESH_BOUNDARY)
       plan_remeshing(boundary_moves, minimizer_rounds);
+    else if(task == Odt_task::REMOVE_SLIVERS)
+      rounds_ = {{ 0, 0, 0 }};
     else
       plan_optimization(p, boundary_moves, minimizer_rounds);
     search_rounds_ = rounds_[SEARCH];
@@ -51,8 +54,9 @@ public:
   int iterations() const { return iterations_[stage()]; }
   bool stops_without_gain() const { return stops_without_gain_[stage()]; }
 
-  // Whether the interior goes to its minimum after the rounds, and slivers are removed.
+  // Whether the interior goes to its minimum after the rounds, and whether slivers are removed then.
   bool optimizes() const { return task_ == Odt_task::OPTIMIZE; }
+  bool removes_slivers() const { return task_ != Odt_task::REMESH_BOUNDARY; }
 
   void advance() { --rounds_[stage()]; }
   void skip(Stage s) { rounds_[s] = 0; }
@@ -72,7 +76,7 @@ public:
     return (search_rounds_ - rounds_[SEARCH] + double(n) / iterations_[SEARCH]) / search_rounds_;
   }
 
-  // Of all rounds, about.
+  // Of all rounds, about; where there are none, slivers may take what they may after the usual ones.
   int number_of_iterations() const { return planned_iterations_; }
 
   // As CGAL's optimizers, which bound the number of iterations even if the user does not.
@@ -134,7 +138,7 @@ private:
   Odt_task task_;
   std::array<bool, 3> stops_without_gain_;
   std::array<int, 3> iterations_, rounds_;
-  int search_rounds_ = 0, planned_iterations_ = 0;
+  int search_rounds_ = 0, planned_iterations_ = 200;
 };
 
 } // namespace internal

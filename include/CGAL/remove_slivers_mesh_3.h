@@ -1,0 +1,107 @@
+// Copyright (c) 2026 The Global_odt_mesh_3 authors.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_REMOVE_SLIVERS_MESH_3_H
+#define CGAL_REMOVE_SLIVERS_MESH_3_H
+
+#include <CGAL/license/Mesh_3.h>
+
+#include <CGAL/disable_warnings.h>
+
+#include <CGAL/Global_odt_mesh_3/internal/Named_parameters.h>
+#include <CGAL/Global_odt_mesh_3/internal/Odt_parameters.h>
+#include <CGAL/odt_optimize_mesh_3.h>
+
+namespace CGAL {
+namespace Global_odt_mesh_3 {
+namespace internal {
+
+// What remove_slivers_mesh_3() reads.
+typedef Parameter_list<tags::time_limit, tags::sliver_bound, internal_np::optimize_boundary_t, internal_np::random_seed_t,
+                       internal_np::callback_t, internal_np::visitor_t> Sliver_removal_arguments;
+
+} // namespace internal
+} // namespace Global_odt_mesh_3
+
+/*!
+\ingroup PkgGlobalOdtMesh3Functions
+
+removes the slivers of a tetrahedral mesh, in place, and leaves all else as it is: what `odt_optimize_mesh_3()` does at its
+end, without minimizing an energy before. Like `perturb_mesh_3()`, it moves vertices of cells with small dihedral
+angles and keeps the triangulation regular without weights; few vertices move.
+
+The bound on the angles rises in steps of 20, 30, 35, 40, ... degrees, as described there. On a mesh that
+was just made, where every tenth cell may be a sliver, `odt_optimize_mesh_3()` reaches larger angles in all other cells, too.
+
+What is kept is what `odt_optimize_mesh_3()` keeps, also if the domain or the callback throws.
+
+\tparam C3T3 a model of the concept `MeshComplex_3InTriangulation_3`, not periodic
+\tparam MeshDomain a model of the concept `MeshDomain_3`
+\tparam NamedParameters a sequence of named parameters, in the styles that `odt_optimize_mesh_3()` knows
+
+\param c3t3 the mesh, which is modified
+\param domain the domain from which `c3t3` was made
+\param np an optional sequence of named parameters among the ones listed below
+
+\cgalNamedParamsBegin
+  \cgalParamNBegin{time_limit}
+    \cgalParamDescription{the wall time, in seconds, after which no further vertex is tried; 0 means no limit}
+    \cgalParamType{`double`}
+    \cgalParamPrecondition{`time_limit >= 0`}
+    \cgalParamDefault{0}
+  \cgalParamNEnd
+  \cgalParamNBegin{sliver_bound}
+    \cgalParamDescription{as for `odt_optimize_mesh_3()`}
+    \cgalParamType{`double`}
+    \cgalParamPrecondition{`0 <= sliver_bound <= 70.5`}
+    \cgalParamDefault{0, that is, as high as can be had}
+  \cgalParamNEnd
+  \cgalParamNBegin{optimize_boundary}
+    \cgalParamDescription{whether vertices in dimension 2 move on the surface}
+    \cgalParamType{`bool`}
+    \cgalParamDefault{`true`}
+  \cgalParamNEnd
+  \cgalParamNBegin{random_seed}
+    \cgalParamDescription{the seed of all that is left to chance}
+    \cgalParamType{`unsigned int`}
+    \cgalParamDefault{0}
+  \cgalParamNEnd
+  \cgalParamNBegin{callback}
+    \cgalParamDescription{a functor called before every round with the fraction done; when it returns `false`
+                          the process stops with the mesh found so far}
+    \cgalParamType{a model of `bool(double)`}
+    \cgalParamDefault{none}
+  \cgalParamNEnd
+  \cgalParamNBegin{visitor}
+    \cgalParamDescription{as for `odt_optimize_mesh_3()`; there are no iterations to hear of}
+    \cgalParamType{a class like `CGAL::Mesh_3::Null_global_optimizer_visitor`}
+    \cgalParamDefault{a visitor that does nothing}
+  \cgalParamNEnd
+\cgalNamedParamsEnd
+
+\return a value of type `CGAL::Mesh_optimization_return_code`, which is
+- `CGAL::TIME_LIMIT_REACHED` when `time_limit` has passed, or `callback` returned `false`;
+- `CGAL::CANT_IMPROVE_ANYMORE` when cells below a positive `sliver_bound` are left;
+- `CGAL::CONVERGENCE_REACHED` otherwise.
+
+\pre No vertex but those on features carries a weight, that is, `exude_mesh_3()` has not been called before.
+*/
+template <class C3T3, class MeshDomain, class... NamedParameters>
+Mesh_optimization_return_code
+remove_slivers_mesh_3(C3T3& c3t3, const MeshDomain& domain, const NamedParameters&... np)
+{
+  namespace odt = Global_odt_mesh_3::internal;
+  static_assert(!odt::is_periodic<C3T3>, "remove_slivers_mesh_3() does not know periodic triangulations");
+  const auto arguments = odt::named_arguments<odt::Sliver_removal_arguments>(np...);
+  odt::Odt_parameters parameters;
+  parameters.read(arguments);
+  return odt::optimize(c3t3, domain, odt::Odt_task::REMOVE_SLIVERS, parameters, arguments);
+}
+
+} // namespace CGAL
+
+#include <CGAL/enable_warnings.h>
+
+#endif // CGAL_REMOVE_SLIVERS_MESH_3_H
