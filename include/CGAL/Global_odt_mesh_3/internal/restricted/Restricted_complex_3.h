@@ -17,6 +17,7 @@
 #include <CGAL/Global_odt_mesh_3/internal/restricted/Restricted_candidate_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/restricted/Restricted_report_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/restricted/Restricted_state_3.h>
+#include <CGAL/Global_odt_mesh_3/internal/restricted/Restricted_trial_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/restricted/Surface_centers_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/restricted/Surface_projection_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/restricted/Topology_check_3.h>
@@ -46,6 +47,7 @@ class Restricted_complex_3
 public:
   typedef Numbered_domain_3<Triangulation, Mesh_domain> Domain;
   typedef Restricted_state_3<Triangulation> State;
+  typedef Restricted_trial_3<Domain> Trial;
 
   Restricted_complex_3(const Mesh_domain& domain, Boundary_motion motion)
     : domain_(domain)
@@ -80,6 +82,30 @@ public:
 
   // Whether that is close enough to the surface for the centroid of a boundary facet.
   bool is_close_to_surface(const Eigen::Vector3d& point) const { return fidelity_.is_close(point); }
+
+  // Trials of vertices, with a bound for dihedral angles in degrees. It refers to the complex.
+  Trial make_trial(double bound) { return Trial(state_, domain_, fidelity_, bound); }
+
+  // Goes to where vertices have got in trials; false if something is wrong with that.
+  bool adopt(Trial& trial)
+  {
+    Candidate candidate(state_, trial.sites(), motion_, true);
+    trial.give(candidate);
+    for(int v = candidate.numbering.number_of_interior_vertices; v < candidate.numbering.number_of_movable_vertices; ++v)
+      if(!candidate.is_home(v))
+      {
+        candidate.surface_position(v).is_on_surface = true;
+        candidate.surface_position(v).drift = 0;
+      }
+    if(!topology_changes(candidate).empty()) { std::cerr << "adopt: topology" << std::endl; return false; }
+    const Report c = Surface_centers_3<Domain>(candidate, domain_).find_surface_centers();
+    if(!c.is_clean()) { std::cerr << "adopt: centers" << std::endl;
+      return false; }
+    if(!fidelity_.check(candidate).is_clean()) { std::cerr << "adopt: fidelity" << std::endl;
+      return false;}
+    state_ = candidate.finish(domain_);
+    return true;
+  }
 
   // Goes to new positions of the movable vertices, as far as possible; false if nothing could be done.
   // In a final state, all vertices are on their surfaces and all boundary facets have surface centers.

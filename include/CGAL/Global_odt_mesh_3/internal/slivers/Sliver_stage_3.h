@@ -7,11 +7,16 @@
 #define CGAL_GLOBAL_ODT_MESH_3_INTERNAL_SLIVERS_SLIVER_STAGE_3_H
 
 #include <CGAL/Global_odt_mesh_3/internal/geometry/Angle_deficit_3.h>
+#include <CGAL/Global_odt_mesh_3/internal/slivers/Exact_sliver_removal_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/slivers/Sliver_removal_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/surface/Boundary_geometry_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/triangulation/Moving_triangulation_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/triangulation/Slot.h>
 
+#include <CGAL/Timer.h>
+#include <sstream>
+#include <cstdlib>
+#include <iostream>
 #include <Eigen/Core>
 
 #include <algorithm>
@@ -54,7 +59,42 @@ public:
     }
     mesh_.shortest_edges(shortest_edge_);
     for(double bound = bound_; bound > lowest_bound && make_rounds(bound, has_time, may_go_on); bound *= next_bound) {}
+    remove_exactly(has_time);
     return true;
+  }
+
+  template <class Has_time>
+  void remove_exactly(const Has_time& has_time)
+  {
+    static const bool off = getenv("EXACT_OFF") != nullptr;
+    static const char* b = getenv("EXACT_BOUNDS");
+    if(off)
+      return;
+    CGAL::Timer timer; timer.start();
+    std::istringstream bounds(b ? b : "22");
+    double bound;
+    while(bounds >> bound)
+    {
+      Exact_sliver_removal_3<Complex> removal(complex_, bound, seed_++);
+      const double t0 = timer.time();
+      removal.run(2000 + mesh_.topology.number_of_cells(), has_time);
+      const double t1 = timer.time();
+      const Deficit before = deficit(bound_);
+      const bool ok = removal.number_of_moves() == 0 || removal.adopt();
+      const double t2 = timer.time();
+      int back = 0;
+      for(int v = 0; v < mesh_.number_of_movable_vertices; ++v)
+        back += !internal::same_place(complex_.state().sites[v], removal.sites()[v]);
+      complex_.flatten(mesh_);
+      const Deficit after = deficit(bound_);
+      std::cerr << "exact bound " << bound << " tries " << removal.number_of_tries() << " moves " << removal.number_of_moves()
+                << " time " << t1 - t0 << " advance " << t2 - t1 << " ok " << ok << " back " << back << " deficit " << before.all << " -> " << after.all << std::endl;
+#ifdef TRIAL_STATS
+      auto& s = trial_stats();
+      std::cerr << "  lifts " << s.lifts << " tries " << s.tries << " hidden " << s.hidden << " deficit " << s.deficit << " worse " << s.worse << " labels " << s.labels << " topology " << s.topology << " unknown " << s.unknown << " fidelity " << s.fidelity << " angle " << s.angle << " ok " << s.ok << " accepted " << s.accepted << std::endl;
+      s = Trial_stats();
+#endif
+    }
   }
 
   // The number of cells with an angle below the bound.
