@@ -62,7 +62,7 @@ public:
   void start(State input)
   {
     state_ = std::move(input);
-    if(state_.numbering->number_of_surface_vertices() > 0)
+    if(motion_ != Boundary_motion::NONE)
       fidelity_.measure(state_);
   }
 
@@ -83,26 +83,20 @@ public:
   // Whether that is close enough to the surface for the centroid of a boundary facet.
   bool is_close_to_surface(const Eigen::Vector3d& point) const { return fidelity_.is_close(point); }
 
-  // Trials of vertices, with a bound for dihedral angles in degrees. It refers to the complex.
-  Trial make_trial(double bound) { return Trial(state_, domain_, fidelity_, bound); }
+  // Trials of single vertices, with a bound for dihedral angles in degrees.
+  Trial make_trial(double bound) { return Trial(state_, domain_, fidelity_, motion_ != Boundary_motion::NONE, bound); }
 
-  // Goes to where vertices have got in trials; false if something is wrong with that.
+  // Goes to where trials of this state have led, of which nothing is left there; false if that cannot be done.
   bool adopt(Trial& trial)
   {
-    Candidate candidate(state_, trial.sites(), motion_, true);
-    trial.give(candidate);
+    Candidate candidate(state_, trial.complex().sites, motion_, true);
+    trial.complex().give(candidate);
     for(int v = candidate.numbering.number_of_interior_vertices; v < candidate.numbering.number_of_movable_vertices; ++v)
       if(!candidate.is_home(v))
-      {
-        candidate.surface_position(v).is_on_surface = true;
-        candidate.surface_position(v).drift = 0;
-      }
-    if(!topology_changes(candidate).empty()) { std::cerr << "adopt: topology" << std::endl; return false; }
-    const Report c = Surface_centers_3<Domain>(candidate, domain_).find_surface_centers();
-    if(!c.is_clean()) { std::cerr << "adopt: centers" << std::endl;
-      return false; }
-    if(!fidelity_.check(candidate).is_clean()) { std::cerr << "adopt: fidelity" << std::endl;
-      return false;}
+        candidate.surface_position(v) = { true, 0, candidate.sites[v] };
+    if(!topology_changes(candidate).empty() || !Surface_centers_3<Domain>(candidate, domain_).find_surface_centers().is_clean()
+       || !fidelity_.check(candidate).is_clean())
+      return false;
     state_ = candidate.finish(domain_);
     return true;
   }

@@ -13,10 +13,6 @@
 #include <CGAL/Global_odt_mesh_3/internal/triangulation/Moving_triangulation_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/triangulation/Slot.h>
 
-#include <CGAL/Timer.h>
-#include <sstream>
-#include <cstdlib>
-#include <iostream>
 #include <Eigen/Core>
 
 #include <algorithm>
@@ -63,40 +59,6 @@ public:
     return true;
   }
 
-  template <class Has_time>
-  void remove_exactly(const Has_time& has_time)
-  {
-    static const bool off = getenv("EXACT_OFF") != nullptr;
-    static const char* b = getenv("EXACT_BOUNDS");
-    if(off)
-      return;
-    CGAL::Timer timer; timer.start();
-    std::istringstream bounds(b ? b : "22");
-    double bound;
-    while(bounds >> bound)
-    {
-      Exact_sliver_removal_3<Complex> removal(complex_, bound, seed_++);
-      const double t0 = timer.time();
-      removal.run(2000 + mesh_.topology.number_of_cells(), has_time);
-      const double t1 = timer.time();
-      const Deficit before = deficit(bound_);
-      const bool ok = removal.number_of_moves() == 0 || removal.adopt();
-      const double t2 = timer.time();
-      int back = 0;
-      for(int v = 0; v < mesh_.number_of_movable_vertices; ++v)
-        back += !internal::same_place(complex_.state().sites[v], removal.sites()[v]);
-      complex_.flatten(mesh_);
-      const Deficit after = deficit(bound_);
-      std::cerr << "exact bound " << bound << " tries " << removal.number_of_tries() << " moves " << removal.number_of_moves()
-                << " time " << t1 - t0 << " advance " << t2 - t1 << " ok " << ok << " back " << back << " deficit " << before.all << " -> " << after.all << std::endl;
-#ifdef TRIAL_STATS
-      auto& s = trial_stats();
-      std::cerr << "  lifts " << s.lifts << " tries " << s.tries << " hidden " << s.hidden << " deficit " << s.deficit << " worse " << s.worse << " labels " << s.labels << " topology " << s.topology << " unknown " << s.unknown << " fidelity " << s.fidelity << " angle " << s.angle << " ok " << s.ok << " accepted " << s.accepted << std::endl;
-      s = Trial_stats();
-#endif
-    }
-  }
-
   // The number of cells with an angle below the bound.
   std::size_t number_of_slivers() const
   {
@@ -111,6 +73,7 @@ private:
   static constexpr double same_place = 1e-3;    // over an edge
   static constexpr double clear_gain = 0.7;     // the factor on the deficit
   static constexpr double lowest_bound = 10, next_bound = 0.75;
+  static constexpr std::size_t exact_tries = 4000, exact_tries_per_cell = 1;
 
   // On rough surfaces, vertices move even where the facets around them bend sharply, but several at
   // once only as a last resort.
@@ -188,6 +151,19 @@ private:
     const Angle_deficit_3 angle_deficit(bound);
     for(int c = 0; c < mesh_.topology.number_of_cell_slots(); ++c)
       f(c, mesh_.deficit(c, angle_deficit));
+  }
+
+  // Of what is left, what the exact complex, where facets on surfaces follow the vertices, makes it possible to remove.
+  template <class Has_time>
+  void remove_exactly(const Has_time& has_time)
+  {
+    if(number_of_slivers() == 0)
+      return;
+    typename Complex::Trial trial = complex_.make_trial(bound_);
+    Exact_sliver_removal_3<typename Complex::Trial> removal(trial, bound_, seed_++);
+    removal.run(exact_tries + exact_tries_per_cell * static_cast<std::size_t>(mesh_.topology.number_of_cells()), has_time);
+    if(removal.number_of_moves() > 0 && complex_.adopt(trial))
+      complex_.flatten(mesh_);
   }
 
   // The complex, and then the mesh, follow the vertices as far as possible.

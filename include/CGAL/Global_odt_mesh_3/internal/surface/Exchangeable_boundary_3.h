@@ -45,6 +45,16 @@ public:
   // The numbers of the facets at a vertex.
   const std::vector<int>& around(int v) const { return around_[v]; }
 
+  // Whether one surface goes all around the vertex.
+  bool is_surrounded(int v)
+  {
+    before_.clear();
+    for(int n : around_[v])
+      before_.push_back(facets_[n]);
+    const Pattern p = pattern(v, before_);
+    return p.umbrellas == 1 && p.junctions.empty();
+  }
+
   // The number of the facet with these vertices, which are sorted, or -1.
   int find(const Triple& t) const
   {
