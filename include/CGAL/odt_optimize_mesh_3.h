@@ -140,8 +140,7 @@ Vertices in dimension 2 move on the surface, first toward a centroidal Voronoi t
 (see `remesh_boundary_mesh_3()`) and then together with the interior. They end on the surface:
 of polyhedral domains exactly, else within the error bound of the domain. Vertices in
 dimension 0 and 1, that is, corners and vertices on features, stay where they are, and so do vertices
-where surfaces meet or bend sharply (on surfaces that are rough compared with the mesh, as those of images are,
-the latter may move to remove a sliver). The result has as many vertices of each dimension and index, and
+where surfaces meet. Those where a surface bends sharply or separates no subdomains move only to remove a sliver. The result has as many vertices of each dimension and index, and
 as many facets of each patch, the Euler characteristic, the components and the junctions of patches and
 subdomains are those of the input, and the centroids of facets are as close to a polyhedral surface
 as in the input at the worst. Where that cannot be had, vertices move less, or not at all.

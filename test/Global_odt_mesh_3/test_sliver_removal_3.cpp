@@ -13,7 +13,6 @@
 #include <CGAL/Global_odt_mesh_3/internal/geometry/Cell_shape_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/optimization/Limited_memory_bfgs.h>
 #include <CGAL/Global_odt_mesh_3/internal/optimization/Odt_objective_3.h>
-#include <CGAL/Global_odt_mesh_3/internal/slivers/Given_up_cells.h>
 #include <CGAL/Global_odt_mesh_3/internal/slivers/Sliver_removal_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/slivers/Vertex_trial_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/triangulation/Flat_triangulation_3.h>
@@ -157,19 +156,6 @@ static void angle_gradients(std::mt19937& random)
   }
   std::cout << "gradients of angles are off by " << largest_error << ", of translations by " << largest_sum << std::endl;
   check::that(largest_error < 1e-5 && largest_sum < 1e-8, "gradients of angles are wrong");
-}
-
-// What is given up stays so until a vertex of the cell moves, whatever the number of the cell.
-static void given_up_cells(std::mt19937& random)
-{
-  Moving_triangulation_3 mesh = random_cube(3, 60, 0, false, random);
-  Given_up_cells given_up;
-  const int c = mesh.topology.incident_cell(0), v = mesh.topology.vertices(c)[0], other = mesh.topology.neighbor(Slot(c, 0)).cell();
-  given_up.add(mesh, c);
-  check::that(given_up.contain(mesh, c), "a cell that is given up is not known");
-  check::that(mesh.topology.neighbor(Slot(c, 0)).is_side() || !given_up.contain(mesh, other), "another cell is taken for it");
-  mesh.sites[v].x += 1e-9;
-  check::that(!given_up.contain(mesh, c), "a cell is given up though its vertex has moved");
 }
 
 // All that flips may change, slots that they have added apart.
@@ -444,8 +430,7 @@ static void joint_tries(const Moving_triangulation_3& cube)
     Sliver_removal_parameters parameters;
     if(!joint_tries)
       parameters.most_joint_tries = 0;
-    Given_up_cells given_up;
-    Sliver_removal_3(mesh, given_up, bound, 5, nullptr, parameters).run();
+    Sliver_removal_3(mesh, bound, 5, nullptr, parameters).run();
     sum[joint_tries] = sum_of_deficits(mesh, bound);
     check::that(mesh.topology.is_valid() && mesh.is_regular() && difference_to_exact(mesh) <= 4,
                 "the triangulation after joint tries is not CGAL's");
@@ -495,8 +480,7 @@ static void removal(const Moving_triangulation_3& cube, int least_slivers, doubl
   const auto removed = [&](unsigned int seed)
   {
     Moving_triangulation_3 mesh = cube;
-    Given_up_cells given_up;
-    Sliver_removal_3 removal(mesh, given_up, bound, seed);
+    Sliver_removal_3 removal(mesh, bound, seed);
     removal.run();
     const int before = slivers(cube, bound, cube.number_of_movable_vertices);
     const int after = slivers(mesh, bound, mesh.number_of_movable_vertices);
@@ -560,8 +544,7 @@ static void removal_at_surface(Moving_triangulation_3 cube)
   {
     Moving_triangulation_3 mesh = cube;
     Motion_in_layers motion(cube);
-    Given_up_cells given_up;
-    Sliver_removal_3 removal(mesh, given_up, bound, 3, moves ? &motion : nullptr);
+    Sliver_removal_3 removal(mesh, bound, 3, moves ? &motion : nullptr);
     removal.run();
     std::size_t moved = 0, against_rule = 0;
     for(int v = 0; v < mesh.number_of_interior_vertices; ++v)
@@ -590,16 +573,14 @@ static void removal_in_vain(const Moving_triangulation_3& cube)
   {
     Moving_triangulation_3 fixed = cube;
     fixed.number_of_interior_vertices = fixed.number_of_movable_vertices = 0;
-    Given_up_cells given_up;
-    Sliver_removal_3 removal(fixed, given_up, 20, 4);
+    Sliver_removal_3 removal(fixed, 20, 4);
     removal.run();
     check::that(removal.number_of_moves() == 0 && has_same_sites(fixed, cube), "vertices move though none may");
     check::that(slivers(fixed, 20, static_cast<int>(fixed.sites.size())) > 0, "there were no slivers");
   }
   {
     Moving_triangulation_3 mesh = cube;
-    Given_up_cells given_up;
-    Sliver_removal_3 removal(mesh, given_up, 20, 4);
+    Sliver_removal_3 removal(mesh, 20, 4);
     removal.run();
     check::that(removal.number_of_tries() < 20 * static_cast<std::size_t>(cube.topology.number_of_cells()),
                 "tries with a bound within reach are as many as with one that is not");
@@ -610,8 +591,7 @@ static void removal_in_vain(const Moving_triangulation_3& cube)
     Moving_triangulation_3 mesh = cube;
     Sliver_removal_parameters parameters;
     parameters.most_tries = 20 * static_cast<std::size_t>(cube.topology.number_of_cells());
-    Given_up_cells given_up;
-    Sliver_removal_3 removal(mesh, given_up, bound, 4, nullptr, parameters);
+    Sliver_removal_3 removal(mesh, bound, 4, nullptr, parameters);
     removal.run();
     const double before = sum_of_deficits(cube, bound), after = sum_of_deficits(mesh, bound);
     std::cout << "bound " << bound << ", out of reach: sum of deficits " << before << " -> " << after << " by "
@@ -632,7 +612,6 @@ int main()
   std::mt19937 random(seed);
   angle_deficit(random);
   angle_gradients(random);
-  given_up_cells(random);
   undone_flips(random);
   vertex_trials(false, false, random);
   vertex_trials(true, false, random);

@@ -111,7 +111,7 @@ private:
   static constexpr double least_gain_of_round = 2e-4;     // of the energy, relatively
   static constexpr double longest_way_in_round = 0.3;     // of a surface vertex, over its shortest edge on the surface
   static constexpr double share_of_rounds = 0.8;          // of the progress that is reported
-  static constexpr std::size_t cells_in_iteration_for_a_try = 80, least_checks_for_slivers = 20;
+  static constexpr std::size_t iterations_for_a_check = 20, cells_in_iteration_for_a_try = 500;     // of like cost
 
   bool boundary_moves() const { return number_of_surface_vertices() > 0; }
 
@@ -250,7 +250,7 @@ private:
       return false;
     if(!control_.goes_on())
       code_ = control_.code();
-    return removes_slivers() ? remove_slivers() : is_untouched() || complex_.advance(mesh_.sites, true).has_value();
+    return removes_slivers() ? remove_slivers() : is_untouched() || complex_.advance(mesh_.sites, true);
   }
 
   // Also if the iterations are used up, but not if the time is.
@@ -262,7 +262,7 @@ private:
 
   bool remove_slivers()
   {
-    Sliver_stage_3<Complex> stage(complex_, mesh_, parameters_.sliver_bound, parameters_.random_seed, sliver_budget());
+    Sliver_stage_3<Complex> stage(complex_, mesh_, parameters_.sliver_bound, parameters_.random_seed, most_tries_for_slivers());
     if(!stage.run([this] { return control_.has_time(); }, [this] { return control_.may_go_on(); }))
       return false;
     number_of_slivers_ = stage.number_of_slivers();
@@ -273,12 +273,12 @@ private:
     return true;
   }
 
-  // A share of what the stages before have taken.
-  Sliver_budget sliver_budget() const
+  // Tries of single vertices, for a share of what the stages before have taken.
+  std::size_t most_tries_for_slivers() const
   {
     const int iterations = plan_->optimizes() ? control_.number_of_iterations() : plan_->number_of_iterations();
-    return { std::size_t(iterations) * mesh_.topology.number_of_cells() / cells_in_iteration_for_a_try,
-             least_checks_for_slivers + complex_.number_of_checks() };
+    const std::size_t work = iterations + iterations_for_a_check * complex_.number_of_checks();
+    return work * mesh_.topology.number_of_cells() / cells_in_iteration_for_a_try;
   }
 
   bool minimize_interior()

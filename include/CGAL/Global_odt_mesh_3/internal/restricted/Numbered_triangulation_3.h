@@ -71,6 +71,32 @@ public:
     insert(v, p, hint);
   }
 
+  // Takes the vertex out of the triangulation.
+  void remove(int v)
+  {
+    tr_.remove(vertices_[v]);
+    vertices_[v] = Vertex_handle();
+  }
+
+  // Puts it back, at or near a cell.
+  void insert_near(int v, const Weighted_point& p, Cell_handle near) { insert(v, p, near); }
+
+  // Becomes a copy of another triangulation, `number(vertex)` being the numbers of its vertices.
+  template <class Number>
+  void copy(const Triangulation& tr, const Number& number)
+  {
+    tr_ = tr;
+    vertices_.assign(tr.number_of_vertices(), Vertex_handle());
+    auto to = tr_.finite_vertices_begin();
+    for(auto from = tr.finite_vertices_begin(); from != tr.finite_vertices_end(); ++from, ++to)
+    {
+      CGAL_assertion(tr_.point(to) == tr.point(from));
+      const int v = number(from);
+      to->set_meshing_info(v);
+      vertices_[v] = to;
+    }
+  }
+
   // Adds all neighbors.
   void grow(std::set<int>& region) const
   {

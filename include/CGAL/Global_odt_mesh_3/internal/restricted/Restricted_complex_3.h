@@ -7,7 +7,6 @@
 #define CGAL_GLOBAL_ODT_MESH_3_INTERNAL_RESTRICTED_RESTRICTED_COMPLEX_3_H
 
 #include <CGAL/Global_odt_mesh_3/internal/geometry/Site.h>
-#include <CGAL/Global_odt_mesh_3/internal/restricted/Angle_check_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/restricted/Boundary_extraction_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/restricted/Boundary_motion.h>
 #include <CGAL/Global_odt_mesh_3/internal/restricted/Boundary_peeling_3.h>
@@ -18,6 +17,7 @@
 #include <CGAL/Global_odt_mesh_3/internal/restricted/Restricted_candidate_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/restricted/Restricted_report_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/restricted/Restricted_state_3.h>
+#include <CGAL/Global_odt_mesh_3/internal/restricted/Restricted_trial_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/restricted/Surface_centers_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/restricted/Surface_projection_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/restricted/Topology_check_3.h>
@@ -28,7 +28,6 @@
 #include <algorithm>
 #include <cstddef>
 #include <iterator>
-#include <optional>
 #include <set>
 #include <utility>
 #include <vector>
@@ -49,6 +48,7 @@ class Restricted_complex_3
 public:
   typedef Numbered_domain_3<Triangulation, Mesh_domain> Domain;
   typedef Restricted_state_3<Triangulation> State;
+  typedef Restricted_trial_3<Domain> Trial;
 
   Restricted_complex_3(const Mesh_domain& domain, Boundary_motion motion)
     : domain_(domain)
@@ -63,7 +63,7 @@ public:
   void start(State input)
   {
     state_ = std::move(input);
-    if(state_.numbering->number_of_surface_vertices() > 0)
+    if(motion_ != Boundary_motion::NONE)
       fidelity_.measure(state_);
   }
 
@@ -84,14 +84,30 @@ public:
   // Whether that is close enough to the surface for the centroid of a boundary facet.
   bool is_close_to_surface(const Eigen::Vector3d& point) const { return fidelity_.is_close(point); }
 
-  // How often candidates have been checked, which is most of the work.
+  // Trials of single vertices.
+  Trial make_trial() { return Trial(state_, domain_, fidelity_, motion_ != Boundary_motion::NONE); }
+
+  // Goes to where trials of this state have led, of which nothing is left there; false if that cannot be done.
+  bool adopt(Trial& trial)
+  {
+    Candidate candidate(state_, trial.complex().sites, motion_, true);
+    trial.complex().give(candidate);
+    for(int v = candidate.numbering.number_of_interior_vertices; v < candidate.numbering.number_of_movable_vertices; ++v)
+      if(!candidate.is_home(v))
+        candidate.surface_position(v) = { true, 0, candidate.sites[v] };
+    if(!topology_changes(candidate).empty() || !Surface_centers_3<Domain>(candidate, domain_).find_surface_centers().is_clean()
+       || !fidelity_.check(candidate).is_clean())
+      return false;
+    state_ = candidate.finish(domain_);
+    return true;
+  }
+
+  // How often candidates have been checked.
   std::size_t number_of_checks() const { return number_of_checks_; }
 
-  // Goes to new positions of the movable vertices, as far as possible, and gives the state that is replaced, or
-  // nothing if nothing could be done.
+  // Goes to new positions of the movable vertices, as far as possible; false if nothing could be done.
   // In a final state, all vertices are on their surfaces and all boundary facets have surface centers.
-  // If there are least angles, no cell falls below them.
-  std::optional<State> advance(const std::vector<Site>& target, bool is_final, const Least_angles* least_angles = nullptr)
+  bool advance(const std::vector<Site>& target, bool is_final)
   {
     Candidate candidate(state_, target, motion_, is_final);
     Surface_projection_3<Domain> projection(candidate, domain_);
@@ -100,17 +116,17 @@ public:
     candidate.build();
     for(int attempt = 0; attempt < most_attempts; ++attempt)
     {
-      const Report report = check(candidate, least_angles);
+      const Report report = check(candidate);
       if(report.is_clean())
-        return std::exchange(state_, candidate.finish(domain_));
+      {
+        state_ = candidate.finish(domain_);
+        return true;
+      }
       if(report.is_beyond_repair() || !apply(report, candidate, projection, attempt))
-        return std::nullopt;
+        return false;
     }
-    return std::nullopt;
+    return false;
   }
-
-  // Goes back to a state that has been replaced.
-  void return_to(State earlier) { state_ = std::move(earlier); }
 
 private:
   typedef Restricted_candidate_3<Triangulation> Candidate;
@@ -125,7 +141,7 @@ private:
   static constexpr double most_moved_one_by_one = 1 / 20.;
 
   // Completes the candidate until something is found wrong.
-  Report check(Candidate& candidate, const Least_angles* least_angles)
+  Report check(Candidate& candidate)
   {
     ++number_of_checks_;
     if(!candidate.numbered->is_complete())
@@ -141,10 +157,7 @@ private:
     if(candidate.boundary_moves())
       Boundary_peeling_3<Domain>(candidate, domain_, extraction, fidelity_).peel();
     const Report centers = Surface_centers_3<Domain>(candidate, domain_).find_surface_centers();
-    if(!centers.is_clean())
-      return centers;
-    const Report fidelity = candidate.boundary_moves() ? fidelity_.check(candidate) : centers;
-    return fidelity.is_clean() && least_angles != nullptr ? check_angles(candidate, domain_, *least_angles) : fidelity;
+    return candidate.boundary_moves() && centers.is_clean() ? fidelity_.check(candidate) : centers;
   }
 
   static Report hidden_vertices(const Candidate& candidate)

@@ -8,7 +8,6 @@
 
 #include <CGAL/Global_odt_mesh_3/internal/geometry/Angle_deficit_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/geometry/Random_source.h>
-#include <CGAL/Global_odt_mesh_3/internal/slivers/Given_up_cells.h>
 #include <CGAL/Global_odt_mesh_3/internal/slivers/Vertex_trial_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/triangulation/Constrained_triangulation_3.h>
 
@@ -61,11 +60,10 @@ class Sliver_removal_3
 {
 public:
   // Without a motion, vertices of the interior go anywhere, and those on surfaces stay.
-  Sliver_removal_3(Constrained_triangulation_3& mesh, Given_up_cells& given_up, double bound, unsigned int seed,
+  Sliver_removal_3(Constrained_triangulation_3& mesh, double bound, unsigned int seed,
                    Vertex_motion_3* motion = nullptr,
                    const Sliver_removal_parameters& parameters = Sliver_removal_parameters())
     : mesh_(mesh)
-    , given_up_(given_up)
     , parameters_(parameters)
     , trial_(mesh, bound + parameters.margin)
     , motion_(motion)
@@ -208,7 +206,7 @@ private:
     Failures& failures = failures_[cell];
     if(failures.deficit != trial_.deficit(cell))
       failures = { trial_.deficit(cell), 0 };
-    if(failures.number == parameters_.most_failures || given_up_.contain(mesh_, cell))
+    if(failures.number == parameters_.most_failures)
       return false;
     best_change_ = -least_improvement;
     best_vertex_ = -1;
@@ -216,12 +214,7 @@ private:
       if(failures.number == 0 ? try_steps(v) : try_positions(v))
         return true;
     if(best_vertex_ < 0)
-    {
-      if(++failures.number < parameters_.most_failures)
-        return true;
-      given_up_.add(mesh_, cell);
-      return false;
-    }
+      return ++failures.number < parameters_.most_failures;
     accept(best_vertex_, move(best_vertex_, best_site_));
     return true;
   }
@@ -308,7 +301,6 @@ private:
   static constexpr double least_improvement = 1e-6;     // square degrees
 
   Constrained_triangulation_3& mesh_;
-  Given_up_cells& given_up_;
   Sliver_removal_parameters parameters_;
   Vertex_trial_3 trial_;
   Vertex_motion_3* motion_;

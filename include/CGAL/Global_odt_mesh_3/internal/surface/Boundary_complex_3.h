@@ -104,8 +104,7 @@ private:
 
   static bool same_surface(const Facet& a, const Facet& b)
   {
-    return a.patch != Facet::no_patch && a.patch == b.patch && a.labels[0] != a.labels[1]
-           && same_labels(a.labels, b.labels);
+    return a.patch != Facet::no_patch && a.patch == b.patch && same_labels(a.labels, b.labels);
   }
 
   Edge edge(int corner) const

@@ -1,0 +1,266 @@
+// Copyright (c) 2026 The Global_odt_mesh_3 authors.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_GLOBAL_ODT_MESH_3_INTERNAL_RESTRICTED_FACET_EXCHANGE_3_H
+#define CGAL_GLOBAL_ODT_MESH_3_INTERNAL_RESTRICTED_FACET_EXCHANGE_3_H
+
+#include <CGAL/Global_odt_mesh_3/internal/geometry/Facet_dual_3.h>
+#include <CGAL/Global_odt_mesh_3/internal/geometry/Point_coordinates.h>
+#include <CGAL/Global_odt_mesh_3/internal/geometry/Site.h>
+#include <CGAL/Global_odt_mesh_3/internal/geometry/Vertex_tuples.h>
+#include <CGAL/Global_odt_mesh_3/internal/restricted/Fidelity_check_3.h>
+#include <CGAL/Global_odt_mesh_3/internal/restricted/Lifted_vertex_3.h>
+#include <CGAL/Global_odt_mesh_3/internal/restricted/Trial_complex_3.h>
+#include <CGAL/Global_odt_mesh_3/internal/surface/Exchangeable_boundary_3.h>
+
+#include <CGAL/number_utils.h>
+
+#include <Eigen/Core>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <set>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Global_odt_mesh_3 {
+namespace internal {
+
+// What a vertex at another place makes of the boundary, and whether that may be so.
+template <class Domain>
+class Facet_exchange_3
+{
+public:
+  typedef Trial_complex_3<Domain> Complex;
+  typedef Lifted_vertex_3<Domain> Lifted_vertex;
+
+  // If `changes` is false, the boundary has to stay as it is.
+  Facet_exchange_3(Complex& complex, const Lifted_vertex& lifted, const Fidelity_check_3<Domain>& fidelity, bool changes)
+    : complex_(complex)
+    , lifted_(lifted)
+    , fidelity_(fidelity)
+    , changes_(changes)
+  {}
+
+  // For cells that have been found and labelled: whether the boundary keeps its topology, is close
+  // to the surface, and has no flatter facets than before.
+  bool is_permitted()
+  {
+    removed_.clear();
+    added_.clear();
+    moved_.clear();
+    if(!find_facets())
+      return false;
+    if(!changes_)
+      return removed_.empty() && added_.empty();
+    if(!complex_.boundary.keeps_topology(removed_, added_))
+      return false;
+    const double least = (std::min)(small_angle, smallest_angle_before());
+    std::vector<Triple> facets = moved_;
+    for(const Facet& f : added_)
+      facets.push_back(f.vertices);
+    return std::all_of(facets.begin(), facets.end(), [&](const Triple& t)
+                       { return smallest_angle(t) >= least && fidelity_.is_close(centroid(t, complex_.sites)); });
+  }
+
+  void apply() { complex_.boundary.exchange(removed_, added_); }
+
+private:
+  typedef typename Lifted_vertex::Cell Cell;
+  typedef typename Complex::Cell_handle Cell_handle;
+  typedef typename Complex::Quadruple Quadruple;
+  typedef Exchangeable_boundary_3::Facet Facet;
+  typedef Exchangeable_boundary_3::Triple Triple;
+  typedef Eigen::Vector3d Vector;
+
+  static constexpr double small_angle = 30;     // degrees
+
+  // A facet of one of some cells.
+  struct Side
+  {
+    Triple facet;
+    int cell, index;
+    bool operator<(const Side& o) const { return facet != o.facet ? facet < o.facet : cell < o.cell; }
+  };
+
+  // Sorted, those of facets between two of the cells one after the other.
+  static std::vector<Side> sides(const std::vector<Cell>& cells)
+  {
+    std::vector<Side> result;
+    for(int n = 0; n < static_cast<int>(cells.size()); ++n)
+      for(int i = 0; i < 4; ++i)
+      {
+        const Quadruple& q = cells[n].vertices;
+        const Triple t = sorted(Triple{{ q[(i + 1) % 4], q[(i + 2) % 4], q[(i + 3) % 4] }});
+        if(t[0] >= 0)
+          result.push_back({ t, n, i });
+      }
+    std::sort(result.begin(), result.end());
+    return result;
+  }
+
+  // Finds the facets that would go, come, and stay at the vertex; false if one has no patch.
+  bool find_facets()
+  {
+    const std::vector<std::pair<Triple, int> > hull = labels_beyond_old_cells();
+    const std::vector<Side> after = sides(lifted_.new_cells());
+    auto h = hull.begin();
+    for(std::size_t n = 0; n < after.size(); ++n)
+    {
+      const Side& s = after[n];
+      const Side* other = n + 1 < after.size() && after[n + 1].facet == s.facet ? &after[++n] : nullptr;
+      if(other == nullptr && (h == hull.end() || h->first != s.facet))
+        return false;
+      const std::array<int, 2> labels = {{ lifted_.new_cells()[s.cell].label,
+                                           other != nullptr ? lifted_.new_cells()[other->cell].label : (h++)->second }};
+      const bool is_on_boundary = labels[0] != labels[1]
+                                  || (complex_.state.has_unseparating_facets && crosses_surface(s, other));
+      if(is_on_boundary && !add_facet(s.facet, sorted(labels)))
+        return false;
+    }
+    return true;
+  }
+
+  // For each facet of the hull of the old cells, which is that of the new ones, the label beyond. All facets are taken
+  // for removed.
+  std::vector<std::pair<Triple, int> > labels_beyond_old_cells()
+  {
+    const std::vector<Side> before = sides(lifted_.old_cells());
+    std::vector<std::pair<Triple, int> > hull;
+    for(std::size_t n = 0; n < before.size(); ++n)
+    {
+      const Triple& t = before[n].facet;
+      const int facet = complex_.boundary.find(t), label = lifted_.old_cells()[before[n].cell].label;
+      if(facet >= 0)
+        removed_.push_back(facet);
+      if(n + 1 < before.size() && before[n + 1].facet == t)
+      {
+        ++n;
+        continue;
+      }
+      const std::array<int, 2> labels = facet < 0 ? std::array<int, 2>{{ label, label }}
+                                                  : complex_.boundary.facet(facet).labels;
+      hull.emplace_back(t, labels[0] == label ? labels[1] : labels[0]);
+    }
+    return hull;
+  }
+
+  // Whether the dual segment between the cells of a facet crosses a surface.
+  bool crosses_surface(const Side& s, const Side* other)
+  {
+    if(std::none_of(s.facet.begin(), s.facet.end(), [this](int v) { return complex_.numbering.is_on_boundary(v); }))
+      return false;
+    const auto is_infinite = [](const Cell& c) { return *std::min_element(c.vertices.begin(), c.vertices.end()) < 0; };
+    const std::vector<Cell>& cells = lifted_.new_cells();
+    if(is_infinite(cells[s.cell]) || (other != nullptr && is_infinite(cells[other->cell])))
+      return false;
+    const Vector from = cells[s.cell].dual;
+    Vector to;
+    if(other != nullptr)
+      to = cells[other->cell].dual;
+    else
+    {
+      const Cell_handle c = lifted_.beyond(s.cell, s.index);
+      if(complex_.triangulation().is_infinite(c))
+        return false;
+      to = coordinates(complex_.triangulation().dual(c));
+    }
+    const double length = (to - from).norm();
+    Vector middle = (from + to) / 2;
+    typename Complex::State::Index index;
+    return length > 0 && complex_.domain.intersect(middle, (to - from) / length, length / 2, index);
+  }
+
+  // Takes it for one that stays, or else for one that comes; false if it has no patch.
+  bool add_facet(const Triple& t, const std::array<int, 2>& labels)
+  {
+    const auto old = std::find_if(removed_.begin(), removed_.end(),
+                                  [&](int n) { return complex_.boundary.facet(n).vertices == t; });
+    if(old != removed_.end() && complex_.boundary.facet(*old).labels == labels)
+    {
+      if(std::find(t.begin(), t.end(), lifted_.vertex()) != t.end())
+        moved_.push_back(t);
+      removed_.erase(old);
+      return true;
+    }
+    int patch;
+    if(!find_patch(t, labels, patch))
+      return false;
+    added_.push_back({ t, labels, patch });
+    return true;
+  }
+
+  // The patch on which all vertices agree; false if there is none.
+  bool find_patch(const Triple& t, const std::array<int, 2>& labels, int& patch)
+  {
+    std::set<int> common;
+    for(std::size_t k = 0; k < 3; ++k)
+    {
+      std::set<int> here;
+      for(int n : complex_.boundary.around(t[k]))
+      {
+        const Facet& f = complex_.boundary.facet(n);
+        if(f.labels == labels && f.patch != Boundary_facet::no_patch && (k == 0 || common.count(f.patch) > 0))
+          here.insert(f.patch);
+      }
+      common.swap(here);
+    }
+    if(common.empty())
+      return false;
+    patch = *common.begin();
+    if(common.size() == 1)
+      return true;
+    const Facet_dual_3 dual(t, complex_.sites);
+    Vector p = dual.center;
+    typename Complex::State::Index index;
+    if(!complex_.domain.intersect(p, dual.normal, dual.radius, index))
+      return false;
+    patch = complex_.domain.patch_at(index);
+    return common.count(patch) > 0;
+  }
+
+  // Of the facets that go or stay at the vertex.
+  double smallest_angle_before()
+  {
+    double least = 180;
+    const Site to = std::exchange(complex_.sites[lifted_.vertex()], lifted_.from());
+    for(int n : removed_)
+      least = (std::min)(least, smallest_angle(complex_.boundary.facet(n).vertices));
+    for(const Triple& t : moved_)
+      least = (std::min)(least, smallest_angle(t));
+    complex_.sites[lifted_.vertex()] = to;
+    return least;
+  }
+
+  // In degrees.
+  double smallest_angle(const Triple& t) const
+  {
+    double least = 180;
+    for(int k = 0; k < 3; ++k)
+    {
+      const Vector origin = position(complex_.sites[t[k]]), a = position(complex_.sites[t[(k + 1) % 3]]) - origin,
+                   b = position(complex_.sites[t[(k + 2) % 3]]) - origin;
+      least = (std::min)(least, std::atan2(a.cross(b).norm(), a.dot(b)) * 180 / CGAL_PI);
+    }
+    return least;
+  }
+
+  Complex& complex_;
+  const Lifted_vertex& lifted_;
+  const Fidelity_check_3<Domain>& fidelity_;
+  bool changes_;
+  std::vector<int> removed_;          // numbers of facets
+  std::vector<Facet> added_;
+  std::vector<Triple> moved_;         // those that stay, at the vertex
+};
+
+} // namespace internal
+} // namespace Global_odt_mesh_3
+} // namespace CGAL
+
+#endif // CGAL_GLOBAL_ODT_MESH_3_INTERNAL_RESTRICTED_FACET_EXCHANGE_3_H

@@ -1,0 +1,380 @@
+// Copyright (c) 2026 The Global_odt_mesh_3 authors.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_GLOBAL_ODT_MESH_3_INTERNAL_RESTRICTED_RESTRICTED_TRIAL_3_H
+#define CGAL_GLOBAL_ODT_MESH_3_INTERNAL_RESTRICTED_RESTRICTED_TRIAL_3_H
+
+#include <CGAL/Global_odt_mesh_3/internal/geometry/Angle_deficit_3.h>
+#include <CGAL/Global_odt_mesh_3/internal/geometry/Cell_products_3.h>
+#include <CGAL/Global_odt_mesh_3/internal/geometry/Promising_step.h>
+#include <CGAL/Global_odt_mesh_3/internal/geometry/Site.h>
+#include <CGAL/Global_odt_mesh_3/internal/geometry/Sliver_steps.h>
+#include <CGAL/Global_odt_mesh_3/internal/geometry/Vertex_tuples.h>
+#include <CGAL/Global_odt_mesh_3/internal/restricted/Facet_exchange_3.h>
+#include <CGAL/Global_odt_mesh_3/internal/restricted/Fidelity_check_3.h>
+#include <CGAL/Global_odt_mesh_3/internal/restricted/Lifted_vertex_3.h>
+#include <CGAL/Global_odt_mesh_3/internal/restricted/Trial_complex_3.h>
+
+#include <CGAL/assertions.h>
+
+#include <Eigen/Cholesky>
+#include <Eigen/Core>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <functional>
+#include <iterator>
+#include <limits>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Global_odt_mesh_3 {
+namespace internal {
+
+// What moving one vertex of a complex does to the angles of the cells, with the facets on surfaces that it
+// exchanges. A vertex is lifted, tried in some places, and then accepted in the last of them or put back.
+//
+// Vertices of the interior move, and those of dimension 2 that one surface goes around, also if it bends sharply
+// there or does not separate subdomains.
+template <class Domain>
+class Restricted_trial_3
+{
+public:
+  typedef Trial_complex_3<Domain> Complex;
+  typedef typename Complex::State State;
+  typedef typename Complex::Triangulation Triangulation;
+  typedef typename Complex::Quadruple Quadruple;
+
+  // If `boundary_moves` is false, the boundary stays as it is.
+  Restricted_trial_3(const State& state, Domain& domain, const Fidelity_check_3<Domain>& fidelity, bool boundary_moves)
+    : complex_(state, domain)
+    , lifted_(complex_)
+    , exchange_(complex_, lifted_, fidelity, boundary_moves)
+    , boundary_moves_(boundary_moves)
+    , deficit_(Sliver_steps::angles[0] + margin)
+  {}
+
+  Restricted_trial_3(const Restricted_trial_3&) = delete;
+  Restricted_trial_3& operator=(const Restricted_trial_3&) = delete;
+
+  // Which of the steps the dihedral angles should reach in the next trials.
+  void set_step(int step)
+  {
+    step_ = step;
+    deficit_ = Angle_deficit_3(Sliver_steps::angles[step] + margin);
+  }
+
+  // For what is to be done with the result.
+  Complex& complex() { return complex_; }
+  const Complex& complex() const { return complex_; }
+  const Site& site(int v) const { return complex_.sites[v]; }
+
+  std::size_t number_of_cells() const { return complex_.triangulation().number_of_finite_cells(); }
+
+  // The cells below the step, by sorted vertices.
+  std::vector<Quadruple> slivers() const
+  {
+    std::vector<Quadruple> result;
+    const Triangulation& tr = complex_.triangulation();
+    for(auto c = tr.finite_cells_begin(); c != tr.finite_cells_end(); ++c)
+      if(is_inside(complex_.label(c)) && is_sliver(complex_.numbers(c)))
+        result.push_back(sorted(complex_.numbers(c)));
+    return result;
+  }
+
+  // Those among the cells that the last trial has made.
+  std::vector<Quadruple> new_slivers() const
+  {
+    std::vector<Quadruple> result;
+    for(const Cell& c : lifted_.new_cells())
+      if(is_inside(c.label) && is_sliver(c.vertices))
+        result.push_back(sorted(c.vertices));
+    return result;
+  }
+
+  // Of a cell, or 0 if there is none with these vertices, or none below the step.
+  double deficit(const Quadruple& q) const
+  {
+    Cell_handle c;
+    return is_cell(q, c) && is_inside(complex_.label(c)) && is_sliver(q) ? deficit_(cell_sites(q)) : 0;
+  }
+
+  // Those of a cell that may move.
+  std::vector<int> movable_vertices(const Quadruple& q) { return movable_vertices(q.begin(), q.end()); }
+
+  // Those opposite to a cell in its neighbors that may move.
+  std::vector<int> movable_vertices_beyond(const Quadruple& q)
+  {
+    std::vector<int> beyond;
+    Cell_handle c;
+    if(is_cell(q, c))
+      for(int i = 0; i < 4; ++i)
+      {
+        const auto v = complex_.triangulation().mirror_vertex(c, i);
+        if(!complex_.triangulation().is_infinite(v))
+          beyond.push_back(complex_.numbered.number(v));
+      }
+    return movable_vertices(beyond.begin(), beyond.end());
+  }
+
+  // Appends shares of the step of Gauss and Newton toward what the cells around the vertex lack, as far as those promise
+  // something; `farthest` is over the mean edge.
+  template <class Shares>
+  void find_steps(int v, double farthest, const Shares& shares, std::vector<Promising_step>& steps)
+  {
+    measure_neighborhood(v);
+    find_star(v);
+    Eigen::Vector3d step = damped_step(v);
+    const double length = step.norm(), longest = farthest * mean_edge_;
+    if(length > longest)
+      step *= longest / length;
+    const double before = deficit_of_star();
+    const Site from = complex_.sites[v];
+    for(double share : shares)
+    {
+      complex_.sites[v] = site_at(position(from) + share * step, from.weight);
+      const double change = deficit_of_star() - before;
+      if(change < 0)
+        steps.push_back({ v, complex_.sites[v], change });
+    }
+    complex_.sites[v] = from;
+  }
+
+  // Takes a vertex out.
+  void lift(int v)
+  {
+    measure_neighborhood(v);
+    lifted_.lift(v);
+  }
+
+  // Over which it makes sense to move the lifted vertex.
+  double mean_edge_length() const { return mean_edge_; }
+
+  // Makes a displacement of the lifted vertex one that may be tried: on a surface, it is projected after it has
+  // become tangential. False if there is no such place nearby.
+  bool place(Site& s)
+  {
+    constexpr double farthest_projection = 1;         // over the shortest edge
+    const int v = lifted_.vertex();
+    if(complex_.numbering.is_interior(v))
+      return true;
+    const Eigen::Vector3d way = position(s) - position(lifted_.from());
+    Eigen::Vector3d p = position(s) - normal_.dot(way) * normal_;
+    if(!complex_.domain.project(p, normal_, farthest_projection * shortest_edge_, patch(v)))
+      return false;
+    s = site_at(p, s.weight);
+    return true;
+  }
+
+  // The change of the sum of the deficits with the lifted vertex there, or infinity if it may not be there,
+  // if a cell is worse than all that go, or if the change would not be less than `most`.
+  double move(const Site& s, double most)
+  {
+    complex_.sites[lifted_.vertex()] = s;
+    if(!lifted_.find_cells() || !(change_of_deficit() < most) || !lifted_.label_cells())
+      return infinity;
+    const double change = change_of_deficit();
+    return change < most && after_.is_not_worse_than(before_, step_) && exchange_.is_permitted() ? change : infinity;
+  }
+
+  // The sum of the deficits of the new cells.
+  double deficit_after() const { return after_.deficit; }
+
+  // The vertex stays where move() has put it, which has to have given a number.
+  void accept()
+  {
+    exchange_.apply();
+    lifted_.put_down();
+  }
+
+  void reject() { lifted_.put_back(); }
+
+private:
+  typedef Lifted_vertex_3<Domain> Lifted_vertex;
+  typedef typename Lifted_vertex::Cell Cell;
+  typedef typename Complex::Cell_handle Cell_handle;
+  typedef typename Complex::Vertex_handle Vertex_handle;
+
+  static constexpr double margin = 0.25;        // degrees by which steps are to be exceeded: they are no place to get stuck
+  static constexpr double infinity = (std::numeric_limits<double>::infinity)();
+
+  // Labels that are not known yet count for outside.
+  bool is_inside(int label) const { return label >= 0 && label != complex_.domain.outside(); }
+
+  bool is_cell(const Quadruple& q, Cell_handle& c) const
+  {
+    const auto& t = complex_.numbered;
+    return t.triangulation().is_cell(t.vertex(q[0]), t.vertex(q[1]), t.vertex(q[2]), t.vertex(q[3]), c);
+  }
+
+  // Whether an angle is below the step.
+  bool is_sliver(const Quadruple& q) const
+  {
+    bool result = false;
+    deficit_.for_each_lack(cell_sites(q), [&result](double lack) { result = result || lack > margin; });
+    return result;
+  }
+
+  std::array<Site, 4> cell_sites(const Quadruple& q) const
+  {
+    const std::vector<Site>& s = complex_.sites;
+    return {{ s[q[0]], s[q[1]], s[q[2]], s[q[3]] }};
+  }
+
+  // In order of their numbers: those of the interior come first, as that needs fewer questions to the domain.
+  template <class Iterator>
+  std::vector<int> movable_vertices(Iterator begin, Iterator end)
+  {
+    std::vector<int> result;
+    std::copy_if(begin, end, std::back_inserter(result), [this](int v) { return is_movable(v); });
+    std::sort(result.begin(), result.end());
+    result.erase(std::unique(result.begin(), result.end()), result.end());
+    return result;
+  }
+
+  bool is_movable(int v)
+  {
+    if(!complex_.numbering.is_on_boundary(v) || !boundary_moves_)
+      return complex_.numbering.is_interior(v);
+    return complex_.numbering.input_vertices[v]->in_dimension() == 2 && complex_.sites[v].weight == 0
+           && complex_.boundary.is_surrounded(v);
+  }
+
+  // The one that the vertex has been on from the beginning.
+  int patch(int v) const { return complex_.domain.patch_at(complex_.numbering.input_vertices[v]->index()); }
+
+  void measure_neighborhood(int v)
+  {
+    const std::vector<Site>& sites = complex_.sites;
+    std::vector<Vertex_handle> neighbors;
+    complex_.triangulation().finite_adjacent_vertices(complex_.numbered.vertex(v), std::back_inserter(neighbors));
+    mean_edge_ = 0;
+    for(Vertex_handle w : neighbors)
+      mean_edge_ += (position(sites[complex_.numbered.number(w)]) - position(sites[v])).norm() / double(neighbors.size());
+    normal_ = Eigen::Vector3d::Zero();
+    shortest_edge_ = infinity;
+    for(int n : complex_.boundary.around(v))
+    {
+      const std::array<int, 3>& t = complex_.boundary.facet(n).vertices;
+      const Eigen::Vector3d origin = position(sites[t[0]]);
+      const Eigen::Vector3d area = (position(sites[t[1]]) - origin).cross(position(sites[t[2]]) - origin);
+      normal_ += area.dot(normal_) < 0 ? Eigen::Vector3d(-area) : area;
+      for(int w : t)
+        if(w != v)
+          shortest_edge_ = (std::min)(shortest_edge_, (position(sites[w]) - position(sites[v])).norm());
+    }
+    normal_.normalize();
+  }
+
+  // Of cells: how many are below each step, and what they lack.
+  struct Angles
+  {
+    double deficit = 0, smallest = 90;
+    std::array<int, Sliver_steps::number> below = {};
+
+    bool is_not_worse_than(const Angles& other, int step) const
+    {
+      return smallest >= other.smallest
+             && std::equal(below.begin(), below.begin() + step, other.below.begin(), std::less_equal<int>());
+    }
+  };
+
+  double change_of_deficit()
+  {
+    before_ = after_ = Angles();
+    const Site to = std::exchange(complex_.sites[lifted_.vertex()], lifted_.from());
+    for(const Cell& c : lifted_.old_cells())
+      add(c, before_);
+    complex_.sites[lifted_.vertex()] = to;
+    for(const Cell& c : lifted_.new_cells())
+      add(c, after_);
+    return after_.deficit - before_.deficit;
+  }
+
+  void add(const Cell& c, Angles& angles) const
+  {
+    if(c.label == Lifted_vertex::mixed)
+      angles.deficit = infinity;
+    if(!is_inside(c.label))
+      return;
+    double most = 0;
+    deficit_.for_each_lack(cell_sites(c.vertices), [&](double lack)
+    {
+      angles.deficit += lack * lack;
+      most = (std::max)(most, lack);
+    });
+    if(!(most > 0))
+      return;
+    const double angle = Sliver_steps::angles[step_] + margin - most;
+    angles.smallest = (std::min)(angles.smallest, angle);
+    for(int n = 0; n < step_; ++n)
+      angles.below[n] += angle < Sliver_steps::angles[n];
+  }
+
+  // The cells of the complex around a vertex.
+  void find_star(int v)
+  {
+    std::vector<Cell_handle> cells;
+    complex_.triangulation().incident_cells(complex_.numbered.vertex(v), std::back_inserter(cells));
+    star_.clear();
+    for(Cell_handle c : cells)
+      if(is_inside(complex_.label(c)))
+        star_.push_back(complex_.numbers(c));
+  }
+
+  // Infinite if a cell is turned over.
+  double deficit_of_star() const
+  {
+    double sum = 0;
+    for(const Quadruple& q : star_)
+    {
+      const std::array<Site, 4> s = cell_sites(q);
+      if(!(Cell_products(s[0], s[1], s[2], s[3]).determinant > 0))
+        return infinity;
+      sum += deficit_(s);
+    }
+    return sum;
+  }
+
+  Eigen::Vector3d damped_step(int v) const
+  {
+    constexpr double damping = 1e-2;
+    Eigen::Matrix3d normal_equations = Eigen::Matrix3d::Zero();
+    Eigen::Vector3d right_side = Eigen::Vector3d::Zero();
+    for(const Quadruple& q : star_)
+    {
+      const int m = static_cast<int>(std::find(q.begin(), q.end(), v) - q.begin());
+      deficit_.for_each_gradient(cell_sites(q), m, [&](double lack, const Eigen::Vector3d& gradient)
+      {
+        const Eigen::Vector3d g = gradient - normal_.dot(gradient) * normal_;
+        normal_equations += g * g.transpose();
+        right_side += lack * g;
+      });
+    }
+    normal_equations.diagonal().array() += damping * normal_equations.trace();
+    const Eigen::Vector3d step = normal_equations.ldlt().solve(right_side);
+    return step.allFinite() ? step : Eigen::Vector3d(Eigen::Vector3d::Zero());
+  }
+
+  Complex complex_;
+  Lifted_vertex lifted_;
+  Facet_exchange_3<Domain> exchange_;
+  bool boundary_moves_;
+  int step_ = 0;
+  Angle_deficit_3 deficit_;
+  std::vector<Quadruple> star_;
+  double mean_edge_ = 0, shortest_edge_ = 0;                  // at the lifted vertex
+  Eigen::Vector3d normal_ = Eigen::Vector3d::Zero();          // of the surface there
+  Angles before_, after_;
+};
+
+} // namespace internal
+} // namespace Global_odt_mesh_3
+} // namespace CGAL
+
+#endif // CGAL_GLOBAL_ODT_MESH_3_INTERNAL_RESTRICTED_RESTRICTED_TRIAL_3_H

@@ -1,0 +1,150 @@
+// Copyright (c) 2026 The Global_odt_mesh_3 authors.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_GLOBAL_ODT_MESH_3_INTERNAL_RESTRICTED_TRIAL_COMPLEX_3_H
+#define CGAL_GLOBAL_ODT_MESH_3_INTERNAL_RESTRICTED_TRIAL_COMPLEX_3_H
+
+#include <CGAL/Global_odt_mesh_3/internal/geometry/Site.h>
+#include <CGAL/Global_odt_mesh_3/internal/geometry/Vertex_tuples.h>
+#include <CGAL/Global_odt_mesh_3/internal/restricted/Cell_knowledge.h>
+#include <CGAL/Global_odt_mesh_3/internal/restricted/Numbered_triangulation_3.h>
+#include <CGAL/Global_odt_mesh_3/internal/restricted/Restricted_candidate_3.h>
+#include <CGAL/Global_odt_mesh_3/internal/restricted/Restricted_state_3.h>
+#include <CGAL/Global_odt_mesh_3/internal/surface/Boundary_complex_3.h>
+#include <CGAL/Global_odt_mesh_3/internal/surface/Exchangeable_boundary_3.h>
+#include <CGAL/Global_odt_mesh_3/internal/triangulation/Slot.h>
+
+#include <Eigen/Core>
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <memory>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Global_odt_mesh_3 {
+namespace internal {
+
+// A copy of a state, whose vertices can be moved one by one. Its cells know their subdomains,
+// but facets are in the boundary alone.
+template <class Domain>
+struct Trial_complex_3
+{
+  typedef typename Domain::Triangulation Triangulation;
+  typedef Restricted_state_3<Triangulation> State;
+  typedef Restricted_candidate_3<Triangulation> Candidate;
+  typedef typename State::Vertex_numbering Vertex_numbering;
+  typedef typename State::Quadruple Quadruple;
+  typedef typename Triangulation::Vertex_handle Vertex_handle;
+  typedef typename Triangulation::Cell_handle Cell_handle;
+  typedef typename Triangulation::Weighted_point Weighted_point;
+
+  static constexpr int no_subdomain = State::no_subdomain;
+
+  const State& state;
+  const Vertex_numbering& numbering;
+  Domain& domain;
+  Numbered_triangulation_3<Triangulation> numbered;
+  std::vector<Site> sites;
+  Exchangeable_boundary_3 boundary;
+
+  Trial_complex_3(const State& from, Domain& d)
+    : state(from)
+    , numbering(*from.numbering)
+    , domain(d)
+    , sites(from.sites)
+    , boundary(from.boundary.complex())
+  {
+    numbered.copy(from.triangulation(), [&from](Vertex_handle v) { return from.number(v); });
+  }
+
+  Trial_complex_3(const Trial_complex_3&) = delete;
+  Trial_complex_3& operator=(const Trial_complex_3&) = delete;
+
+  const Triangulation& triangulation() const { return numbered.triangulation(); }
+  int label(Cell_handle c) const { return domain.label(c->subdomain_index()); }
+
+  // Of the vertices of a cell, -1 for the infinite one.
+  Quadruple numbers(Cell_handle c) const
+  {
+    Quadruple q;
+    for(int i = 0; i < 4; ++i)
+      q[i] = triangulation().is_infinite(c->vertex(i)) ? -1 : numbered.number(c->vertex(i));
+    return q;
+  }
+
+  bool is_on_boundary(const Quadruple& q) const
+  {
+    return std::all_of(q.begin(), q.end(), [this](int v) { return v >= 0 && numbering.is_on_boundary(v); });
+  }
+
+  // As exact as that of the state where that has one.
+  Weighted_point point(int v) const
+  {
+    const Site& s = sites[v];
+    if(same_place(s, state.sites[v]))
+      return state.triangulation().point(state.vertex(v));
+    typedef typename Triangulation::Bare_point Bare_point;
+    return triangulation().geom_traits().construct_weighted_point_3_object()(Bare_point(s.x, s.y, s.z));
+  }
+
+  // Hands over triangulation and boundary to a candidate with the sites.
+  void give(Candidate& candidate)
+  {
+    give_cells(candidate);
+    give_facets(candidate);
+    candidate.numbered->swap(numbered);
+  }
+
+private:
+  typedef typename Triangulation::Facet Facet;
+
+  void give_cells(Candidate& candidate)
+  {
+    Triangulation& tr = numbered.triangulation();
+    for(auto c = tr.all_cells_begin(); c != tr.all_cells_end(); ++c)
+    {
+      forget(Cell_handle(c));
+      note(Cell_handle(c), IS_SETTLED);
+      if(!is_on_boundary(numbers(c)))
+        continue;
+      note(Cell_handle(c), IS_BOUNDARY_CELL);
+      candidate.boundary_cells.emplace_back(c, label(c));
+    }
+  }
+
+  void give_facets(Candidate& candidate)
+  {
+    Triangulation& tr = numbered.triangulation();
+    std::vector<Boundary_facet> found;
+    for(auto f = tr.finite_facets_begin(); f != tr.finite_facets_end(); ++f)
+    {
+      const std::array<int, 3>& k = facet_indices(f->second);
+      Boundary_facet b;
+      for(std::size_t i = 0; i < 3; ++i)
+        b.vertices[i] = numbered.number(f->first->vertex(k[i]));
+      const int n = boundary.find(sorted(b.vertices));
+      // Of facets that have been on the boundary, cells around the vertices that moved know it still.
+      for(const Facet& g : { *f, tr.mirror_facet(*f) })
+        g.first->set_surface_patch_index(g.second, typename Triangulation::Cell::Surface_patch_index());
+      if(n < 0)
+        continue;
+      b.labels = {{ label(f->first), label(f->first->neighbor(f->second)) }};
+      b.patch = boundary.facet(n).patch;
+      found.push_back(b);
+      candidate.facets.push_back(*f);
+      candidate.old_facets.push_back(state.facet_number(b.vertices));
+    }
+    candidate.boundary_complex = std::make_shared<const Boundary_complex_3>(std::move(found), sites.size());
+  }
+};
+
+} // namespace internal
+} // namespace Global_odt_mesh_3
+} // namespace CGAL
+
+#endif // CGAL_GLOBAL_ODT_MESH_3_INTERNAL_RESTRICTED_TRIAL_COMPLEX_3_H

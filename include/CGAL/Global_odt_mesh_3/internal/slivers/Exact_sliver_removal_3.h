@@ -1,0 +1,241 @@
+// Copyright (c) 2026 The Global_odt_mesh_3 authors.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_GLOBAL_ODT_MESH_3_INTERNAL_SLIVERS_EXACT_SLIVER_REMOVAL_3_H
+#define CGAL_GLOBAL_ODT_MESH_3_INTERNAL_SLIVERS_EXACT_SLIVER_REMOVAL_3_H
+
+#include <CGAL/Global_odt_mesh_3/internal/geometry/Promising_step.h>
+#include <CGAL/Global_odt_mesh_3/internal/geometry/Random_source.h>
+#include <CGAL/Global_odt_mesh_3/internal/geometry/Site.h>
+#include <CGAL/Global_odt_mesh_3/internal/geometry/Sliver_steps.h>
+
+#include <Eigen/Core>
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <map>
+#include <set>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Global_odt_mesh_3 {
+namespace internal {
+
+struct Exact_sliver_removal_parameters
+{
+  int tries_per_vertex = 8;
+  double farthest = 0.35, nearest = 0.12;   // the longest tries, over the mean incident edge length, in turn
+  std::array<double, 3> shares_of_step = {{ 1, 0.5, 0.25 }};
+  std::size_t most_steps = 3;               // tried for a cell
+  int most_failures = 4;                    // for the same cell
+  int most_passes = 12;                     // with each bound
+  std::size_t tries_of_lift = 8;            // to lift a vertex and put it back takes as long as so many tries
+  // Above this angle, no step is taken if no bound is given and more of the cells lie below it.
+  double always_wanted = 30, most_slivers = 1 / 30.;
+};
+
+// Removes the cells with small dihedral angles by trials of single vertices of the exact complex, by bounds that rise
+// step by step. As the facets on surfaces are exchanged along with the cells, it removes those that the flat mesh, where
+// facets are constrained, cannot. No trial is accepted that makes the smallest angle around it smaller, or more
+// cells fall below one of the steps before; so that a higher bound never leads to less.
+//
+// Trial is as Restricted_trial_3. A cell is helped by steps that promise more in first order; then by random positions
+// of its vertices; and then by those of the vertices opposite to it in its neighbors, which may get into its
+// circumsphere. A cell that nothing helps is left alone until it changes.
+template <class Trial>
+class Exact_sliver_removal_3
+{
+public:
+  typedef std::array<int, 4> Quadruple;
+
+  // The dihedral angles should exceed `bound` degrees, or as much as can be had if that is 0.
+  Exact_sliver_removal_3(Trial& trial, double bound, unsigned int seed,
+                         const Exact_sliver_removal_parameters& parameters = Exact_sliver_removal_parameters())
+    : trial_(trial)
+    , bound_(bound)
+    , parameters_(parameters)
+    , random_(seed)
+  {}
+
+  std::size_t number_of_moves() const { return number_of_moves_; }
+  // Of places, with what lifting vertices costs.
+  std::size_t number_of_tries() const { return number_of_tries_; }
+
+  // Until there are no such cells, nothing improves them any more, the tries are used up, or `may_go_on()`,
+  // asked before each cell, says no.
+  template <class Predicate>
+  void run(std::size_t most_tries, const Predicate& may_go_on)
+  {
+    for(int step = 0; step <= Sliver_steps::last(bound_); ++step)
+    {
+      trial_.set_step(step);
+      const std::vector<Quadruple> slivers = trial_.slivers();
+      slivers_.clear();
+      slivers_.insert(slivers.begin(), slivers.end());
+      if(!is_worthwhile(Sliver_steps::angles[step]) || !make_passes(most_tries, may_go_on))
+        return;
+    }
+  }
+
+private:
+  static constexpr double least_improvement = 1e-6;     // square degrees
+
+  bool is_worthwhile(double angle) const
+  {
+    return bound_ > 0 || angle <= parameters_.always_wanted
+           || double(slivers_.size()) < parameters_.most_slivers * double(trial_.number_of_cells());
+  }
+
+  // False if it is to come to an end.
+  template <class Predicate>
+  bool make_passes(std::size_t most_tries, const Predicate& may_go_on)
+  {
+    bool goes_on = true;
+    for(int pass = 0; pass < parameters_.most_passes && goes_on; ++pass)
+    {
+      goes_on = false;
+      for(const auto& s : sorted_slivers())
+      {
+        const Quadruple& q = s.second;
+        if(trial_.deficit(q) == 0 || failures_[q] == parameters_.most_failures)
+          continue;
+        if(number_of_tries_ >= most_tries || !may_go_on())
+          return false;
+        goes_on = true;
+        if(!improve(q, failures_[q]))
+          ++failures_[q];
+      }
+    }
+    return true;
+  }
+
+  // The worst come first.
+  std::vector<std::pair<double, Quadruple> > sorted_slivers() const
+  {
+    std::vector<std::pair<double, Quadruple> > result;
+    for(const Quadruple& q : slivers_)
+    {
+      const double d = trial_.deficit(q);
+      if(d > 0)
+        result.emplace_back(-d, q);
+    }
+    std::sort(result.begin(), result.end());
+    return result;
+  }
+
+  bool improve(const Quadruple& q, int failures)
+  {
+    return failures == 0 ? try_steps(trial_.movable_vertices(q))
+                         : try_vertices(failures % 2 == 1 ? trial_.movable_vertices(q) : trial_.movable_vertices_beyond(q));
+  }
+
+  // Whether a step is accepted: those that promise most come first.
+  bool try_steps(const std::vector<int>& vertices)
+  {
+    std::vector<Promising_step> steps;
+    for(int v : vertices)
+      trial_.find_steps(v, parameters_.farthest, parameters_.shares_of_step, steps);
+    std::sort(steps.begin(), steps.end(), [](const Promising_step& a, const Promising_step& b) { return a.change < b.change; });
+    for(std::size_t n = 0; n < (std::min)(steps.size(), parameters_.most_steps); ++n)
+    {
+      Site s = steps[n].site;
+      lift(steps[n].vertex);
+      ++number_of_tries_;
+      if(trial_.place(s) && trial_.move(s, -least_improvement) < -least_improvement)
+      {
+        accept();
+        return true;
+      }
+      trial_.reject();
+    }
+    return false;
+  }
+
+  // Whether one of the vertices lowers the sum of the deficits: the best place is taken, or the first
+  // without deficit.
+  bool try_vertices(const std::vector<int>& vertices)
+  {
+    best_change_ = -least_improvement;
+    best_vertex_ = -1;
+    for(int v : vertices)
+      if(try_places(v))
+        return true;
+    if(best_vertex_ < 0)
+      return false;
+    lift(best_vertex_);
+    // Only where the dual point of a cell is just on a surface, the domain may answer otherwise now.
+    const bool is_accepted = trial_.move(best_site_, 0) < 0;
+    if(is_accepted)
+      accept();
+    else
+      trial_.reject();
+    return is_accepted;
+  }
+
+  // Whether one was found, and accepted, that leaves no deficit.
+  bool try_places(int v)
+  {
+    const Site from = trial_.site(v);
+    lift(v);
+    for(int n = 0; n < parameters_.tries_per_vertex; ++n)
+    {
+      const double farthest = n % 2 == 0 ? parameters_.farthest : parameters_.nearest;
+      const Eigen::Vector3d d = trial_.mean_edge_length() * random_.uniform() * farthest * random_.direction();
+      Site s = site_at(position(from) + d, from.weight);
+      ++number_of_tries_;
+      if(!trial_.place(s))
+        continue;
+      const double change = trial_.move(s, best_change_);
+      if(!(change < best_change_))
+        continue;
+      if(trial_.deficit_after() == 0)
+      {
+        accept();
+        return true;
+      }
+      best_change_ = change;
+      best_vertex_ = v;
+      best_site_ = s;
+    }
+    trial_.reject();
+    return false;
+  }
+
+  void lift(int v)
+  {
+    number_of_tries_ += parameters_.tries_of_lift;
+    trial_.lift(v);
+  }
+
+  void accept()
+  {
+    ++number_of_moves_;
+    trial_.accept();
+    for(const Quadruple& q : trial_.new_slivers())
+    {
+      slivers_.insert(q);
+      failures_.erase(q);
+    }
+  }
+
+  Trial& trial_;
+  double bound_;
+  Exact_sliver_removal_parameters parameters_;
+  Random_source random_;
+  std::set<Quadruple> slivers_;               // cells below the bound, and such as have been
+  std::map<Quadruple, int> failures_;
+  double best_change_ = 0;
+  int best_vertex_ = -1;
+  Site best_site_ = { 0, 0, 0, 0 };
+  std::size_t number_of_moves_ = 0, number_of_tries_ = 0;
+};
+
+} // namespace internal
+} // namespace Global_odt_mesh_3
+} // namespace CGAL
+
+#endif // CGAL_GLOBAL_ODT_MESH_3_INTERNAL_SLIVERS_EXACT_SLIVER_REMOVAL_3_H

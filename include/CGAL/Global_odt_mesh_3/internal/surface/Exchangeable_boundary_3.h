@@ -1,0 +1,207 @@
+// Copyright (c) 2026 The Global_odt_mesh_3 authors.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_GLOBAL_ODT_MESH_3_INTERNAL_SURFACE_EXCHANGEABLE_BOUNDARY_3_H
+#define CGAL_GLOBAL_ODT_MESH_3_INTERNAL_SURFACE_EXCHANGEABLE_BOUNDARY_3_H
+
+#include <CGAL/Global_odt_mesh_3/internal/geometry/Vertex_tuples.h>
+#include <CGAL/Global_odt_mesh_3/internal/surface/Boundary_complex_3.h>
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Global_odt_mesh_3 {
+namespace internal {
+
+// The facets of a boundary complex, of which some may be exchanged for others as long as that
+// keeps the topology.
+class Exchangeable_boundary_3
+{
+public:
+  typedef std::array<int, 3> Triple;
+
+  struct Facet
+  {
+    Triple vertices;                // sorted
+    std::array<int, 2> labels;      // sorted
+    int patch;
+  };
+
+  explicit Exchangeable_boundary_3(const Boundary_complex_3& complex)
+    : around_(complex.number_of_vertices())
+  {
+    for(const Boundary_facet& f : complex.facets())
+      add({ sorted(f.vertices), sorted(f.labels), f.patch });
+  }
+
+  const Facet& facet(int n) const { return facets_[n]; }
+
+  // The numbers of the facets at a vertex.
+  const std::vector<int>& around(int v) const { return around_[v]; }
+
+  // Whether one surface goes all around the vertex.
+  bool is_surrounded(int v)
+  {
+    before_.clear();
+    for(int n : around_[v])
+      before_.push_back(facets_[n]);
+    const Pattern p = pattern(v, before_);
+    return p.umbrellas == 1 && p.junctions.empty();
+  }
+
+  // The number of the facet with these vertices, which are sorted, or -1.
+  int find(const Triple& t) const
+  {
+    for(int n : around_[t[0]])
+      if(facets_[n].vertices == t)
+        return n;
+    return -1;
+  }
+
+  // All facets that there are.
+  std::vector<Facet> facets() const
+  {
+    std::vector<Facet> result;
+    for(std::size_t v = 0; v < around_.size(); ++v)
+      for(int n : around_[v])
+        if(facets_[n].vertices[0] == static_cast<int>(v))
+          result.push_back(facets_[n]);
+    return result;
+  }
+
+  // Whether after an exchange each patch would have as many facets, each vertex as many umbrellas,
+  // and there would be the same junctions.
+  bool keeps_topology(const std::vector<int>& removed, const std::vector<Facet>& added)
+  {
+    std::vector<int> patches_before, patches_after, vertices;
+    for(int n : removed)
+    {
+      patches_before.push_back(facets_[n].patch);
+      vertices.insert(vertices.end(), facets_[n].vertices.begin(), facets_[n].vertices.end());
+    }
+    for(const Facet& f : added)
+    {
+      patches_after.push_back(f.patch);
+      vertices.insert(vertices.end(), f.vertices.begin(), f.vertices.end());
+    }
+    std::sort(patches_before.begin(), patches_before.end());
+    std::sort(patches_after.begin(), patches_after.end());
+    if(patches_before != patches_after)
+      return false;
+    std::sort(vertices.begin(), vertices.end());
+    vertices.erase(std::unique(vertices.begin(), vertices.end()), vertices.end());
+    return std::all_of(vertices.begin(), vertices.end(), [&](int v) { return keeps_topology_at(v, removed, added); });
+  }
+
+  void exchange(const std::vector<int>& removed, const std::vector<Facet>& added)
+  {
+    for(int n : removed)
+    {
+      for(int v : facets_[n].vertices)
+        around_[v].erase(std::find(around_[v].begin(), around_[v].end(), n));
+      unused_.push_back(n);
+    }
+    for(const Facet& f : added)
+      add(f);
+  }
+
+private:
+  // What facets make of a vertex: how many umbrellas, between which junctions.
+  struct Pattern
+  {
+    int umbrellas;
+    std::vector<int> junctions;     // the other ends
+    bool operator==(const Pattern& o) const { return umbrellas == o.umbrellas && junctions == o.junctions; }
+  };
+
+  void add(const Facet& f)
+  {
+    int n = static_cast<int>(facets_.size());
+    if(unused_.empty())
+      facets_.push_back(f);
+    else
+    {
+      n = unused_.back();
+      unused_.pop_back();
+      facets_[n] = f;
+    }
+    for(int v : f.vertices)
+      around_[v].push_back(n);
+  }
+
+  bool keeps_topology_at(int v, const std::vector<int>& removed, const std::vector<Facet>& added)
+  {
+    before_.clear();
+    after_.clear();
+    for(int n : around_[v])
+    {
+      before_.push_back(facets_[n]);
+      if(std::find(removed.begin(), removed.end(), n) == removed.end())
+        after_.push_back(facets_[n]);
+    }
+    for(const Facet& f : added)
+      if(std::find(f.vertices.begin(), f.vertices.end(), v) != f.vertices.end())
+        after_.push_back(f);
+    return pattern(v, before_) == pattern(v, after_);
+  }
+
+  static bool same_surface(const Facet& a, const Facet& b)
+  {
+    return a.patch != Boundary_facet::no_patch && a.patch == b.patch && a.labels == b.labels;
+  }
+
+  // Of the facets around v.
+  Pattern pattern(int v, const std::vector<Facet>& facets)
+  {
+    edges_.clear();
+    umbrella_.clear();
+    for(int n = 0; n < static_cast<int>(facets.size()); ++n)
+    {
+      umbrella_.push_back(n);
+      for(int w : facets[n].vertices)
+        if(w != v)
+          edges_.emplace_back(w, n);
+    }
+    std::sort(edges_.begin(), edges_.end());
+    Pattern result = { static_cast<int>(facets.size()), {} };
+    for(std::size_t n = 0, m; n < edges_.size(); n = m)
+    {
+      m = n + 1;
+      while(m < edges_.size() && edges_[m].first == edges_[n].first)
+        ++m;
+      const int f = edges_[n].second, g = edges_[m - 1].second;
+      if(m == n + 2 && same_surface(facets[f], facets[g]))
+        result.umbrellas -= join(f, g);
+      else
+        result.junctions.push_back(edges_[n].first);
+    }
+    return result;
+  }
+
+  // Whether the facets were of two umbrellas.
+  bool join(int f, int g)
+  {
+    const int a = umbrella_[f], b = umbrella_[g];
+    std::replace(umbrella_.begin(), umbrella_.end(), a, b);
+    return a != b;
+  }
+
+  std::vector<Facet> facets_;
+  std::vector<int> unused_;                   // places in it
+  std::vector<std::vector<int> > around_;     // vertices
+  std::vector<Facet> before_, after_;
+  std::vector<std::pair<int, int> > edges_;
+  std::vector<int> umbrella_;
+};
+
+} // namespace internal
+} // namespace Global_odt_mesh_3
+} // namespace CGAL
+
+#endif // CGAL_GLOBAL_ODT_MESH_3_INTERNAL_SURFACE_EXCHANGEABLE_BOUNDARY_3_H

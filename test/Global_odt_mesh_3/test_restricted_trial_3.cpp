@@ -1,0 +1,227 @@
+// Copyright (c) 2026 The Global_odt_mesh_3 authors.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "check.h"
+#include "mesh_contract.h"
+#include "mesh_domains.h"
+
+#include <CGAL/Global_odt_mesh_3/internal/geometry/Random_source.h>
+#include <CGAL/Global_odt_mesh_3/internal/restricted/C3t3_reader_3.h>
+#include <CGAL/Global_odt_mesh_3/internal/restricted/C3t3_writer_3.h>
+#include <CGAL/Global_odt_mesh_3/internal/restricted/Restricted_complex_3.h>
+#include <CGAL/Global_odt_mesh_3/internal/slivers/Exact_sliver_removal_3.h>
+
+#include <array>
+#include <cmath>
+#include <iostream>
+#include <limits>
+#include <set>
+#include <sstream>
+#include <string>
+#include <utility>
+#include <vector>
+
+using namespace CGAL::Global_odt_mesh_3::internal;
+using domains::Labeled_c3t3;
+using domains::Labeled_domain;
+using domains::Polyhedral_c3t3;
+using domains::Polyhedral_domain;
+
+// The cells with their subdomains and the boundary facets, named by vertices, and the positions.
+struct Contents
+{
+  std::set<std::pair<std::array<int, 4>, int> > cells;
+  std::set<std::pair<std::array<int, 3>, std::array<int, 3> > > facets;
+  std::vector<double> coordinates;
+
+  template <class Trial>
+  explicit Contents(const Trial& trial)
+  {
+    const auto& complex = trial.complex();
+    for(auto c : complex.triangulation().all_cell_handles())
+      cells.insert({ sorted(complex.numbers(c)), complex.label(c) });
+    for(const Exchangeable_boundary_3::Facet& f : complex.boundary.facets())
+      facets.insert({ f.vertices, {{ f.labels[0], f.labels[1], f.patch }} });
+    for(const Site& s : complex.sites)
+      coordinates.insert(coordinates.end(), { s.x, s.y, s.z, s.weight });
+  }
+
+  bool operator==(const Contents& o) const
+  {
+    return cells == o.cells && facets == o.facets && coordinates == o.coordinates;
+  }
+};
+
+template <class C3t3, class Domain>
+struct Setting
+{
+  typedef Restricted_complex_3<typename C3t3::Triangulation, Domain> Complex;
+  typedef typename Complex::Trial Trial;
+
+  C3t3 c3t3;
+  Complex complex;
+
+  Setting(const C3t3& input, const Domain& domain, Boundary_motion motion)
+    : c3t3(input)
+    , complex(domain, motion)
+  {
+    Moving_triangulation_3 mesh;
+    complex.start(C3t3_reader_3<C3t3, typename Complex::Domain>(c3t3, complex.domain())
+                    .read(mesh, motion != Boundary_motion::NONE));
+  }
+
+  // To be called once.
+  const C3t3& write()
+  {
+    C3t3_writer_3<C3t3, typename Complex::Domain>(complex.take_state(), complex.domain()).write(c3t3);
+    return c3t3;
+  }
+};
+
+// A trial that is rejected leaves everything as it was; what it has said before, it says again.
+template <class C3t3, class Domain>
+void rejected_trials(const std::string& name, const C3t3& c3t3, const Domain& domain, bool moves_surfaces)
+{
+  Setting<C3t3, Domain> setting(c3t3, domain, Boundary_motion::BY_NORMALS);
+  auto trial = setting.complex.make_trial(40);
+  const Contents before(trial);
+  Random_source random(5);
+  int lifted = 0, on_surface = 0, permitted = 0, refused = 0, other = 0;
+  for(const auto& q : trial.slivers())
+    for(int v : trial.movable_vertices(q))
+    {
+      if(lifted == 400)
+        break;
+      ++lifted;
+      on_surface += setting.complex.state().numbering->is_on_boundary(v);
+      const Site from = trial.site(v);
+      trial.lift(v);
+      for(int n = 0; n < 4; ++n)
+      {
+        Site s = site_at(position(from) + 0.3 * trial.mean_edge_length() * random.uniform() * random.direction(), from.weight);
+        if(!trial.place(s))
+          continue;
+        const double most = (std::numeric_limits<double>::infinity)(), change = trial.move(s, most);
+        ++(std::isfinite(change) ? permitted : refused);
+        other += change != trial.move(s, most);
+      }
+      trial.reject();
+      if(lifted % 50 == 0)
+        check::that(Contents(trial) == before, name, ": a rejected trial leaves a trace");
+    }
+  std::cout << name << ": " << lifted << " vertices lifted, " << on_surface << " of surfaces, " << permitted
+            << " places permitted, " << refused << " refused" << std::endl;
+  check::that(Contents(trial) == before, name, ": rejected trials leave a trace");
+  check::that(other == 0, name, ": ", other, " trials end otherwise a second time");
+  check::that(lifted > 50 && permitted > 0 && refused > 0 && (on_surface > 0) == moves_surfaces, name, ": the test is too weak");
+}
+
+// Slivers are removed, and what comes out is a mesh as good as the one before in all other respects.
+template <class C3t3, class Domain>
+void removal(const std::string& name, const C3t3& c3t3, const Domain& domain, Boundary_motion motion, double bound,
+             double most_left)
+{
+  const Mesh_contract<C3t3, Domain> contract(c3t3, domain, name);
+  std::vector<C3t3> results;
+  for(int run = 0; run < 2; ++run)
+  {
+    Setting<C3t3, Domain> setting(c3t3, domain, motion);
+    auto trial = setting.complex.make_trial(bound);
+    const std::size_t before = trial.slivers().size();
+    Exact_sliver_removal_3<decltype(trial)> removal(trial, bound, 1);
+    removal.run(1000000, [] { return true; });
+    const std::size_t after = trial.slivers().size();
+    std::cout << name << ": " << before << " -> " << after << " cells below " << bound << " degrees by "
+              << removal.number_of_moves() << " moves, " << removal.number_of_tries() << " tries" << std::endl;
+    check::that(before > 5 && removal.number_of_moves() > 0, name, ": there was nothing to do");
+    check::that(double(after) <= most_left * double(before), name, ": ", after, " of ", before, " slivers remain");
+    const Contents reached(trial);
+    check::that(setting.complex.adopt(trial), name, ": the complex does not adopt the trials");
+    auto next = setting.complex.make_trial(bound);
+    check::that(Contents(next) == reached, name, ": the complex is not what trials have led to");
+    results.push_back(setting.write());
+  }
+  if(motion == Boundary_motion::NONE)
+    contract.check(results[0]);
+  else
+    contract.check_moved(results[0], 0.05, 0.02, 1e-2);
+  typedef Mesh_contract<C3t3, Domain> Contract;
+  check::that(Contract::points(results[0]) == Contract::points(results[1]), name, ": not deterministic");
+}
+
+// Nothing is done without tries or time, and the tries are no more than wanted, but for the last vertices.
+template <class C3t3, class Domain>
+void limits(const C3t3& c3t3, const Domain& domain)
+{
+  Setting<C3t3, Domain> setting(c3t3, domain, Boundary_motion::BY_NORMALS);
+  auto trial = setting.complex.make_trial(30);
+  const Contents before(trial);
+  typedef Exact_sliver_removal_3<decltype(trial)> Removal;
+  Removal without_tries(trial, 30, 1), without_time(trial, 30, 1);
+  without_tries.run(0, [] { return true; });
+  without_time.run(1000000, [] { return false; });
+  check::that(without_tries.number_of_moves() == 0 && without_time.number_of_moves() == 0 && Contents(trial) == before,
+              "something is done without tries or without time");
+  Removal few(trial, 70, 1);
+  few.run(2000, [] { return true; });
+  const Exact_sliver_removal_parameters p;
+  check::that(few.number_of_tries() <= 2000 + 10 * (p.tries_of_lift + p.tries_per_vertex), few.number_of_tries(), " tries");
+}
+
+// A box with a wavy surface inside that does not separate subdomains.
+static void make_box_with_surface(domains::Polyhedron& box, domains::Polyhedron& surface)
+{
+  std::istringstream("OFF\n8 12 0\n-1 -1 -1\n1 -1 -1\n1 1 -1\n-1 1 -1\n-1 -1 1\n1 -1 1\n1 1 1\n-1 1 1\n"
+                     "3 0 2 1\n3 0 3 2\n3 4 5 6\n3 4 6 7\n3 0 1 5\n3 0 5 4\n3 1 2 6\n3 1 6 5\n3 2 3 7\n3 2 7 6\n"
+                     "3 3 0 4\n3 3 4 7\n") >> box;
+  const int n = 20;
+  std::ostringstream off;
+  off << "OFF\n" << (n + 1) * (n + 1) << " " << 2 * n * n << " 0\n";
+  for(int i = 0; i <= n; ++i)
+    for(int j = 0; j <= n; ++j)
+      off << 1.2 * i / n - 0.6 << " " << 1.2 * j / n - 0.6 << " " << 0.05 * std::sin(6. * i / n) << "\n";
+  for(int i = 0; i < n; ++i)
+    for(int j = 0; j < n; ++j)
+    {
+      const int v = (n + 1) * i + j;
+      off << "3 " << v << " " << v + n + 1 << " " << v + n + 2 << "\n3 " << v << " " << v + n + 2 << " " << v + 1 << "\n";
+    }
+  std::istringstream(off.str()) >> surface;
+}
+
+int main()
+{
+  {
+    const Labeled_domain domain = domains::sphere();
+    const Labeled_c3t3 c3t3 = domains::mesh(domain, 0.2);
+    rejected_trials("sphere", c3t3, domain, true);
+    removal("sphere", c3t3, domain, Boundary_motion::BY_NORMALS, 20, 0);
+    removal("sphere with its surface fixed", c3t3, domain, Boundary_motion::NONE, 15, 0.2);
+    limits(c3t3, domain);
+  }
+  {
+    const Labeled_domain domain = domains::three_subdomains();
+    const Labeled_c3t3 c3t3 = domains::mesh(domain, 0.2);
+    rejected_trials("three subdomains", c3t3, domain, true);
+    removal("three subdomains", c3t3, domain, Boundary_motion::BY_DOMAIN, 20, 0.1);
+  }
+  {
+    Polyhedral_domain domain(domains::notched_box());
+    domain.detect_features();
+    const Polyhedral_c3t3 c3t3 = domains::mesh(domain, 0.3, true);
+    rejected_trials("box with features", c3t3, domain, true);
+    removal("box with features", c3t3, domain, Boundary_motion::BY_NORMALS, 15, 0.1);
+  }
+  {
+    domains::Polyhedron box, surface;
+    make_box_with_surface(box, surface);
+    Polyhedral_domain domain(surface, box);
+    domain.detect_features();
+    const Polyhedral_c3t3 c3t3 = domains::mesh(domain, 0.2, true);
+    rejected_trials("box with a surface inside", c3t3, domain, true);
+    removal("box with a surface inside", c3t3, domain, Boundary_motion::BY_NORMALS, 15, 0.1);
+  }
+  return check::result();
+}
