@@ -72,7 +72,7 @@ using Optimization_parameters = std::conditional_t<
   Parameter_list<tags::time_limit, tags::max_iteration_number, tags::convergence, tags::freeze_bound, tags::do_freeze,
                  tags::sliver_bound, tags::sizing_field, internal_np::density_t, internal_np::quadrature_t,
                  internal_np::annealing_schedule_t, internal_np::number_of_rounds_t, internal_np::optimize_boundary_t,
-                 internal_np::random_seed_t, internal_np::callback_t, internal_np::visitor_t> >;
+                 internal_np::surface_weight_t, internal_np::random_seed_t, internal_np::callback_t, internal_np::visitor_t> >;
 
 template <class T>
 T& unwrap(T& t) { return t; }

@@ -35,6 +35,7 @@ typedef Global_odt_tag<struct Density_name> density_t;
 typedef Global_odt_tag<struct Number_of_rounds_name> number_of_rounds_t;
 typedef Global_odt_tag<struct Optimize_boundary_name> optimize_boundary_t;
 typedef Global_odt_tag<struct Quadrature_name> quadrature_t;
+typedef Global_odt_tag<struct Surface_weight_name> surface_weight_t;
 #if CGAL_VERSION_NR >= 1050600000
 typedef Global_odt_tag<struct Sizing_field_name> sizing_field_t;
 #endif
@@ -120,6 +121,7 @@ inline constexpr Global_odt_parameter<internal_np::density_t> density{};
 inline constexpr Global_odt_parameter<internal_np::number_of_rounds_t> number_of_rounds{};
 inline constexpr Global_odt_parameter<internal_np::optimize_boundary_t> optimize_boundary{};
 inline constexpr Global_odt_parameter<internal_np::quadrature_t> quadrature{};
+inline constexpr Global_odt_parameter<internal_np::surface_weight_t> surface_weight{};
 #if CGAL_VERSION_NR >= 1050600000
 inline constexpr Global_odt_parameter<internal_np::sizing_field_t> sizing_field{};
 #endif

@@ -27,6 +27,7 @@
 #include <CGAL/Global_odt_mesh_3/internal/sizing/Input_density_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/slivers/Sliver_stage_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/surface/Surface_cvt_objective_3.h>
+#include <CGAL/Global_odt_mesh_3/internal/surface/Surface_cvt_term_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/surface/Surface_motions_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/triangulation/Cell_order.h>
 #include <CGAL/Global_odt_mesh_3/internal/triangulation/Moving_triangulation_3.h>
@@ -35,6 +36,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <functional>
 #include <limits>
 #include <memory>
 #include <utility>
@@ -121,6 +123,9 @@ private:
     mesh_.set_quadrature(quadrature_.get());
     if(!density_->is_uniform())
       surface_density_at_vertex_ = [this](int v, const Site& s) { return density_->on_surface(v, s); };
+    if(boundary_moves() && parameters_.surface_weight > 0)
+      surface_term_ = std::make_unique<Surface_cvt_term_3>(mesh_.number_of_interior_vertices, number_of_surface_vertices(),
+                                                           parameters_.surface_weight, surface_density_at_vertex_);
   }
 
   std::unique_ptr<Density_3> make_density() const
@@ -180,12 +185,13 @@ private:
   double make_round(Global_search& search)
   {
     {
-      Odt_objective_3 objective(mesh_, surface_motions(plan_->stage() != Round_plan::REMESH));
+      const bool surfaces_move = plan_->stage() != Round_plan::REMESH;
+      Odt_objective_3 objective(mesh_, surface_motions(surfaces_move), surface_term(surfaces_move));
       if(plan_->stage() == Round_plan::SEARCH)
         search_round(search, objective);
       else
         minimize(objective);
-      if(plan_->stage() != Round_plan::REMESH)
+      if(surfaces_move)
         return objective.value();
     }
     return remesh_surfaces();
@@ -303,6 +309,15 @@ private:
     return tangential_motions(mesh_, complex_.state().boundary, moves ? longest_way_in_round : 0);
   }
 
+  // None if surface vertices are to stay.
+  Odt_objective_3::Term surface_term(bool moves)
+  {
+    if(!moves || !surface_term_)
+      return Odt_objective_3::Term();
+    surface_term_->follow(complex_.state().boundary.complex(), mesh_.sites);
+    return std::ref(*surface_term_);
+  }
+
   bool begin_iteration()
   {
     const double done = double(control_.number_of_iterations()) / plan_->number_of_iterations();
@@ -325,6 +340,7 @@ private:
   std::unique_ptr<Density_3> density_;
   std::unique_ptr<Density_quadrature_3> quadrature_;
   Surface_cvt_objective_3::Density surface_density_at_vertex_;
+  std::unique_ptr<Surface_cvt_term_3> surface_term_;    // if it has any weight
   double search_begin_ = 0;                 // in fractions of the time
   std::size_t number_of_slivers_ = 0;
   Mesh_optimization_return_code code_;

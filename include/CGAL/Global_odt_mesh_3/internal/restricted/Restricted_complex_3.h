@@ -11,6 +11,7 @@
 #include <CGAL/Global_odt_mesh_3/internal/restricted/Boundary_motion.h>
 #include <CGAL/Global_odt_mesh_3/internal/restricted/Boundary_peeling_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/restricted/Cell_labels_3.h>
+#include <CGAL/Global_odt_mesh_3/internal/restricted/Facet_shape_check_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/restricted/Fidelity_check_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/restricted/Flatten_state_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/restricted/Numbered_domain_3.h>
@@ -61,7 +62,10 @@ public:
   {
     state_ = std::move(input);
     if(state_.numbering->number_of_surface_vertices() > 0)
+    {
       fidelity_.measure(state_);
+      shapes_.measure(state_.boundary.complex(), state_.sites);
+    }
   }
 
   const State& state() const { return state_; }
@@ -132,7 +136,12 @@ private:
     if(candidate.boundary_moves())
       Boundary_peeling_3<Domain>(candidate, domain_, extraction, fidelity_).peel();
     const Report centers = Surface_centers_3<Domain>(candidate, domain_).find_surface_centers();
-    return candidate.boundary_moves() && centers.is_clean() ? fidelity_.check(candidate) : centers;
+    if(!candidate.boundary_moves() || !centers.is_clean())
+      return centers;
+    Report report = fidelity_.check(candidate);
+    if(GUARD == 1 || (GUARD == 2 && motion_ == Boundary_motion::BY_NORMALS))
+    shapes_.check(candidate, report);
+    return report;
   }
 
   static Report hidden_vertices(const Candidate& candidate)
@@ -209,7 +218,9 @@ private:
 
   Domain domain_;
   Boundary_motion motion_;
+  int GUARD = std::getenv("G") ? std::atoi(std::getenv("G")) : 1;
   Fidelity_check_3<Domain> fidelity_;
+  Facet_shape_check_3 shapes_;
   State state_;
 };
 

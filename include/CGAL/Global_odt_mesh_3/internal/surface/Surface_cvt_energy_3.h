@@ -6,11 +6,10 @@
 #ifndef CGAL_GLOBAL_ODT_MESH_3_INTERNAL_SURFACE_SURFACE_CVT_ENERGY_3_H
 #define CGAL_GLOBAL_ODT_MESH_3_INTERNAL_SURFACE_SURFACE_CVT_ENERGY_3_H
 
-#include <CGAL/Global_odt_mesh_3/internal/geometry/Facet_dual_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/geometry/Site.h>
+#include <CGAL/Global_odt_mesh_3/internal/surface/Surface_triangulation_3.h>
 
 #include <Eigen/Core>
-#include <Eigen/Geometry>
 
 #include <array>
 #include <vector>
@@ -39,45 +38,73 @@ struct Surface_cvt_contribution_3
   Surface_cvt_contribution_3(const std::array<int, 3>& facet, const std::vector<Site>& sites,
                              const std::array<double, 3>& density)
   {
-    gradient.fill(Eigen::Vector3d::Zero());
-    std::array<Eigen::Vector3d, 3> x;
-    for(int k = 0; k < 3; ++k)
-      x[k] = Eigen::Vector3d(sites[facet[k]].x, sites[facet[k]].y, sites[facet[k]].z);
-    const Eigen::Vector3d a = x[1] - x[0], b = x[2] - x[0], n = a.cross(b);
-    const Eigen::Vector3d slope = ((density[1] - density[0]) * b.cross(n) + (density[2] - density[0]) * n.cross(a))
-                                  / n.squaredNorm();
-    const Eigen::Vector3d unit = n.normalized();
-    const Facet_dual_3 dual(facet, sites);
-    const Eigen::Vector3d& center = dual.center;
+    // In coordinates on the plane, along the first edge and across.
+    const Eigen::Vector3d a = position(sites[facet[1]]) - position(sites[facet[0]]);
+    const Eigen::Vector3d b = position(sites[facet[2]]) - position(sites[facet[0]]);
+    const double length = a.norm();
+    const Eigen::Vector3d along = a / length;
+    const double offset = b.dot(along);
+    const Eigen::Vector3d height = b - offset * along;
+    const double width = height.norm();
+    const std::array<Eigen::Vector2d, 3> x = {{ { 0, 0 }, { length, 0 }, { offset, width } }};
+    const std::array<double, 3> w = {{ sites[facet[0]].weight, sites[facet[1]].weight, sites[facet[2]].weight }};
+    Eigen::Vector2d slope((density[1] - density[0]) / length, 0), center((length * length + w[0] - w[1]) / (2 * length), 0);
+    slope[1] = (density[2] - density[0] - slope[0] * offset) / width;
+    center[1] = (x[2].squaredNorm() + w[0] - w[2] - 2 * center[0] * offset) / (2 * width);
     for(int i = 0; i < 3; ++i)
     {
-      const double weight = sites[facet[i]].weight;
-      const Eigen::Vector3d q = center - x[i];
+      const Eigen::Vector2d q = center - x[i];
+      Eigen::Vector2d g(0, 0);
       for(int side = 1; side < 3; ++side)
       {
         const int j = (i + side) % 3;
-        const Eigen::Vector3d edge = x[j] - x[i];
-        const double t = (1 + (weight - sites[facet[j]].weight) / edge.squaredNorm()) / 2;
-        const Eigen::Vector3d p = t * edge;
-        const double area = unit.dot(p.cross(q)) * (side == 1 ? 0.5 : -0.5);
-        add_piece(i, weight, area, p, q, {{ density[i], density[i] + slope.dot(p), density[i] + slope.dot(q) }});
+        const Eigen::Vector2d edge = x[j] - x[i];
+        const Eigen::Vector2d p = (1 + (w[i] - w[j]) / edge.squaredNorm()) / 2 * edge;
+        const double area = (p[0] * q[1] - p[1] * q[0]) * (side == 1 ? 0.5 : -0.5);
+        g += add_piece(i, w[i], area, p, q, {{ density[i], density[i] + slope.dot(p), density[i] + slope.dot(q) }});
       }
+      gradient[i] = g[0] * along + g[1] / width * height;
     }
   }
 
 private:
-  // The piece is the triangle of corner i, i + p and i + q, with the density at these points.
-  void add_piece(int i, double weight, double area, const Eigen::Vector3d& p, const Eigen::Vector3d& q,
-                 const std::array<double, 3>& r)
+  // The piece is the triangle of corner i, i + p and i + q, with the density at these points. Gives its gradient.
+  Eigen::Vector2d add_piece(int i, double weight, double area, const Eigen::Vector2d& p, const Eigen::Vector2d& q,
+                            const std::array<double, 3>& r)
   {
     const double sum = r[0] + r[1] + r[2];
     const double m = area * sum / 3;
     mass[i] += m;
-    gradient[i] -= area / 6 * ((sum + r[1]) * p + (sum + r[2]) * q);
     energy += area * (p.squaredNorm() * (sum + 2 * r[1]) + p.dot(q) * (sum + r[1] + r[2])
                       + q.squaredNorm() * (sum + 2 * r[2])) / 30 - weight * m;
+    return -area / 6 * ((sum + r[1]) * p + (sum + r[2]) * q);
   }
 };
+
+// That of all facets, with gradient and diagonal, twice the masses, for the vertices from number `first` on, of which there are
+// as many as the vectors have room for.
+inline double surface_cvt_energy(const Surface_triangulation_3& surface, const std::vector<Site>& sites,
+                                 const std::vector<double>& densities, int first,
+                                 Eigen::VectorXd& gradient, Eigen::VectorXd& diagonal)
+{
+  double energy = 0;
+  gradient.setZero();
+  diagonal.setZero();
+  const int last = first + static_cast<int>(gradient.size() / 3);
+  for(int f = 0; f < surface.number_of_facets(); ++f)
+  {
+    const std::array<int, 3>& t = surface.vertices(f);
+    const Surface_cvt_contribution_3 c(t, sites, {{ densities[t[0]], densities[t[1]], densities[t[2]] }});
+    energy += c.energy;
+    for(int k = 0; k < 3; ++k)
+      if(t[k] >= first && t[k] < last)
+      {
+        gradient.segment<3>(3 * (t[k] - first)) += c.gradient[k];
+        diagonal.segment<3>(3 * (t[k] - first)).array() += 2 * c.mass[k];
+      }
+  }
+  return energy;
+}
 
 } // namespace internal
 } // namespace Global_odt_mesh_3

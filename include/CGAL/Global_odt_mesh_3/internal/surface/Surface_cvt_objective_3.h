@@ -13,7 +13,6 @@
 
 #include <Eigen/Core>
 
-#include <array>
 #include <cmath>
 #include <cstddef>
 #include <functional>
@@ -114,22 +113,7 @@ private:
   {
     Evaluation& e = current_;
     e.surface.make_delaunay(sites_);
-    e.value = 0;
-    e.gradient.setZero();
-    e.diagonal.setZero();
-    const int last = first_ + static_cast<int>(motions_.size());
-    for(int f = 0; f < e.surface.number_of_facets(); ++f)
-    {
-      const std::array<int, 3>& t = e.surface.vertices(f);
-      const Surface_cvt_contribution_3 c(t, sites_, {{ densities_[t[0]], densities_[t[1]], densities_[t[2]] }});
-      e.value += c.energy;
-      for(int k = 0; k < 3; ++k)
-        if(t[k] >= first_ && t[k] < last)
-        {
-          e.gradient.segment<3>(3 * (t[k] - first_)) += c.gradient[k];
-          e.diagonal.segment<3>(3 * (t[k] - first_)).array() += 2 * c.mass[k];
-        }
-    }
+    e.value = surface_cvt_energy(e.surface, sites_, densities_, first_, e.gradient, e.diagonal);
     for(std::size_t n = 0; n < motions_.size(); ++n)
     {
       const Site& s = sites_[first_ + n];
