@@ -339,7 +339,7 @@ private:
   std::unique_ptr<Round_plan> plan_;
   std::unique_ptr<Density_3> density_;
   std::unique_ptr<Density_quadrature_3> quadrature_;
-  Surface_cvt_objective_3::Density surface_density_at_vertex_;
+  Surface_density surface_density_at_vertex_;
   std::unique_ptr<Surface_cvt_term_3> surface_term_;    // if it has any weight
   double search_begin_ = 0;                 // in fractions of the time
   std::size_t number_of_slivers_ = 0;

@@ -26,7 +26,7 @@ class Round_plan
 {
 public:
   // Vertices of surfaces go toward a restricted CVT while the interior follows; all vertices search
-  // globally; all vertices go to the minimum.
+  // globally; all vertices go to the minimum, of the energies of cells and surfaces together.
   enum Stage { REMESH, SEARCH, MINIMIZE };
 
   static constexpr int iterations_on_surface = 20;      // of the CVT, in a round of remeshing

@@ -14,6 +14,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cstddef>
 #include <vector>
 
 namespace CGAL {
@@ -33,7 +34,7 @@ inline double largest_cosine(const std::array<int, 3>& facet, const std::vector<
   return largest;
 }
 
-// Keeps the angles of boundary facets above the smallest of the input, or above 30 degrees if that is larger.
+// Keeps the angles of boundary facets from falling below the smallest one of the input, or below 30 degrees if that is less.
 class Facet_shape_check_3
 {
 public:
@@ -43,12 +44,22 @@ public:
       largest_cosine_ = (std::max)(largest_cosine_, largest_cosine(f.vertices, sites));
   }
 
+  // Whether these vertices may be those of a boundary facet.
+  bool is_good(const std::array<int, 3>& facet, const std::vector<Site>& sites) const
+  {
+    return largest_cosine(facet, sites) <= largest_cosine_;
+  }
+
+  // Sends back vertices of facets that have become too thin.
   template <class Candidate>
   void check(const Candidate& candidate, Restricted_report_3<Candidate>& report) const
   {
-    for(const Boundary_facet& f : candidate.boundary_complex->facets())
-      if(largest_cosine(f.vertices, candidate.sites) > largest_cosine_)
-        report.send_back(f.vertices);
+    for(std::size_t n = 0; n < candidate.old_facets.size(); ++n)
+    {
+      const std::array<int, 3>& t = candidate.boundary_complex->facets()[n].vertices;
+      if(!is_good(t, candidate.sites) && !(candidate.old_facets[n] >= 0 && candidate.are_home(t)))
+        report.send_back_around(t);
+    }
   }
 
 private:

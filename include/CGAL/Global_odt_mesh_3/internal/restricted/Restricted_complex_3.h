@@ -38,8 +38,8 @@ namespace internal {
 // A complex that goes from one valid state to the next.
 //
 // advance() makes a candidate for new positions and checks it. Vertices that alter the topology of the
-// boundary, pierce it, get hidden, or leave a cell of their subdomain with its dual point in
-// another, go back toward where they were, until all is well. Then the candidate takes the
+// boundary, pierce it, get hidden, leave a cell of their subdomain with its dual point in
+// another, or make a facet too thin or too far from the surface, go back toward where they were, until all is well. Then the candidate takes the
 // state's place; or else, also if anything throws, the state is as it was.
 template <class Triangulation, class Mesh_domain>
 class Restricted_complex_3
@@ -130,16 +130,19 @@ private:
       return labels;
     Boundary_extraction_3<Domain> extraction(candidate, domain_);
     extraction.find_boundary();
-    const Report topology = candidate.boundary_moves() ? check_topology(candidate) : check_facets_stay(candidate);
+    Report topology = candidate.boundary_moves() ? check_topology(candidate) : check_facets_stay(candidate);
     if(!topology.is_clean())
+    {
+      if(candidate.boundary_moves())
+        shapes_.check(candidate, topology);
       return topology;
+    }
     if(candidate.boundary_moves())
-      Boundary_peeling_3<Domain>(candidate, domain_, extraction, fidelity_).peel();
+      Boundary_peeling_3<Domain>(candidate, domain_, extraction, fidelity_, shapes_).peel();
     const Report centers = Surface_centers_3<Domain>(candidate, domain_).find_surface_centers();
     if(!candidate.boundary_moves() || !centers.is_clean())
       return centers;
     Report report = fidelity_.check(candidate);
-    if(GUARD == 1 || (GUARD == 2 && motion_ == Boundary_motion::BY_NORMALS))
     shapes_.check(candidate, report);
     return report;
   }
@@ -218,7 +221,6 @@ private:
 
   Domain domain_;
   Boundary_motion motion_;
-  int GUARD = std::getenv("G") ? std::atoi(std::getenv("G")) : 1;
   Fidelity_check_3<Domain> fidelity_;
   Facet_shape_check_3 shapes_;
   State state_;

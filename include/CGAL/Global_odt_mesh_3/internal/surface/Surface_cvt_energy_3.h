@@ -12,6 +12,7 @@
 #include <Eigen/Core>
 
 #include <array>
+#include <functional>
 #include <vector>
 
 namespace CGAL {
@@ -35,6 +36,33 @@ struct Surface_cvt_contribution_3
   std::array<Eigen::Vector3d, 3> gradient;
   std::array<double, 3> mass = {{ 0, 0, 0 }};       // of the corners' parts
 
+  // The density is one, and no vertex has a weight. The part at each end of an edge of length l is a right triangle
+  // with legs l/2 and l/2 cot(a), where a is the angle opposite to the edge. Both have the area A b/2, where b is the
+  // circumcenter's barycentric coordinate at that angle, and A the area of the facet.
+  Surface_cvt_contribution_3(const std::array<int, 3>& facet, const std::vector<Site>& sites)
+  {
+    std::array<Eigen::Vector3d, 3> edge;            // opposite to the corners
+    for(int k = 0; k < 3; ++k)
+      edge[k] = position(sites[facet[(k + 2) % 3]]) - position(sites[facet[(k + 1) % 3]]);
+    const double twice_area = edge[0].cross(edge[1]).norm(), inverse = 1 / twice_area;
+    std::array<double, 3> part;                     // A b / 4
+    for(int k = 0; k < 3; ++k)
+    {
+      const double squared_length = edge[k].squaredNorm();
+      const double cotangent = -edge[(k + 1) % 3].dot(edge[(k + 2) % 3]) * inverse;
+      part[k] = squared_length * cotangent * 0.125;
+      energy += part[k] * squared_length * (0.25 + cotangent * cotangent * (1 / 12.));
+    }
+    for(int i = 0; i < 3; ++i)
+    {
+      const int j = (i + 1) % 3, k = (i + 2) % 3;
+      mass[i] = part[j] + part[k];
+      const Eigen::Vector3d center = 4 * inverse * (part[j] * edge[k] - part[k] * edge[j]);     // from corner i
+      gradient[i] = (-1 / 3.) * (part[k] * edge[k] - part[j] * edge[j] + 2 * mass[i] * center);
+    }
+  }
+
+  // The density is given at the corners.
   Surface_cvt_contribution_3(const std::array<int, 3>& facet, const std::vector<Site>& sites,
                              const std::array<double, 3>& density)
   {
@@ -59,7 +87,7 @@ struct Surface_cvt_contribution_3
       {
         const int j = (i + side) % 3;
         const Eigen::Vector2d edge = x[j] - x[i];
-        const Eigen::Vector2d p = (1 + (w[i] - w[j]) / edge.squaredNorm()) / 2 * edge;
+        const Eigen::Vector2d p = (w[i] == w[j] ? 0.5 : 0.5 + (w[i] - w[j]) / (2 * edge.squaredNorm())) * edge;
         const double area = (p[0] * q[1] - p[1] * q[0]) * (side == 1 ? 0.5 : -0.5);
         g += add_piece(i, w[i], area, p, q, {{ density[i], density[i] + slope.dot(p), density[i] + slope.dot(q) }});
       }
@@ -81,8 +109,25 @@ private:
   }
 };
 
-// That of all facets, with gradient and diagonal, twice the masses, for the vertices from number `first` on, of which there are
-// as many as the vectors have room for.
+// The density at a vertex, given its number and position; none: one everywhere.
+typedef std::function<double(int, const Site&)> Surface_density;
+
+// That at the vertices of the facets; empty if it is one everywhere.
+inline std::vector<double> surface_densities(const Surface_triangulation_3& surface, const std::vector<Site>& sites,
+                                             const Surface_density& density)
+{
+  std::vector<double> densities;
+  if(!density)
+    return densities;
+  densities.resize(sites.size());
+  for(int f = 0; f < surface.number_of_facets(); ++f)
+    for(int v : surface.vertices(f))
+      densities[v] = density(v, sites[v]);
+  return densities;
+}
+
+// That of all facets, with gradient and diagonal, twice the masses, for the vertices from number `first` on, of which
+// there are as many as the vectors have room for. If there are no densities, they are one.
 inline double surface_cvt_energy(const Surface_triangulation_3& surface, const std::vector<Site>& sites,
                                  const std::vector<double>& densities, int first,
                                  Eigen::VectorXd& gradient, Eigen::VectorXd& diagonal)
@@ -94,7 +139,10 @@ inline double surface_cvt_energy(const Surface_triangulation_3& surface, const s
   for(int f = 0; f < surface.number_of_facets(); ++f)
   {
     const std::array<int, 3>& t = surface.vertices(f);
-    const Surface_cvt_contribution_3 c(t, sites, {{ densities[t[0]], densities[t[1]], densities[t[2]] }});
+    const bool has_weight = sites[t[0]].weight != 0 || sites[t[1]].weight != 0 || sites[t[2]].weight != 0;
+    const Surface_cvt_contribution_3 c
+      = !densities.empty() ? Surface_cvt_contribution_3(t, sites, {{ densities[t[0]], densities[t[1]], densities[t[2]] }})
+      : has_weight ? Surface_cvt_contribution_3(t, sites, {{ 1, 1, 1 }}) : Surface_cvt_contribution_3(t, sites);
     energy += c.energy;
     for(int k = 0; k < 3; ++k)
       if(t[k] >= first && t[k] < last)

@@ -15,7 +15,6 @@
 
 #include <cmath>
 #include <cstddef>
-#include <functional>
 #include <limits>
 #include <utility>
 #include <vector>
@@ -35,8 +34,7 @@ namespace internal {
 class Surface_cvt_objective_3
 {
 public:
-  // The density at a vertex, given its number and position; none: one.
-  typedef std::function<double(int, const Site&)> Density;
+  typedef Surface_density Density;
 
   // `motions` are those of the vertices from number `first` on.
   Surface_cvt_objective_3(const Boundary_complex_3& boundary, std::vector<Site>& sites, int first,
@@ -45,14 +43,10 @@ public:
     , first_(first)
     , motions_(std::move(motions))
     , density_(std::move(density))
-    , densities_(sites.size(), 1)
     , current_(boundary, motions_.size())
     , other_(current_)
   {
-    if(density_)
-      for(int f = 0; f < surface().number_of_facets(); ++f)
-        for(int v : surface().vertices(f))
-          densities_[v] = density_(v, sites_[v]);
+    densities_ = surface_densities(surface(), sites, density_);
     compute();
   }
 

@@ -8,7 +8,6 @@
 
 #include <CGAL/Global_odt_mesh_3/internal/surface/Boundary_complex_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/surface/Surface_cvt_energy_3.h>
-#include <CGAL/Global_odt_mesh_3/internal/surface/Surface_cvt_objective_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/surface/Surface_triangulation_3.h>
 
 #include <Eigen/Core>
@@ -30,10 +29,8 @@ namespace internal {
 class Surface_cvt_term_3
 {
 public:
-  typedef Surface_cvt_objective_3::Density Density;
-
   // The vertices from number `first` on, `number` of them, move on the surfaces.
-  Surface_cvt_term_3(int first, int number, double weight, Density density)
+  Surface_cvt_term_3(int first, int number, double weight, Surface_density density)
     : first_(first)
     , number_(number)
     , weight_(weight)
@@ -46,11 +43,7 @@ public:
   void follow(const Boundary_complex_3& boundary, const std::vector<Site>& sites)
   {
     surface_ = Surface_triangulation_3(boundary);
-    densities_.assign(sites.size(), 1);
-    if(density_)
-      for(int f = 0; f < surface_.number_of_facets(); ++f)
-        for(int v : surface_.vertices(f))
-          densities_[v] = density_(v, sites[v]);
+    densities_ = surface_densities(surface_, sites, density_);
   }
 
   // Adds gradient and diagonal to those of all vertices, and gives the energy.
@@ -73,7 +66,7 @@ public:
 private:
   int first_, number_;
   double weight_, factor_ = -1;     // not known yet
-  Density density_;
+  Surface_density density_;
   Surface_triangulation_3 surface_;
   std::vector<double> densities_;
   Eigen::VectorXd gradient_, diagonal_;
