@@ -38,7 +38,7 @@ struct Odt_parameters
   Quadrature_choice quadrature;
   Annealing_schedule annealing_schedule;
   std::size_t number_of_rounds = usual_number_of_rounds;    // of the schedule
-  double surface_weight = std::getenv("W") ? std::atof(std::getenv("W")) : 1.2;
+  double surface_weight = 1.2;
   double sliver_bound = 20;
   unsigned int random_seed = 0;
   std::function<bool(double)> callback;

@@ -50,10 +50,10 @@ namespace internal {
 //
 // While the boundary moves, the facets between subdomains are constrained in the flat
 // triangulation. After some iterations, the exact triangulation and its restriction to the
-// domain are built anew, which brings other facets; that is a round. In the first rounds, the
-// surfaces go toward a centroidal Voronoi tessellation (section 5.1), which leads to a lower
-// minimum in the next, where all vertices search globally, and in the last, where they go to
-// the minimum. Then the boundary rests, the interior converges, and slivers are removed.
+// domain are built anew, which brings other facets; that is a round. In the first, the
+// surfaces go toward a centroidal Voronoi tessellation (section 5.1). In the next, all vertices
+// search globally, and in the last they go to the minimum, of an energy of which that tessellation's
+// is a term. Then the boundary rests, the interior converges, and slivers are removed.
 template <class C3t3, class Mesh_domain, class Visitor>
 class Optimization_attempt_3
 {
@@ -84,7 +84,7 @@ public:
     if(complex_.motion() == Boundary_motion::BY_NORMALS && is_surface_rough(complex_.state(), complex_.domain()))
       return false;
     control_.start(plan_->usual_most_iterations());
-    prepare_density();
+    prepare_energies();
     return make_rounds();
   }
 
@@ -114,7 +114,7 @@ private:
 
   bool boundary_moves() const { return number_of_surface_vertices() > 0; }
 
-  void prepare_density()
+  void prepare_energies()
   {
     density_ = make_density();
     // The density of the input is what it is at vertices, but a field may vary between them.
@@ -123,9 +123,8 @@ private:
     mesh_.set_quadrature(quadrature_.get());
     if(!density_->is_uniform())
       surface_density_at_vertex_ = [this](int v, const Site& s) { return density_->on_surface(v, s); };
-    if(boundary_moves() && parameters_.surface_weight > 0)
-      surface_term_ = std::make_unique<Surface_cvt_term_3>(mesh_.number_of_interior_vertices, number_of_surface_vertices(),
-                                                           parameters_.surface_weight, surface_density_at_vertex_);
+    surface_term_ = std::make_unique<Surface_cvt_term_3>(
+      mesh_.number_of_interior_vertices, number_of_surface_vertices(), parameters_.surface_weight, surface_density_at_vertex_);
   }
 
   std::unique_ptr<Density_3> make_density() const
@@ -150,13 +149,11 @@ private:
       if(stage != previous)
         energy = (std::numeric_limits<double>::max)();
       previous = stage;
-      const double reached = make_round(search);
-      const bool pays = !plan_->stops_without_gain() || reached < (1 - least_gain_of_round) * energy;
-      energy = reached;
+      const double before = std::exchange(energy, make_round(search));
+      const bool pays = !plan_->stops_without_gain() || energy < (1 - least_gain_of_round) * before;
       plan_->advance();
       if(control_.elapsed() > plan_->end_of_time(stage))
         plan_->skip(stage);
-
       if(control_.goes_on() && pays && !plan_->is_done())
       {
         if(boundary_moves())
@@ -312,7 +309,7 @@ private:
   // None if surface vertices are to stay.
   Odt_objective_3::Term surface_term(bool moves)
   {
-    if(!moves || !surface_term_)
+    if(!moves || !boundary_moves() || !(parameters_.surface_weight > 0))
       return Odt_objective_3::Term();
     surface_term_->follow(complex_.state().boundary.complex(), mesh_.sites);
     return std::ref(*surface_term_);
@@ -340,7 +337,7 @@ private:
   std::unique_ptr<Density_3> density_;
   std::unique_ptr<Density_quadrature_3> quadrature_;
   Surface_density surface_density_at_vertex_;
-  std::unique_ptr<Surface_cvt_term_3> surface_term_;    // if it has any weight
+  std::unique_ptr<Surface_cvt_term_3> surface_term_;
   double search_begin_ = 0;                 // in fractions of the time
   std::size_t number_of_slivers_ = 0;
   Mesh_optimization_return_code code_;

@@ -34,12 +34,13 @@ class Odt_objective_3
 {
 public:
   // What another energy adds for these sites; gradient and diagonal grow by its own.
-  typedef std::function<double(const std::vector<Site>& sites, Eigen::VectorXd& gradient, Eigen::VectorXd& diagonal)> Term;
+  typedef std::function<double(const std::vector<Site>&, Eigen::VectorXd& gradient, Eigen::VectorXd& diagonal)> Term;
 
   // `motions` are those of the vertices beyond the interior ones. Vertices whose
   // motion has no radius stay.
   explicit Odt_objective_3(Moving_triangulation_3& mesh,
-                           std::vector<Tangential_motion> motions = std::vector<Tangential_motion>(), Term term = Term())
+                           std::vector<Tangential_motion> motions = std::vector<Tangential_motion>(),
+                           Term term = Term())
     : mesh_(mesh)
     , motions_(std::move(motions))
     , term_(std::move(term))

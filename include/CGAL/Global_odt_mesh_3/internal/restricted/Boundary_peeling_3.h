@@ -115,7 +115,9 @@ private:
     for(int i = 0; i < 4; ++i)
     {
       const std::array<int, 3> t = {{ q[(i + 1) % 4], q[(i + 2) % 4], q[(i + 3) % 4] }};
-      if(i != facet[0] && i != facet[1] && !(shapes_.is_good(t, candidate_.sites) && fidelity_.is_faithful(candidate_, t)))
+      if(i == facet[0] || i == facet[1])
+        continue;
+      if(!shapes_.is_good(t, candidate_.sites) || !fidelity_.is_faithful(candidate_, t))
         return no_subdomain;
     }
     return domain_.label(c->neighbor(facet[0])->subdomain_index());

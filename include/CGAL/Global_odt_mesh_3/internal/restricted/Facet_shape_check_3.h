@@ -28,13 +28,15 @@ inline double largest_cosine(const std::array<int, 3>& facet, const std::vector<
   for(int k = 0; k < 3; ++k)
   {
     const Eigen::Vector3d apex = position(sites[facet[k]]);
-    const Eigen::Vector3d a = position(sites[facet[(k + 1) % 3]]) - apex, b = position(sites[facet[(k + 2) % 3]]) - apex;
+    const Eigen::Vector3d a = position(sites[facet[(k + 1) % 3]]) - apex;
+    const Eigen::Vector3d b = position(sites[facet[(k + 2) % 3]]) - apex;
     largest = (std::max)(largest, a.dot(b) / (a.norm() * b.norm()));
   }
   return largest;
 }
 
-// Keeps the angles of boundary facets from falling below the smallest one of the input, or below 30 degrees if that is less.
+// Keeps the angles of boundary facets from falling below the smallest one of the input, or below 30 degrees if that
+// is less.
 class Facet_shape_check_3
 {
 public:

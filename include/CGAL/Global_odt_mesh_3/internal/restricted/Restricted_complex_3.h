@@ -39,8 +39,8 @@ namespace internal {
 //
 // advance() makes a candidate for new positions and checks it. Vertices that alter the topology of the
 // boundary, pierce it, get hidden, leave a cell of their subdomain with its dual point in
-// another, or make a facet too thin or too far from the surface, go back toward where they were, until all is well. Then the candidate takes the
-// state's place; or else, also if anything throws, the state is as it was.
+// another, or make a facet too thin or too far from the surface, go back toward where they were, until
+// all is well. Then the candidate takes the state's place; or else, also if anything throws, the state is as it was.
 template <class Triangulation, class Mesh_domain>
 class Restricted_complex_3
 {

@@ -76,8 +76,9 @@ struct Surface_cvt_contribution_3
     const double width = height.norm();
     const std::array<Eigen::Vector2d, 3> x = {{ { 0, 0 }, { length, 0 }, { offset, width } }};
     const std::array<double, 3> w = {{ sites[facet[0]].weight, sites[facet[1]].weight, sites[facet[2]].weight }};
-    Eigen::Vector2d slope((density[1] - density[0]) / length, 0), center((length * length + w[0] - w[1]) / (2 * length), 0);
+    Eigen::Vector2d slope((density[1] - density[0]) / length, 0);
     slope[1] = (density[2] - density[0] - slope[0] * offset) / width;
+    Eigen::Vector2d center((length * length + w[0] - w[1]) / (2 * length), 0);
     center[1] = (x[2].squaredNorm() + w[0] - w[2] - 2 * center[0] * offset) / (2 * width);
     for(int i = 0; i < 3; ++i)
     {
@@ -139,10 +140,12 @@ inline double surface_cvt_energy(const Surface_triangulation_3& surface, const s
   for(int f = 0; f < surface.number_of_facets(); ++f)
   {
     const std::array<int, 3>& t = surface.vertices(f);
-    const bool has_weight = sites[t[0]].weight != 0 || sites[t[1]].weight != 0 || sites[t[2]].weight != 0;
-    const Surface_cvt_contribution_3 c
-      = !densities.empty() ? Surface_cvt_contribution_3(t, sites, {{ densities[t[0]], densities[t[1]], densities[t[2]] }})
-      : has_weight ? Surface_cvt_contribution_3(t, sites, {{ 1, 1, 1 }}) : Surface_cvt_contribution_3(t, sites);
+    std::array<double, 3> density = {{ 1, 1, 1 }};
+    if(!densities.empty())
+      density = {{ densities[t[0]], densities[t[1]], densities[t[2]] }};
+    const bool is_plain = densities.empty() && sites[t[0]].weight == 0 && sites[t[1]].weight == 0 && sites[t[2]].weight == 0;
+    const Surface_cvt_contribution_3 c = is_plain ? Surface_cvt_contribution_3(t, sites)
+                                                  : Surface_cvt_contribution_3(t, sites, density);
     energy += c.energy;
     for(int k = 0; k < 3; ++k)
       if(t[k] >= first && t[k] < last)
