@@ -51,14 +51,14 @@ struct Surface_cvt_contribution_3
       const double squared_length = edge[k].squaredNorm();
       const double cotangent = -edge[(k + 1) % 3].dot(edge[(k + 2) % 3]) * inverse;
       part[k] = squared_length * cotangent * 0.125;
-      energy += part[k] * squared_length * (0.25 + cotangent * cotangent * (1 / 12.));
+      energy += 0.25 * part[k] * squared_length * (1 + third * cotangent * cotangent);
     }
     for(int i = 0; i < 3; ++i)
     {
       const int j = (i + 1) % 3, k = (i + 2) % 3;
       mass[i] = part[j] + part[k];
       const Eigen::Vector3d center = 4 * inverse * (part[j] * edge[k] - part[k] * edge[j]);     // from corner i
-      gradient[i] = (-1 / 3.) * (part[k] * edge[k] - part[j] * edge[j] + 2 * mass[i] * center);
+      gradient[i] = -third * (part[k] * edge[k] - part[j] * edge[j] + 2 * mass[i] * center);
     }
   }
 
@@ -97,16 +97,18 @@ struct Surface_cvt_contribution_3
   }
 
 private:
+  static constexpr double third = 1. / 3;         // a constant whatever the rounding mode
+
   // The piece is the triangle of corner i, i + p and i + q, with the density at these points. Gives its gradient.
   Eigen::Vector2d add_piece(int i, double weight, double area, const Eigen::Vector2d& p, const Eigen::Vector2d& q,
                             const std::array<double, 3>& r)
   {
     const double sum = r[0] + r[1] + r[2];
-    const double m = area * sum / 3;
+    const double m = third * area * sum;
     mass[i] += m;
-    energy += area * (p.squaredNorm() * (sum + 2 * r[1]) + p.dot(q) * (sum + r[1] + r[2])
-                      + q.squaredNorm() * (sum + 2 * r[2])) / 30 - weight * m;
-    return -area / 6 * ((sum + r[1]) * p + (sum + r[2]) * q);
+    energy += third * area * 0.1 * (p.squaredNorm() * (sum + 2 * r[1]) + p.dot(q) * (sum + r[1] + r[2])
+                                    + q.squaredNorm() * (sum + 2 * r[2])) - weight * m;
+    return -0.5 * third * area * ((sum + r[1]) * p + (sum + r[2]) * q);
   }
 };
 
