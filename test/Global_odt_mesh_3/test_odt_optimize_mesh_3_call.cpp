@@ -138,7 +138,7 @@ static void return_codes(const Labeled_c3t3& input, const Labeled_domain& domain
     int iterations = 0;
     const auto count = [&](double) { ++iterations; return true; };
     expect(CGAL::odt_optimize_mesh_3(c, domain, params::max_iteration_number = 3, params::convergence = 0,
-                                     params::do_freeze = false, params::callback(count)),
+                                     params::do_freeze = false, params::sliver_bound = 0, params::callback(count)),
            CGAL::MAX_ITERATION_NUMBER_REACHED, c, "iterations");
     check::that(iterations == 3, iterations, " iterations instead of 3");
   }
@@ -222,7 +222,8 @@ static void iteration_bound(const Labeled_c3t3& input, const Labeled_domain& dom
     Labeled_c3t3 c(input);
     iterations = 0;
     const auto code = CGAL::odt_optimize_mesh_3(c, domain, params::max_iteration_number = 70, params::number_of_rounds = rounds,
-                                                params::convergence = 0, params::do_freeze = false, params::callback(count));
+                                                params::convergence = 0, params::do_freeze = false,
+                                                params::sliver_bound = 0, params::callback(count));
     check::that(iterations <= 70, iterations, " iterations instead of 70 at most");
     check::that(code == (iterations == 70 ? CGAL::MAX_ITERATION_NUMBER_REACHED : CGAL::CANT_IMPROVE_ANYMORE),
                 iterations, " iterations of 70: return code ", code);
@@ -234,7 +235,8 @@ static void iteration_bound(const Labeled_c3t3& input, const Labeled_domain& dom
   {
     Labeled_c3t3 c(input);
     iterations = 0;
-    CGAL::odt_optimize_mesh_3(c, domain, params::max_iteration_number = 70, params::do_freeze = freezes, params::callback(count));
+    CGAL::odt_optimize_mesh_3(c, domain, params::max_iteration_number = 70, params::do_freeze = freezes,
+                              params::sliver_bound = 0, params::callback(count));
     check::that(iterations <= 70, iterations, " iterations of the usual call instead of 70 at most");
   }
 }

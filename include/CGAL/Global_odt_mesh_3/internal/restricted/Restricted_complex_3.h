@@ -96,7 +96,7 @@ public:
     candidate.build();
     for(int attempt = 0; attempt < most_attempts; ++attempt)
     {
-      const Report report = check(candidate);
+      const Report report = check(candidate, attempt < attempts_at_good_facets);
       if(report.is_clean())
       {
         state_ = candidate.finish(domain_);
@@ -116,12 +116,14 @@ private:
   static constexpr int most_attempts = 40;
   // In these, vertices go back half way first; then home, along with more and more neighbors.
   static constexpr int patient_attempts = 10, attempts_per_ring = 3;
+  // Then a valid complex matters more than the shape of facets.
+  static constexpr int attempts_at_good_facets = 10;
   static constexpr int halfway_returns = 2, halfway_returns_on_surface = 1;
   // If more vertices go back, a new triangulation is faster than moving them.
   static constexpr double most_moved_one_by_one = 1 / 20.;
 
-  // Completes the candidate until something is found wrong.
-  Report check(Candidate& candidate)
+  // Completes the candidate until something is found wrong. Facets that are too thin may be found good enough.
+  Report check(Candidate& candidate, bool wants_good_facets)
   {
     if(!candidate.numbered->is_complete())
       return hidden_vertices(candidate);
@@ -133,7 +135,7 @@ private:
     Report topology = candidate.boundary_moves() ? check_topology(candidate) : check_facets_stay(candidate);
     if(!topology.is_clean())
     {
-      if(candidate.boundary_moves())
+      if(candidate.boundary_moves() && wants_good_facets)
         shapes_.check(candidate, topology);
       return topology;
     }
@@ -143,7 +145,8 @@ private:
     if(!candidate.boundary_moves() || !centers.is_clean())
       return centers;
     Report report = fidelity_.check(candidate);
-    shapes_.check(candidate, report);
+    if(wants_good_facets)
+      shapes_.check(candidate, report);
     return report;
   }
 

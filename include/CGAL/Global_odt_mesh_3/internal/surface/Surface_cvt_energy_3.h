@@ -11,6 +11,7 @@
 
 #include <Eigen/Core>
 
+#include <algorithm>
 #include <array>
 #include <functional>
 #include <vector>
@@ -129,8 +130,9 @@ inline std::vector<double> surface_densities(const Surface_triangulation_3& surf
   return densities;
 }
 
-// That of all facets, with gradient and diagonal, twice the masses, for the vertices from number `first` on, of which
-// there are as many as the vectors have room for. If there are no densities, they are one.
+// That of the facets, with gradient and diagonal, twice the masses, for the vertices from number `first` on, of which
+// there are as many as the vectors have room for. If there are no densities, they are one. Facets without any of these
+// vertices, which may be degenerate, do not count.
 inline double surface_cvt_energy(const Surface_triangulation_3& surface, const std::vector<Site>& sites,
                                  const std::vector<double>& densities, int first,
                                  Eigen::VectorXd& gradient, Eigen::VectorXd& diagonal)
@@ -142,6 +144,8 @@ inline double surface_cvt_energy(const Surface_triangulation_3& surface, const s
   for(int f = 0; f < surface.number_of_facets(); ++f)
   {
     const std::array<int, 3>& t = surface.vertices(f);
+    if(std::none_of(t.begin(), t.end(), [&](int v) { return v >= first && v < last; }))
+      continue;
     std::array<double, 3> density = {{ 1, 1, 1 }};
     if(!densities.empty())
       density = {{ densities[t[0]], densities[t[1]], densities[t[2]] }};
