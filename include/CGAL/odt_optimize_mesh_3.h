@@ -71,8 +71,9 @@ using Optimization_parameters = std::conditional_t<
   Parameter_list<tags::time_limit, tags::max_iteration_number, tags::convergence, tags::freeze_bound, tags::do_freeze>,
   Parameter_list<tags::time_limit, tags::max_iteration_number, tags::convergence, tags::freeze_bound, tags::do_freeze,
                  tags::sliver_bound, internal_np::do_remove_slivers_t, tags::sizing_field, internal_np::density_t,
-                 internal_np::quadrature_t, internal_np::annealing_schedule_t, internal_np::number_of_rounds_t, internal_np::optimize_boundary_t,
-                 internal_np::random_seed_t, internal_np::callback_t, internal_np::visitor_t> >;
+                 internal_np::quadrature_t, internal_np::annealing_schedule_t, internal_np::number_of_rounds_t,
+                 internal_np::optimize_boundary_t, internal_np::surface_weight_t, internal_np::random_seed_t,
+                 internal_np::callback_t, internal_np::visitor_t> >;
 
 template <class T>
 T& unwrap(T& t) { return t; }
@@ -137,13 +138,15 @@ that a higher `sliver_bound` never leads to smaller angles. This takes at most a
 the bound cannot be reached in that time, longer stages, that is, a higher `number_of_rounds`, buy more.
 
 Vertices in dimension 2 move on the surface, first toward a centroidal Voronoi tessellation of it
-(see `remesh_boundary_mesh_3()`) and then together with the interior. They end on the surface:
+(see `remesh_boundary_mesh_3()`) and then together with the interior, the energy of that tessellation being a term
+beside \f$ E^\rho_{ODT} \f$ (see `surface_weight`). They end on the surface:
 of polyhedral domains exactly, else within the error bound of the domain. Vertices in
 dimension 0 and 1, that is, corners and vertices on features, stay where they are, and so do vertices
 where surfaces meet. Those where a surface bends sharply or separates no subdomains move only to remove a sliver. The result has as many vertices of each dimension and index, and
 as many facets of each patch, the Euler characteristic, the components and the junctions of patches and
 subdomains are those of the input, and the centroids of facets are as close to a polyhedral surface
-as in the input at the worst. Where that cannot be had, vertices move less, or not at all.
+as in the input at the worst. No facet of the boundary gets an angle below the smallest in those of the input or below
+30 degrees, whichever is less, unless the rest cannot be had with that. Where that cannot be had, vertices move less, or not at all.
 It is an exact regular triangulation in which a cell with a vertex of the interior is in the
 subdomain where its dual point lies; a flat cell with all vertices on the surface may be labelled otherwise.
 
@@ -213,6 +216,15 @@ version of %CGAL in use knows: `parameters::time_limit = 10, parameters::do_free
     \cgalParamType{`bool`}
     \cgalParamDefault{`true`}
   \cgalParamNEnd
+  \cgalParamNBegin{surface_weight}
+    \cgalParamDescription{what the triangles on surfaces count for against the cells: the weight of the energy of the surfaces'
+                          centroidal Voronoi tessellation. With a weight of 1, both energies are equally stiff, by the sums of their
+                          second derivatives, so that a mesh with few vertices in the interior spends no more on its triangles
+                          than the cells can bear. More gives better triangles and worse cells, 0 leaves the triangles to the cells.}
+    \cgalParamType{`double`}
+    \cgalParamPrecondition{`surface_weight >= 0`, and finite}
+    \cgalParamDefault{1.2}
+  \cgalParamNEnd
   \cgalParamNBegin{sizing_field}
     \cgalParamDescription{the size \f$ \mu \f$ of the cells, which goes into the densities \f$ 1/\mu^5 \f$ of the volume and
                           \f$ 1/\mu^4 \f$ of surfaces. It is asked at vertices, with their dimension and index, on the way also near the surface
@@ -246,7 +258,7 @@ version of %CGAL in use knows: `parameters::time_limit = 10, parameters::do_free
     \cgalParamDefault{`CGAL::Momentum_annealing_schedule()`}
   \cgalParamNEnd
   \cgalParamNBegin{number_of_rounds}
-    \cgalParamDescription{the length of the global search. A round of momentum annealing has 30 iterations, or 50 if no vertex
+    \cgalParamDescription{the length of the global search. A round of momentum annealing has 40 iterations, or 50 if no vertex
                           moves on a surface; one of Algorithm 2 has as many as its schedule says. 0 means no
                           search: the mesh goes to a local minimum nearby.}
     \cgalParamType{`std::size_t`}

@@ -39,7 +39,8 @@ size of the cells of the input, so that a graded mesh stays graded, or what `siz
 Vertices of the interior follow by some iterations of `odt_optimize_mesh_3()` in each round.
 
 That function, with `optimize_boundary` set to `false`, completes the way that the paper goes. By default it
-begins with some rounds of the same kind, so that there is no need to call this one before.
+begins with a round of the same kind, and keeps that energy beside the one of the cells (see its parameter `surface_weight`),
+so that there is no need to call this one before.
 
 What is kept is what `odt_optimize_mesh_3()` keeps, also if the domain or the callback throws.
 

@@ -477,8 +477,49 @@ static void projection()
   check::that(!oracle.project(p, Eigen::Vector3d(1, 0, 0), 0.3, { 1 }) && p[0] == 0.5, "projected although all intersections are missed");
 }
 
+// The smallest angle of all facets of the boundary, and the mean over them of their smallest.
+static std::pair<double, double> facet_angles(const domains::Labeled_c3t3& c3t3)
+{
+  double smallest = 180, sum = 0;
+  for(auto f = c3t3.facets_in_complex_begin(); f != c3t3.facets_in_complex_end(); ++f)
+  {
+    double angle = 180;
+    for(int k = 0; k < 3; ++k)
+    {
+      const auto point = [&](int i) { return f->first->vertex((f->second + 1 + (k + i) % 3) % 4)->point().point(); };
+      angle = (std::min)(angle, CGAL::to_double(CGAL::approximate_angle(point(1), point(0), point(2))));
+    }
+    smallest = (std::min)(smallest, angle);
+    sum += angle;
+  }
+  return { smallest, sum / c3t3.number_of_facets_in_complex() };
+}
+
+// Triangles become better, the more so the more they count, and none becomes bad.
+static void triangles()
+{
+  const domains::Labeled_domain domain = domains::sphere();
+  const domains::Labeled_c3t3 input = domains::mesh(domain, 0.15);
+  const std::pair<double, double> before = facet_angles(input);
+  double mean = before.second;
+  for(double weight : { 0., 1.2, 10. })
+  {
+    domains::Labeled_c3t3 c3t3(input);
+    if(weight == 1.2)
+      CGAL::odt_optimize_mesh_3(c3t3, domain);
+    else
+      CGAL::odt_optimize_mesh_3(c3t3, domain, params::surface_weight = weight);
+    const std::pair<double, double> after = facet_angles(c3t3);
+    check::that(after.first >= (std::min)(30., before.first) - 1e-9, "smallest angle of facets ", before.first, " -> ", after.first);
+    check::that(after.second > mean, "mean angle of facets ", mean, " -> ", after.second, " with weight ", weight);
+    check::that(weight == 0 || after.second > 52, "mean angle of facets ", after.second, " with weight ", weight);
+    mean = after.second;
+  }
+}
+
 int main()
 {
+  triangles();
   projection();
   plate();
   touching();

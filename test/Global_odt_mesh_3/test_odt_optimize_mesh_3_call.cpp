@@ -142,7 +142,7 @@ static void return_codes(const Labeled_c3t3& input, const Labeled_domain& domain
     int iterations = 0;
     const auto count = [&](double) { ++iterations; return true; };
     expect(CGAL::odt_optimize_mesh_3(c, domain, params::max_iteration_number = 3, params::convergence = 0,
-                                     params::do_freeze = false, params::callback(count)),
+                                     params::do_freeze = false, params::do_remove_slivers = false, params::callback(count)),
            CGAL::MAX_ITERATION_NUMBER_REACHED, c, "iterations");
     check::that(iterations == 3, iterations, " iterations instead of 3");
   }

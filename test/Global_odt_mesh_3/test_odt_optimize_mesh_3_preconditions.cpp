@@ -63,7 +63,9 @@ static void numbers(Labeled_c3t3& c3t3, const Labeled_domain& domain)
     refuses("time_limit", [&] { CGAL::remesh_boundary_mesh_3(c3t3, domain, params::time_limit = bad); });
     refuses("max_iteration_number", [&] { CGAL::odt_optimize_mesh_3(c3t3, domain, params::max_iteration_number = bad); });
     refuses("number_of_rounds", [&] { CGAL::odt_optimize_mesh_3(c3t3, domain, params::number_of_rounds = bad); });
+    refuses("surface_weight", [&] { CGAL::odt_optimize_mesh_3(c3t3, domain, params::surface_weight = bad); });
   }
+  refuses("surface_weight", [&] { CGAL::odt_optimize_mesh_3(c3t3, domain, params::surface_weight = infinity); });
   refuses("max_iteration_number", [&] { CGAL::odt_optimize_mesh_3(c3t3, domain, params::max_iteration_number = -1); });
   refuses("number_of_rounds", [&] { CGAL::odt_optimize_mesh_3(c3t3, domain, params::number_of_rounds = -1); });
   refuses("time_limit", [&] { CGAL::odt_optimize_mesh_3_impl(c3t3, domain, -1., 0, 0.1, 0.1, true); });
@@ -85,6 +87,7 @@ static void allowed(const Labeled_c3t3& input, const Labeled_domain& domain)
     catch(const CGAL::Precondition_exception& e) { check::that(false, what, ": ", e.message()); }
   };
   allows("zeros", params::convergence = 0, params::freeze_bound = 0, params::sliver_bound = 0);
+  allows("no weight", params::number_of_rounds = 0, params::surface_weight = 0, params::sliver_bound = 0);
   allows("the largest", params::convergence = 1, params::freeze_bound = 1, params::do_freeze = true);
   allows("the largest angle", params::time_limit = 0.5, params::number_of_rounds = 0, params::sliver_bound = 70.5);
   allows("unlimited", params::time_limit = infinity, params::number_of_rounds = 0, params::optimize_boundary = true);

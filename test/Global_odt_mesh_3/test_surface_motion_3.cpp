@@ -15,6 +15,7 @@
 #include <CGAL/Global_odt_mesh_3/internal/surface/Boundary_complex_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/surface/Boundary_topology_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/surface/Surface_cvt_objective_3.h>
+#include <CGAL/Global_odt_mesh_3/internal/surface/Surface_cvt_term_3.h>
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Regular_triangulation_3.h>
@@ -94,9 +95,23 @@ static std::vector<Eigen::Vector3d> gain_of_polyhedron(const Moving_triangulatio
   return gain;
 }
 
-// The ODT energy of points in a convex body, of which those on the hull move in tangential planes.
+static Boundary_complex_3 hull(const Moving_triangulation_3& mesh)
+{
+  std::vector<Boundary_facet> facets;
+  for(int n = 0; n < mesh.topology.number_of_constrained_facets(); ++n)
+    for(int side = 0; side < 2; ++side)
+    {
+      const Slot s = mesh.topology.constrained_slot(n, side);
+      if(!s.is_none())
+        facets.push_back({ mesh.topology.facet(s), {{ 0, 1 }}, 0 });
+    }
+  return Boundary_complex_3(facets, mesh.sites.size());
+}
+
+// The ODT energy of points in a convex body, of which those on the hull move in tangential planes, perhaps with
+// that of the CVT of its surface.
 static void odt_energy(const char* name, const std::vector<Vector>& on_surface, const std::vector<Vector>& inside,
-                       const std::function<Vector(const Site&)>& normal, std::mt19937& random)
+                       const std::function<Vector(const Site&)>& normal, double surface_weight, std::mt19937& random)
 {
   std::vector<Regular::Weighted_point> points;
   for(const auto* set : { &on_surface, &inside })
@@ -111,7 +126,12 @@ static void odt_energy(const char* name, const std::vector<Vector>& on_surface, 
     const Vector n = normal(mesh.sites[v]);
     motions.push_back({ n, n.dot(n) > 0 ? 0.1 : 0., mesh.sites[v] });
   }
-  Odt_objective_3 objective(mesh, motions);
+  Surface_cvt_term_3 cvt(mesh.number_of_interior_vertices, static_cast<int>(motions.size()), surface_weight, Surface_density());
+  cvt.follow(hull(mesh), mesh.sites);
+  Odt_objective_3 objective(mesh, motions, surface_weight > 0 ? Odt_objective_3::Term(std::ref(cvt)) : Odt_objective_3::Term());
+  const double stiffness = Odt_objective_3(mesh, motions).diagonal().sum();
+  check::that(std::abs(objective.diagonal().sum() - (1 + surface_weight) * stiffness) < 1e-9 * stiffness, name,
+              ": the energies are not in the ratio of ", surface_weight);
   check::that(objective.is_feasible(), name, ": not feasible");
   const double scale = objective.gradient().cwiseAbs().maxCoeff();
   const std::vector<Eigen::Vector3d> gain = gain_of_polyhedron(mesh);
@@ -164,7 +184,7 @@ static void odt_energy_on_sphere_and_plane()
     if(p.dot(p) < 0.7)
       inside.push_back(p);
   }
-  odt_energy("sphere", surface, inside, [](const Site& s) { return position(s); }, random);
+  odt_energy("sphere", surface, inside, [](const Site& s) { return position(s); }, 0, random);
 
   // The faces of a cube, jittered in their planes; edges and corners rest.
   surface.clear();
@@ -185,11 +205,14 @@ static void odt_energy_on_sphere_and_plane()
         if(faces > 0)
           surface.push_back(p);
       }
-  odt_energy("plane", surface, inside, [](const Site& s)
+  const auto normal = [](const Site& s)
   {
     const Vector n(double(std::abs(s.x) == 1) * s.x, double(std::abs(s.y) == 1) * s.y, double(std::abs(s.z) == 1) * s.z);
     return n.dot(n) == 1 ? n : Vector(0, 0, 0);
-  }, random);
+  };
+  odt_energy("plane", surface, inside, normal, 0, random);
+  // On planes, there is no more to the gradient of the CVT's energy.
+  odt_energy("plane with CVT", surface, inside, normal, 3, random);
 }
 
 // A square cut into triangles of a jittered grid, whose rim rests.
@@ -252,7 +275,22 @@ static void cvt_energy()
   for(double m : equilateral.mass)
     check::that(std::abs(m - area / 3) < 1e-15, "parts of an equilateral triangle differ");
 
+  // The closed form for a density of one is what is summed up for any density.
   std::mt19937 random(3);
+  std::uniform_real_distribution<double> u(-1, 1);
+  for(int n = 0; n < 100; ++n)
+  {
+    std::vector<Site> sites;
+    for(int k = 0; k < 3; ++k)
+      sites.push_back({ u(random), u(random), u(random), 0 });
+    const Surface_cvt_contribution_3 c({{ 0, 1, 2 }}, sites), d({{ 0, 1, 2 }}, sites, {{ 1, 1, 1 }});
+    const double scale = std::abs(c.energy) + c.gradient[0].norm() + c.gradient[1].norm() + c.gradient[2].norm();
+    check::that(std::abs(c.energy - d.energy) < 1e-10 * scale, "energies of a facet differ");
+    for(int k = 0; k < 3; ++k)
+      check::that((c.gradient[k] - d.gradient[k]).norm() < 1e-10 * scale && std::abs(c.mass[k] - d.mass[k]) < 1e-10 * scale,
+                  "gradients or masses of a facet differ");
+  }
+
   const auto linear = [](double x, double y) { return 1 + 3 * x + 2 * y; };
   for(bool is_graded : { false, true })
   {
@@ -273,7 +311,17 @@ static void cvt_energy()
           closest = (std::min)(closest, (s.x - x) * (s.x - x) + (s.y - y) * (s.y - y));
         sum += closest * (is_graded ? linear(x, y) : 1) / (samples * samples);
       }
-    check::that(std::abs(objective.value() - sum) < 1e-3 * sum, name, ": energy ", objective.value(), ", sampled ", sum);
+    double energy = objective.value();
+    for(int f = 0; f < objective.surface().number_of_facets(); ++f)
+    {
+      const std::array<int, 3>& t = objective.surface().vertices(f);
+      std::array<double, 3> at;
+      for(int k = 0; k < 3; ++k)
+        at[k] = is_graded ? linear(square.sites[t[k]].x, square.sites[t[k]].y) : 1;
+      if(*std::min_element(t.begin(), t.end()) >= static_cast<int>(square.motions.size()))
+        energy += Surface_cvt_contribution_3(t, square.sites, at).energy;
+    }
+    check::that(std::abs(energy - sum) < 1e-3 * sum, name, ": energy ", energy, ", sampled ", sum);
 
     // All flipped edges considered, the surface is Delaunay and covers the square once.
     const Surface_triangulation_3& surface = objective.surface();

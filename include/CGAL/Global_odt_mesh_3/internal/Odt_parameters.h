@@ -14,6 +14,7 @@
 #include <CGAL/Mesh_3/parameters_defaults.h>
 #include <CGAL/Named_function_parameters.h>
 
+#include <cmath>
 #include <cstddef>
 #include <functional>
 #include <limits>
@@ -37,6 +38,7 @@ struct Odt_parameters
   Quadrature_choice quadrature;
   Annealing_schedule annealing_schedule;
   std::size_t number_of_rounds = usual_number_of_rounds;    // of the schedule
+  double surface_weight = 1.2;
   double sliver_bound = 0;                                  // in degrees; 0: as high as can be had
   bool do_remove_slivers = true;
   unsigned int random_seed = 0;
@@ -54,6 +56,7 @@ struct Odt_parameters
     arguments.template read<internal_np::quadrature_t>(quadrature);
     arguments.template read<internal_np::annealing_schedule_t>(annealing_schedule);
     read_count<internal_np::number_of_rounds_t>(arguments, number_of_rounds, "number_of_rounds must be a number, not negative");
+    arguments.template read<internal_np::surface_weight_t>(surface_weight);
     arguments.template read<tags::sliver_bound>(sliver_bound);
     arguments.template read<internal_np::do_remove_slivers_t>(do_remove_slivers);
     arguments.template read<internal_np::random_seed_t>(random_seed);
@@ -67,6 +70,8 @@ struct Odt_parameters
     CGAL_GLOBAL_ODT_MESH_3_CHECK_PARAMETER(freeze_bound >= 0 && freeze_bound <= 1, "freeze_bound must be in [0, 1]");
     internal::check(quadrature);
     std::visit([](const auto& schedule) { schedule.check(); }, annealing_schedule);
+    CGAL_GLOBAL_ODT_MESH_3_CHECK_PARAMETER(surface_weight >= 0 && std::isfinite(surface_weight),
+                                           "surface_weight must be finite, not negative");
     CGAL_GLOBAL_ODT_MESH_3_CHECK_PARAMETER(sliver_bound >= 0 && sliver_bound <= 70.5,
                                            "sliver_bound must be in [0, 70.5] degrees");
   }

@@ -27,6 +27,7 @@
 #include <CGAL/Global_odt_mesh_3/internal/sizing/Input_density_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/slivers/Sliver_stage_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/surface/Surface_cvt_objective_3.h>
+#include <CGAL/Global_odt_mesh_3/internal/surface/Surface_cvt_term_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/surface/Surface_motions_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/triangulation/Cell_order.h>
 #include <CGAL/Global_odt_mesh_3/internal/triangulation/Moving_triangulation_3.h>
@@ -35,6 +36,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <functional>
 #include <limits>
 #include <memory>
 #include <utility>
@@ -48,10 +50,10 @@ namespace internal {
 //
 // While the boundary moves, the facets between subdomains are constrained in the flat
 // triangulation. After some iterations, the exact triangulation and its restriction to the
-// domain are built anew, which brings other facets; that is a round. In the first rounds, the
-// surfaces go toward a centroidal Voronoi tessellation (section 5.1), which leads to a lower
-// minimum in the next, where all vertices search globally, and in the last, where they go to
-// the minimum. Then the boundary rests, the interior converges, and slivers are removed.
+// domain are built anew, which brings other facets; that is a round. In the first, the
+// surfaces go toward a centroidal Voronoi tessellation (section 5.1). In the next, all vertices
+// search globally, and in the last they go to the minimum, of an energy of which that tessellation's
+// is a term. Then the boundary rests, the interior converges, and slivers are removed.
 template <class C3t3, class Mesh_domain, class Visitor>
 class Optimization_attempt_3
 {
@@ -84,7 +86,7 @@ public:
     control_.start(plan_->usual_most_iterations());
     if(plan_->is_done())
       return remove_slivers();
-    prepare_density();
+    prepare_energies();
     return make_rounds();
   }
 
@@ -115,7 +117,7 @@ private:
 
   bool boundary_moves() const { return number_of_surface_vertices() > 0; }
 
-  void prepare_density()
+  void prepare_energies()
   {
     density_ = make_density();
     // The density of the input is what it is at vertices, but a field may vary between them.
@@ -124,6 +126,8 @@ private:
     mesh_.set_quadrature(quadrature_.get());
     if(!density_->is_uniform())
       surface_density_at_vertex_ = [this](int v, const Site& s) { return density_->on_surface(v, s); };
+    surface_term_ = std::make_unique<Surface_cvt_term_3>(
+      mesh_.number_of_interior_vertices, number_of_surface_vertices(), parameters_.surface_weight, surface_density_at_vertex_);
   }
 
   std::unique_ptr<Density_3> make_density() const
@@ -148,13 +152,11 @@ private:
       if(stage != previous)
         energy = (std::numeric_limits<double>::max)();
       previous = stage;
-      const double reached = make_round(search);
-      const bool pays = !plan_->stops_without_gain() || reached < (1 - least_gain_of_round) * energy;
-      energy = reached;
+      const double before = std::exchange(energy, make_round(search));
+      const bool pays = !plan_->stops_without_gain() || energy < (1 - least_gain_of_round) * before;
       plan_->advance();
       if(control_.elapsed() > plan_->end_of_time(stage))
         plan_->skip(stage);
-
       if(control_.goes_on() && pays && !plan_->is_done())
       {
         if(boundary_moves())
@@ -183,12 +185,13 @@ private:
   double make_round(Global_search& search)
   {
     {
-      Odt_objective_3 objective(mesh_, surface_motions(plan_->stage() != Round_plan::REMESH));
+      const bool surfaces_move = plan_->stage() != Round_plan::REMESH;
+      Odt_objective_3 objective(mesh_, surface_motions(surfaces_move), surface_term(surfaces_move));
       if(plan_->stage() == Round_plan::SEARCH)
         search_round(search, objective);
       else
         minimize(objective);
-      if(plan_->stage() != Round_plan::REMESH)
+      if(surfaces_move)
         return objective.value();
     }
     return remesh_surfaces();
@@ -316,6 +319,15 @@ private:
     return tangential_motions(mesh_, complex_.state().boundary, moves ? longest_way_in_round : 0);
   }
 
+  // None if surface vertices are to stay.
+  Odt_objective_3::Term surface_term(bool moves)
+  {
+    if(!moves || !boundary_moves() || !(parameters_.surface_weight > 0))
+      return Odt_objective_3::Term();
+    surface_term_->follow(complex_.state().boundary.complex(), mesh_.sites);
+    return std::ref(*surface_term_);
+  }
+
   bool begin_iteration()
   {
     const double done = double(control_.number_of_iterations()) / plan_->number_of_iterations();
@@ -337,7 +349,8 @@ private:
   std::unique_ptr<Round_plan> plan_;
   std::unique_ptr<Density_3> density_;
   std::unique_ptr<Density_quadrature_3> quadrature_;
-  Surface_cvt_objective_3::Density surface_density_at_vertex_;
+  Surface_density surface_density_at_vertex_;
+  std::unique_ptr<Surface_cvt_term_3> surface_term_;
   double search_begin_ = 0;                 // in fractions of the time
   std::size_t number_of_slivers_ = 0;
   Mesh_optimization_return_code code_;

@@ -27,7 +27,7 @@ class Round_plan
 {
 public:
   // Vertices of surfaces go toward a restricted CVT while the interior follows; all vertices search
-  // globally; all vertices go to the minimum.
+  // globally; all vertices go to the minimum, of the energies of cells and surfaces together.
   enum Stage { REMESH, SEARCH, MINIMIZE };
 
   static constexpr int iterations_on_surface = 20;      // of the CVT, in a round of remeshing
@@ -84,7 +84,7 @@ public:
 
 private:
   static constexpr std::size_t most_rounds = 1000000;
-  static constexpr int rounds_of_remeshing = 4, rounds_of_remeshing_before_search = 2;
+  static constexpr int rounds_of_remeshing = 4, rounds_of_remeshing_before_search = 1;
   static constexpr int iterations_inside_while_remeshing = 10;
   static constexpr int most_rounds_of_minimizer = 12, rounds_of_minimizer_on_rough_surfaces = 2;
   static constexpr int iterations_of_minimizer = 20;

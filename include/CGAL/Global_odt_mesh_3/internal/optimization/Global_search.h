@@ -82,7 +82,7 @@ public:
 
 private:
   static constexpr int usual_rounds_of_momentum = 4;
-  static constexpr int iterations_in_round_of_momentum = 50, iterations_in_round_on_surfaces = 30;
+  static constexpr int iterations_in_round_of_momentum = 50, iterations_in_round_on_surfaces = 40;
   static constexpr int final_iterations_of_momentum = 20;
 
   static constexpr int most_initial_iterations = 200;

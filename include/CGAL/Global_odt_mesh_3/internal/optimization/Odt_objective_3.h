@@ -13,7 +13,9 @@
 
 #include <Eigen/Core>
 
+#include <cmath>
 #include <cstddef>
+#include <functional>
 #include <utility>
 #include <vector>
 
@@ -21,7 +23,7 @@ namespace CGAL {
 namespace Global_odt_mesh_3 {
 namespace internal {
 
-// The energy of a moving triangulation as a function of the coordinates of its
+// The energy of a moving triangulation, and perhaps another one, as a function of the coordinates of its
 // movable vertices, in the form that the minimizer wants. Frozen vertices are
 // held by a zero gradient, those on surfaces by its tangential part.
 //
@@ -31,12 +33,17 @@ namespace internal {
 class Odt_objective_3
 {
 public:
+  // What another energy adds for these sites; gradient and diagonal grow by its own.
+  typedef std::function<double(const std::vector<Site>&, Eigen::VectorXd& gradient, Eigen::VectorXd& diagonal)> Term;
+
   // `motions` are those of the vertices beyond the interior ones. Vertices whose
   // motion has no radius stay.
   explicit Odt_objective_3(Moving_triangulation_3& mesh,
-                           std::vector<Tangential_motion> motions = std::vector<Tangential_motion>())
+                           std::vector<Tangential_motion> motions = std::vector<Tangential_motion>(),
+                           Term term = Term())
     : mesh_(mesh)
     , motions_(std::move(motions))
+    , term_(std::move(term))
     , frozen_(mesh.number_of_movable_vertices, false)
     , retreats_(mesh.number_of_movable_vertices, 0)
     , current_(mesh.number_of_movable_vertices)
@@ -77,7 +84,7 @@ public:
     std::swap(current_, other_);
     is_on_trial_ = true;
     gather();
-    return true;
+    return std::isfinite(value());
   }
 
   // Vertices that are held back again and again, at a constrained facet, are frozen.
@@ -156,19 +163,20 @@ private:
       const Site& s = mesh_.sites[v];
       point.segment<3>(3 * v) << s.x, s.y, s.z;
       diagonal.segment<3>(3 * v).setConstant(g[v].diagonal);
+      gradient.segment<3>(3 * v) << g[v].x, g[v].y, g[v].z;
+    }
+    if(term_)
+      current_.value += term_(mesh_.sites, gradient, diagonal);
+    for(int v = 0; v < mesh_.number_of_movable_vertices; ++v)
       if(frozen_[v])
         gradient.segment<3>(3 * v).setZero();
-      else
-      {
-        gradient.segment<3>(3 * v) << g[v].x, g[v].y, g[v].z;
-        if(v >= mesh_.number_of_interior_vertices)
-          gradient.segment<3>(3 * v) = motion(v)->tangential_part(gradient.segment<3>(3 * v));
-      }
-    }
+      else if(v >= mesh_.number_of_interior_vertices)
+        gradient.segment<3>(3 * v) = motion(v)->tangential_part(gradient.segment<3>(3 * v));
   }
 
   Moving_triangulation_3& mesh_;
   std::vector<Tangential_motion> motions_;
+  Term term_;
   std::vector<char> frozen_;
   std::vector<int> retreats_;
   int number_of_frozen_vertices_ = 0;

@@ -9,6 +9,7 @@
 #include <CGAL/Global_odt_mesh_3/internal/geometry/Cell_shape_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/restricted/Boundary_extraction_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/restricted/Cell_knowledge.h>
+#include <CGAL/Global_odt_mesh_3/internal/restricted/Facet_shape_check_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/restricted/Fidelity_check_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/restricted/Restricted_candidate_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/restricted/Topology_check_3.h>
@@ -35,11 +36,12 @@ public:
   typedef Restricted_candidate_3<typename Domain::Triangulation> Candidate;
 
   Boundary_peeling_3(Candidate& candidate, Domain& domain, Boundary_extraction_3<Domain>& extraction,
-                     const Fidelity_check_3<Domain>& fidelity)
+                     const Fidelity_check_3<Domain>& fidelity, const Facet_shape_check_3& shapes)
     : candidate_(candidate)
     , domain_(domain)
     , extraction_(extraction)
     , fidelity_(fidelity)
+    , shapes_(shapes)
   {}
 
   void peel()
@@ -111,9 +113,13 @@ private:
     if(between < 180 - flat_angle || *std::min_element(shape.angles.begin(), shape.angles.end()) > sliver_angle)
       return no_subdomain;
     for(int i = 0; i < 4; ++i)
-      if(i != facet[0] && i != facet[1]
-         && !fidelity_.is_faithful(candidate_, {{ q[(i + 1) % 4], q[(i + 2) % 4], q[(i + 3) % 4] }}))
+    {
+      const std::array<int, 3> t = {{ q[(i + 1) % 4], q[(i + 2) % 4], q[(i + 3) % 4] }};
+      if(i == facet[0] || i == facet[1])
+        continue;
+      if(!shapes_.is_good(t, candidate_.sites) || !fidelity_.is_faithful(candidate_, t))
         return no_subdomain;
+    }
     return domain_.label(c->neighbor(facet[0])->subdomain_index());
   }
 
@@ -147,6 +153,7 @@ private:
   Domain& domain_;
   Boundary_extraction_3<Domain>& extraction_;
   const Fidelity_check_3<Domain>& fidelity_;
+  const Facet_shape_check_3& shapes_;
   std::set<Cell_handle> refused_;
 };
 

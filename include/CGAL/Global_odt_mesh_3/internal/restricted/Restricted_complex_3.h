@@ -11,6 +11,7 @@
 #include <CGAL/Global_odt_mesh_3/internal/restricted/Boundary_motion.h>
 #include <CGAL/Global_odt_mesh_3/internal/restricted/Boundary_peeling_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/restricted/Cell_labels_3.h>
+#include <CGAL/Global_odt_mesh_3/internal/restricted/Facet_shape_check_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/restricted/Fidelity_check_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/restricted/Flatten_state_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/restricted/Numbered_domain_3.h>
@@ -39,9 +40,9 @@ namespace internal {
 // A complex that goes from one valid state to the next.
 //
 // advance() makes a candidate for new positions and checks it. Vertices that alter the topology of the
-// boundary, pierce it, get hidden, or leave a cell of their subdomain with its dual point in
-// another, go back toward where they were, until all is well. Then the candidate takes the
-// state's place; or else, also if anything throws, the state is as it was.
+// boundary, pierce it, get hidden, leave a cell of their subdomain with its dual point in
+// another, or make a facet too thin or too far from the surface, go back toward where they were, until
+// all is well. Then the candidate takes the state's place; or else, also if anything throws, the state is as it was.
 template <class Triangulation, class Mesh_domain>
 class Restricted_complex_3
 {
@@ -64,7 +65,10 @@ public:
   {
     state_ = std::move(input);
     if(motion_ != Boundary_motion::NONE)
+    {
       fidelity_.measure(state_);
+      shapes_.measure(state_.boundary.complex(), state_.sites);
+    }
   }
 
   const State& state() const { return state_; }
@@ -116,7 +120,7 @@ public:
     candidate.build();
     for(int attempt = 0; attempt < most_attempts; ++attempt)
     {
-      const Report report = check(candidate);
+      const Report report = check(candidate, attempt < attempts_at_good_facets);
       if(report.is_clean())
       {
         state_ = candidate.finish(domain_);
@@ -136,12 +140,14 @@ private:
   static constexpr int most_attempts = 40;
   // In these, vertices go back half way first; then home, along with more and more neighbors.
   static constexpr int patient_attempts = 10, attempts_per_ring = 3;
+  // Then a valid complex matters more than the shape of facets.
+  static constexpr int attempts_at_good_facets = 10;
   static constexpr int halfway_returns = 2, halfway_returns_on_surface = 1;
   // If more vertices go back, a new triangulation is faster than moving them.
   static constexpr double most_moved_one_by_one = 1 / 20.;
 
-  // Completes the candidate until something is found wrong.
-  Report check(Candidate& candidate)
+  // Completes the candidate until something is found wrong. Facets that are too thin may be found good enough.
+  Report check(Candidate& candidate, bool wants_good_facets)
   {
     ++number_of_checks_;
     if(!candidate.numbered->is_complete())
@@ -151,13 +157,22 @@ private:
       return labels;
     Boundary_extraction_3<Domain> extraction(candidate, domain_);
     extraction.find_boundary();
-    const Report topology = candidate.boundary_moves() ? check_topology(candidate) : check_facets_stay(candidate);
+    Report topology = candidate.boundary_moves() ? check_topology(candidate) : check_facets_stay(candidate);
     if(!topology.is_clean())
+    {
+      if(candidate.boundary_moves() && wants_good_facets)
+        shapes_.check(candidate, topology);
       return topology;
+    }
     if(candidate.boundary_moves())
-      Boundary_peeling_3<Domain>(candidate, domain_, extraction, fidelity_).peel();
+      Boundary_peeling_3<Domain>(candidate, domain_, extraction, fidelity_, shapes_).peel();
     const Report centers = Surface_centers_3<Domain>(candidate, domain_).find_surface_centers();
-    return candidate.boundary_moves() && centers.is_clean() ? fidelity_.check(candidate) : centers;
+    if(!candidate.boundary_moves() || !centers.is_clean())
+      return centers;
+    Report report = fidelity_.check(candidate);
+    if(wants_good_facets)
+      shapes_.check(candidate, report);
+    return report;
   }
 
   static Report hidden_vertices(const Candidate& candidate)
@@ -235,6 +250,7 @@ private:
   Domain domain_;
   Boundary_motion motion_;
   Fidelity_check_3<Domain> fidelity_;
+  Facet_shape_check_3 shapes_;
   State state_;
   std::size_t number_of_checks_ = 0;
 };

@@ -48,20 +48,27 @@ public:
     return found;
   }
 
-  // Sends back those of the vertices that have moved or, if there are none, those around them.
-  // Numbers below zero, of the infinite vertex, do not matter.
+  // Sends back those of the vertices that have moved or, if there are none, those around them; there have to be some.
   template <class Vertices>
   void send_back(const Vertices& vertices)
+  {
+    if(!send_back_around(vertices))
+      give_up();
+  }
+
+  // The same; whether there are any. Numbers below zero, of the infinite vertex, do not matter.
+  template <class Vertices>
+  bool send_back_around(const Vertices& vertices)
   {
     std::set<int> region(vertices.begin(), vertices.end());
     region.erase(-1);
     for(int ring = 0; ring < most_rings; ++ring)
     {
       if(send_back_moved(region))
-        return;
+        return true;
       candidate_.numbered->grow(region);
     }
-    is_beyond_repair_ = true;
+    return false;
   }
 
   void push(int v, const Vector& by) { pushes_.emplace(v, by); }

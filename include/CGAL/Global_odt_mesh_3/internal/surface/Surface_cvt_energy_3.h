@@ -6,13 +6,14 @@
 #ifndef CGAL_GLOBAL_ODT_MESH_3_INTERNAL_SURFACE_SURFACE_CVT_ENERGY_3_H
 #define CGAL_GLOBAL_ODT_MESH_3_INTERNAL_SURFACE_SURFACE_CVT_ENERGY_3_H
 
-#include <CGAL/Global_odt_mesh_3/internal/geometry/Facet_dual_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/geometry/Site.h>
+#include <CGAL/Global_odt_mesh_3/internal/surface/Surface_triangulation_3.h>
 
 #include <Eigen/Core>
-#include <Eigen/Geometry>
 
+#include <algorithm>
 #include <array>
+#include <functional>
 #include <vector>
 
 namespace CGAL {
@@ -36,48 +37,131 @@ struct Surface_cvt_contribution_3
   std::array<Eigen::Vector3d, 3> gradient;
   std::array<double, 3> mass = {{ 0, 0, 0 }};       // of the corners' parts
 
+  // The density is one, and no vertex has a weight. The part at each end of an edge of length l is a right triangle
+  // with legs l/2 and l/2 cot(a), where a is the angle opposite to the edge. Both have the area A b/2, where b is the
+  // circumcenter's barycentric coordinate at that angle, and A the area of the facet.
+  Surface_cvt_contribution_3(const std::array<int, 3>& facet, const std::vector<Site>& sites)
+  {
+    std::array<Eigen::Vector3d, 3> edge;            // opposite to the corners
+    for(int k = 0; k < 3; ++k)
+      edge[k] = position(sites[facet[(k + 2) % 3]]) - position(sites[facet[(k + 1) % 3]]);
+    const double twice_area = edge[0].cross(edge[1]).norm(), inverse = 1 / twice_area;
+    std::array<double, 3> part;                     // A b / 4
+    for(int k = 0; k < 3; ++k)
+    {
+      const double squared_length = edge[k].squaredNorm();
+      const double cotangent = -edge[(k + 1) % 3].dot(edge[(k + 2) % 3]) * inverse;
+      part[k] = squared_length * cotangent * 0.125;
+      energy += 0.25 * part[k] * squared_length * (1 + third * cotangent * cotangent);
+    }
+    for(int i = 0; i < 3; ++i)
+    {
+      const int j = (i + 1) % 3, k = (i + 2) % 3;
+      mass[i] = part[j] + part[k];
+      const Eigen::Vector3d center = 4 * inverse * (part[j] * edge[k] - part[k] * edge[j]);     // from corner i
+      gradient[i] = -third * (part[k] * edge[k] - part[j] * edge[j] + 2 * mass[i] * center);
+    }
+  }
+
+  // The density is given at the corners.
   Surface_cvt_contribution_3(const std::array<int, 3>& facet, const std::vector<Site>& sites,
                              const std::array<double, 3>& density)
   {
-    gradient.fill(Eigen::Vector3d::Zero());
-    std::array<Eigen::Vector3d, 3> x;
-    for(int k = 0; k < 3; ++k)
-      x[k] = Eigen::Vector3d(sites[facet[k]].x, sites[facet[k]].y, sites[facet[k]].z);
-    const Eigen::Vector3d a = x[1] - x[0], b = x[2] - x[0], n = a.cross(b);
-    const Eigen::Vector3d slope = ((density[1] - density[0]) * b.cross(n) + (density[2] - density[0]) * n.cross(a))
-                                  / n.squaredNorm();
-    const Eigen::Vector3d unit = n.normalized();
-    const Facet_dual_3 dual(facet, sites);
-    const Eigen::Vector3d& center = dual.center;
+    // In coordinates on the plane, along the first edge and across.
+    const Eigen::Vector3d a = position(sites[facet[1]]) - position(sites[facet[0]]);
+    const Eigen::Vector3d b = position(sites[facet[2]]) - position(sites[facet[0]]);
+    const double length = a.norm();
+    const Eigen::Vector3d along = a / length;
+    const double offset = b.dot(along);
+    const Eigen::Vector3d height = b - offset * along;
+    const double width = height.norm();
+    const std::array<Eigen::Vector2d, 3> x = {{ { 0, 0 }, { length, 0 }, { offset, width } }};
+    const std::array<double, 3> w = {{ sites[facet[0]].weight, sites[facet[1]].weight, sites[facet[2]].weight }};
+    Eigen::Vector2d slope((density[1] - density[0]) / length, 0);
+    slope[1] = (density[2] - density[0] - slope[0] * offset) / width;
+    Eigen::Vector2d center((length * length + w[0] - w[1]) / (2 * length), 0);
+    center[1] = (x[2].squaredNorm() + w[0] - w[2] - 2 * center[0] * offset) / (2 * width);
     for(int i = 0; i < 3; ++i)
     {
-      const double weight = sites[facet[i]].weight;
-      const Eigen::Vector3d q = center - x[i];
+      const Eigen::Vector2d q = center - x[i];
+      Eigen::Vector2d g(0, 0);
       for(int side = 1; side < 3; ++side)
       {
         const int j = (i + side) % 3;
-        const Eigen::Vector3d edge = x[j] - x[i];
-        const double t = (1 + (weight - sites[facet[j]].weight) / edge.squaredNorm()) / 2;
-        const Eigen::Vector3d p = t * edge;
-        const double area = unit.dot(p.cross(q)) * (side == 1 ? 0.5 : -0.5);
-        add_piece(i, weight, area, p, q, {{ density[i], density[i] + slope.dot(p), density[i] + slope.dot(q) }});
+        const Eigen::Vector2d edge = x[j] - x[i];
+        const Eigen::Vector2d p = (w[i] == w[j] ? 0.5 : 0.5 + (w[i] - w[j]) / (2 * edge.squaredNorm())) * edge;
+        const double area = (p[0] * q[1] - p[1] * q[0]) * (side == 1 ? 0.5 : -0.5);
+        g += add_piece(i, w[i], area, p, q, {{ density[i], density[i] + slope.dot(p), density[i] + slope.dot(q) }});
       }
+      gradient[i] = g[0] * along + g[1] / width * height;
     }
   }
 
 private:
-  // The piece is the triangle of corner i, i + p and i + q, with the density at these points.
-  void add_piece(int i, double weight, double area, const Eigen::Vector3d& p, const Eigen::Vector3d& q,
-                 const std::array<double, 3>& r)
+  static constexpr double third = 1. / 3;         // a constant whatever the rounding mode
+
+  // The piece is the triangle of corner i, i + p and i + q, with the density at these points. Gives its gradient.
+  Eigen::Vector2d add_piece(int i, double weight, double area, const Eigen::Vector2d& p, const Eigen::Vector2d& q,
+                            const std::array<double, 3>& r)
   {
     const double sum = r[0] + r[1] + r[2];
-    const double m = area * sum / 3;
+    const double m = third * area * sum;
     mass[i] += m;
-    gradient[i] -= area / 6 * ((sum + r[1]) * p + (sum + r[2]) * q);
-    energy += area * (p.squaredNorm() * (sum + 2 * r[1]) + p.dot(q) * (sum + r[1] + r[2])
-                      + q.squaredNorm() * (sum + 2 * r[2])) / 30 - weight * m;
+    energy += third * area * 0.1 * (p.squaredNorm() * (sum + 2 * r[1]) + p.dot(q) * (sum + r[1] + r[2])
+                                    + q.squaredNorm() * (sum + 2 * r[2])) - weight * m;
+    return -0.5 * third * area * ((sum + r[1]) * p + (sum + r[2]) * q);
   }
 };
+
+// The density at a vertex, given its number and position; none: one everywhere.
+typedef std::function<double(int, const Site&)> Surface_density;
+
+// That at the vertices of the facets; empty if it is one everywhere.
+inline std::vector<double> surface_densities(const Surface_triangulation_3& surface, const std::vector<Site>& sites,
+                                             const Surface_density& density)
+{
+  std::vector<double> densities;
+  if(!density)
+    return densities;
+  densities.resize(sites.size());
+  for(int f = 0; f < surface.number_of_facets(); ++f)
+    for(int v : surface.vertices(f))
+      densities[v] = density(v, sites[v]);
+  return densities;
+}
+
+// That of the facets, with gradient and diagonal, twice the masses, for the vertices from number `first` on, of which
+// there are as many as the vectors have room for. If there are no densities, they are one. Facets without any of these
+// vertices, which may be degenerate, do not count.
+inline double surface_cvt_energy(const Surface_triangulation_3& surface, const std::vector<Site>& sites,
+                                 const std::vector<double>& densities, int first,
+                                 Eigen::VectorXd& gradient, Eigen::VectorXd& diagonal)
+{
+  double energy = 0;
+  gradient.setZero();
+  diagonal.setZero();
+  const int last = first + static_cast<int>(gradient.size() / 3);
+  for(int f = 0; f < surface.number_of_facets(); ++f)
+  {
+    const std::array<int, 3>& t = surface.vertices(f);
+    if(std::none_of(t.begin(), t.end(), [&](int v) { return v >= first && v < last; }))
+      continue;
+    std::array<double, 3> density = {{ 1, 1, 1 }};
+    if(!densities.empty())
+      density = {{ densities[t[0]], densities[t[1]], densities[t[2]] }};
+    const bool is_plain = densities.empty() && sites[t[0]].weight == 0 && sites[t[1]].weight == 0 && sites[t[2]].weight == 0;
+    const Surface_cvt_contribution_3 c = is_plain ? Surface_cvt_contribution_3(t, sites)
+                                                  : Surface_cvt_contribution_3(t, sites, density);
+    energy += c.energy;
+    for(int k = 0; k < 3; ++k)
+      if(t[k] >= first && t[k] < last)
+      {
+        gradient.segment<3>(3 * (t[k] - first)) += c.gradient[k];
+        diagonal.segment<3>(3 * (t[k] - first)).array() += 2 * c.mass[k];
+      }
+  }
+  return energy;
+}
 
 } // namespace internal
 } // namespace Global_odt_mesh_3

@@ -13,10 +13,8 @@
 
 #include <Eigen/Core>
 
-#include <array>
 #include <cmath>
 #include <cstddef>
-#include <functional>
 #include <limits>
 #include <utility>
 #include <vector>
@@ -36,8 +34,7 @@ namespace internal {
 class Surface_cvt_objective_3
 {
 public:
-  // The density at a vertex, given its number and position; none: one.
-  typedef std::function<double(int, const Site&)> Density;
+  typedef Surface_density Density;
 
   // `motions` are those of the vertices from number `first` on.
   Surface_cvt_objective_3(const Boundary_complex_3& boundary, std::vector<Site>& sites, int first,
@@ -46,14 +43,10 @@ public:
     , first_(first)
     , motions_(std::move(motions))
     , density_(std::move(density))
-    , densities_(sites.size(), 1)
     , current_(boundary, motions_.size())
     , other_(current_)
   {
-    if(density_)
-      for(int f = 0; f < surface().number_of_facets(); ++f)
-        for(int v : surface().vertices(f))
-          densities_[v] = density_(v, sites_[v]);
+    densities_ = surface_densities(surface(), sites, density_);
     compute();
   }
 
@@ -114,22 +107,7 @@ private:
   {
     Evaluation& e = current_;
     e.surface.make_delaunay(sites_);
-    e.value = 0;
-    e.gradient.setZero();
-    e.diagonal.setZero();
-    const int last = first_ + static_cast<int>(motions_.size());
-    for(int f = 0; f < e.surface.number_of_facets(); ++f)
-    {
-      const std::array<int, 3>& t = e.surface.vertices(f);
-      const Surface_cvt_contribution_3 c(t, sites_, {{ densities_[t[0]], densities_[t[1]], densities_[t[2]] }});
-      e.value += c.energy;
-      for(int k = 0; k < 3; ++k)
-        if(t[k] >= first_ && t[k] < last)
-        {
-          e.gradient.segment<3>(3 * (t[k] - first_)) += c.gradient[k];
-          e.diagonal.segment<3>(3 * (t[k] - first_)).array() += 2 * c.mass[k];
-        }
-    }
+    e.value = surface_cvt_energy(e.surface, sites_, densities_, first_, e.gradient, e.diagonal);
     for(std::size_t n = 0; n < motions_.size(); ++n)
     {
       const Site& s = sites_[first_ + n];

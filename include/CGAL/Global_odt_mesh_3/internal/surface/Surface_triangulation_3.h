@@ -120,8 +120,11 @@ private:
     if(p.weight != 0 || q.weight != 0 || r.weight != 0 || s.weight != 0)
       return false;
     const Eigen::Vector3d pq = edge(p, q), pr = edge(p, r), sq = edge(s, q), sr = edge(s, r);
+    const double cosine_p = pq.dot(pr), cosine_s = sq.dot(sr);
+    if(cosine_p >= 0 && cosine_s >= 0)
+      return false;
     const Eigen::Vector3d above = pq.cross(pr), below = sr.cross(sq);
-    const double sine_p = above.norm(), sine_s = below.norm(), cosine_p = pq.dot(pr), cosine_s = sq.dot(sr);
+    const double sine_p = above.norm(), sine_s = below.norm();
     if(!(sine_p * cosine_s + cosine_p * sine_s < -least_sine * pq.norm() * pr.norm() * sq.norm() * sr.norm()))
       return false;
     const Eigen::Vector3d ps = edge(p, s), normal = (above + below).normalized();

@@ -1,0 +1,79 @@
+// Copyright (c) 2026 The Global_odt_mesh_3 authors.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_GLOBAL_ODT_MESH_3_INTERNAL_SURFACE_SURFACE_CVT_TERM_3_H
+#define CGAL_GLOBAL_ODT_MESH_3_INTERNAL_SURFACE_SURFACE_CVT_TERM_3_H
+
+#include <CGAL/Global_odt_mesh_3/internal/surface/Boundary_complex_3.h>
+#include <CGAL/Global_odt_mesh_3/internal/surface/Surface_cvt_energy_3.h>
+#include <CGAL/Global_odt_mesh_3/internal/surface/Surface_triangulation_3.h>
+
+#include <Eigen/Core>
+
+#include <cstddef>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Global_odt_mesh_3 {
+namespace internal {
+
+// The energy of the restricted CVT of the surfaces as a term of another energy, that of the cells.
+//
+// The densities of both are such that the ratio of their Hessians' diagonals does not depend on the local
+// size. The factor on the term is one for all vertices and for good: with it, the diagonals are, summed up over all
+// vertices where the term is evaluated first, in the ratio of `weight`. So the fewer vertices the interior has to
+// make up for it, the less the term pulls at each.
+class Surface_cvt_term_3
+{
+public:
+  // The vertices from number `first` on, `number` of them, move on the surfaces.
+  Surface_cvt_term_3(int first, int number, double weight, Surface_density density)
+    : first_(first)
+    , number_(number)
+    , weight_(weight)
+    , density_(std::move(density))
+    , gradient_(3 * number)
+    , diagonal_(3 * number)
+  {}
+
+  // From now on, the surfaces have these facets.
+  void follow(const Boundary_complex_3& boundary, const std::vector<Site>& sites)
+  {
+    surface_ = Surface_triangulation_3(boundary);
+    densities_ = surface_densities(surface_, sites, density_);
+  }
+
+  // Adds gradient and diagonal to those of all vertices, and gives the energy.
+  double operator()(const std::vector<Site>& sites, Eigen::VectorXd& gradient, Eigen::VectorXd& diagonal)
+  {
+    if(density_)
+      for(int v = first_; v < first_ + number_; ++v)
+        densities_[v] = density_(v, sites[v]);
+    surface_.make_delaunay(sites);
+    const double energy = surface_cvt_energy(surface_, sites, densities_, first_, gradient_, diagonal_);
+    // Cells may be empty where weights are large.
+    diagonal_ = diagonal_.cwiseMax(0);
+    if(factor_ < 0)
+      factor_ = weight_ * diagonal.sum() / diagonal_.sum();
+    gradient.segment(3 * first_, 3 * number_) += factor_ * gradient_;
+    diagonal.segment(3 * first_, 3 * number_) += factor_ * diagonal_;
+    return factor_ * energy;
+  }
+
+private:
+  int first_, number_;
+  double weight_, factor_ = -1;     // not known yet
+  Surface_density density_;
+  Surface_triangulation_3 surface_;
+  std::vector<double> densities_;
+  Eigen::VectorXd gradient_, diagonal_;
+};
+
+} // namespace internal
+} // namespace Global_odt_mesh_3
+} // namespace CGAL
+
+#endif // CGAL_GLOBAL_ODT_MESH_3_INTERNAL_SURFACE_SURFACE_CVT_TERM_3_H
