@@ -133,9 +133,9 @@ input, only the ratios of sizes or densities matter.
 
 The global search comes in rounds (see `number_of_rounds` and `annealing_schedule`). At the end, slivers are removed: vertices of
 cells with dihedral angles below a bound try positions around them, one by one. The bound rises in steps of 20, 30, 35, 40, ... degrees,
-and a step is kept only if the smallest angle of all cells and the numbers of cells below the steps before have not become worse; so
-that a higher `sliver_bound` never leads to smaller angles. This takes at most about half as long as the stages before; where
-the bound cannot be reached in that time, longer stages, that is, a higher `number_of_rounds`, buy more.
+and a step is kept only if the smallest angle of all cells and the numbers of cells below the steps before have not become worse,
+so that a higher `sliver_bound` never leads to smaller angles. The number of tries is a share of the work of the stages before;
+where the bound is not reached with these, longer stages, that is, a higher `number_of_rounds`, buy more.
 
 Vertices in dimension 2 move on the surface, first toward a centroidal Voronoi tessellation of it
 (see `remesh_boundary_mesh_3()`) and then together with the interior, the energy of that tessellation being a term
@@ -258,8 +258,8 @@ version of %CGAL in use knows: `parameters::time_limit = 10, parameters::do_free
     \cgalParamDefault{`CGAL::Momentum_annealing_schedule()`}
   \cgalParamNEnd
   \cgalParamNBegin{number_of_rounds}
-    \cgalParamDescription{the length of the global search. A round of momentum annealing has 40 iterations, or 50 if no vertex
-                          moves on a surface; one of Algorithm 2 has as many as its schedule says. 0 means no
+    \cgalParamDescription{the length of the global search. A round of momentum annealing has 50 iterations; one
+                          of Algorithm 2 has as many as its schedule says. 0 means no
                           search: the mesh goes to a local minimum nearby.}
     \cgalParamType{`std::size_t`}
     \cgalParamDefault{4 for momentum annealing, 20 for Algorithm 2}

@@ -113,7 +113,7 @@ private:
   static constexpr double least_gain_of_round = 2e-4;     // of the energy, relatively
   static constexpr double longest_way_in_round = 0.3;     // of a surface vertex, over its shortest edge on the surface
   static constexpr double share_of_rounds = 0.8;          // of the progress that is reported
-  static constexpr std::size_t iterations_for_a_check = 20, cells_in_iteration_for_a_try = 500;     // of like cost
+  static constexpr std::size_t iterations_for_a_check = 20, cells_in_iteration_for_a_try = 170;     // of like cost
 
   bool boundary_moves() const { return number_of_surface_vertices() > 0; }
 
@@ -253,7 +253,7 @@ private:
       return false;
     if(!control_.goes_on())
       code_ = control_.code();
-    return removes_slivers() ? remove_slivers() : is_untouched() || complex_.advance(mesh_.sites, true);
+    return removes_slivers() ? remove_slivers() : is_untouched() || complex_.advance(mesh_.sites, true).has_value();
   }
 
   // Also if the iterations are used up, but not if the time is.

@@ -37,7 +37,7 @@ public:
     : task_(task)
     , stops_without_gain_{{ task == Odt_task::REMESH_BOUNDARY, false, !is_rough }}
     , iterations_{{ iterations_inside_while_remeshing,
-                    Global_search::iterations_in_round(p.annealing_schedule, boundary_moves), 0 }}
+                    Global_search::iterations_in_round(p.annealing_schedule), 0 }}
   {
     const int minimizer_rounds = is_rough ? rounds_of_minimizer_on_rough_surfaces : most_rounds_of_minimizer;
     if(task == Odt_task::REMESH_BOUNDARY)

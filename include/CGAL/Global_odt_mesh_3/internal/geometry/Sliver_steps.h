@@ -16,13 +16,14 @@ namespace internal {
 // on the bound that is wanted, a higher bound goes the way of a lower one, and then on.
 struct Sliver_steps
 {
-  static constexpr int number = 11;
-  static constexpr std::array<double, number> angles = {{ 10, 20, 25, 30, 35, 40, 45, 50, 55, 60, 70.5 }};
+  static constexpr int number = 10;
+  static constexpr std::array<double, number> angles = {{ 10, 20, 30, 35, 40, 45, 50, 55, 60, 70.5 }};
 
-  // The first that is not below the bound; that of 0, which stands for as much as can be had, is the last of all.
+  // The first that is not below 20 degrees nor the bound; that of 0, which stands for as much as can be had, is the
+  // last of all.
   static int last(double bound)
   {
-    int n = 0;
+    int n = 1;
     while(n + 1 < number && (!(bound > 0) || angles[n] < bound))
       ++n;
     return n;

@@ -41,11 +41,11 @@ public:
   }
 
   // Facets on surfaces follow the vertices only between rounds.
-  static int iterations_in_round(const Annealing_schedule& schedule, bool boundary_moves)
+  static int iterations_in_round(const Annealing_schedule& schedule)
   {
     const auto* metropolis = std::get_if<Metropolis_annealing_schedule>(&schedule);
     return metropolis != nullptr ? metropolis->iterations_in_round
-                                 : boundary_moves ? iterations_in_round_on_surfaces : iterations_in_round_of_momentum;
+                                 : int(iterations_in_round_of_momentum);
   }
 
   // Those of the minimizer that follow the search.
@@ -82,7 +82,7 @@ public:
 
 private:
   static constexpr int usual_rounds_of_momentum = 4;
-  static constexpr int iterations_in_round_of_momentum = 50, iterations_in_round_on_surfaces = 40;
+  static constexpr int iterations_in_round_of_momentum = 50;
   static constexpr int final_iterations_of_momentum = 20;
 
   static constexpr int most_initial_iterations = 200;

@@ -29,6 +29,7 @@
 #include <algorithm>
 #include <cstddef>
 #include <iterator>
+#include <optional>
 #include <set>
 #include <utility>
 #include <vector>
@@ -109,9 +110,10 @@ public:
   // How often candidates have been checked.
   std::size_t number_of_checks() const { return number_of_checks_; }
 
-  // Goes to new positions of the movable vertices, as far as possible; false if nothing could be done.
+  // Goes to new positions of the movable vertices, as far as possible, and gives the state that is replaced, or
+  // nothing if nothing could be done.
   // In a final state, all vertices are on their surfaces and all boundary facets have surface centers.
-  bool advance(const std::vector<Site>& target, bool is_final)
+  std::optional<State> advance(const std::vector<Site>& target, bool is_final)
   {
     Candidate candidate(state_, target, motion_, is_final);
     Surface_projection_3<Domain> projection(candidate, domain_);
@@ -122,15 +124,15 @@ public:
     {
       const Report report = check(candidate, attempt < attempts_at_good_facets);
       if(report.is_clean())
-      {
-        state_ = candidate.finish(domain_);
-        return true;
-      }
+        return std::exchange(state_, candidate.finish(domain_));
       if(report.is_beyond_repair() || !apply(report, candidate, projection, attempt))
-        return false;
+        return std::nullopt;
     }
-    return false;
+    return std::nullopt;
   }
+
+  // Goes back to a state that has been replaced.
+  void return_to(State earlier) { state_ = std::move(earlier); }
 
 private:
   typedef Restricted_candidate_3<Triangulation> Candidate;

@@ -74,25 +74,23 @@ public:
   const Complex& complex() const { return complex_; }
   const Site& site(int v) const { return complex_.sites[v]; }
 
-  std::size_t number_of_cells() const { return complex_.triangulation().number_of_finite_cells(); }
-
-  // The cells below the step, by sorted vertices.
-  std::vector<Quadruple> slivers() const
+  // The cells below a step, by sorted vertices.
+  std::vector<Quadruple> slivers(int step) const
   {
     std::vector<Quadruple> result;
     const Triangulation& tr = complex_.triangulation();
     for(auto c = tr.finite_cells_begin(); c != tr.finite_cells_end(); ++c)
-      if(is_inside(complex_.label(c)) && is_sliver(complex_.numbers(c)))
+      if(is_inside(complex_.label(c)) && is_sliver(complex_.numbers(c), step))
         result.push_back(sorted(complex_.numbers(c)));
     return result;
   }
 
   // Those among the cells that the last trial has made.
-  std::vector<Quadruple> new_slivers() const
+  std::vector<Quadruple> new_slivers(int step) const
   {
     std::vector<Quadruple> result;
     for(const Cell& c : lifted_.new_cells())
-      if(is_inside(c.label) && is_sliver(c.vertices))
+      if(is_inside(c.label) && is_sliver(c.vertices, step))
         result.push_back(sorted(c.vertices));
     return result;
   }
@@ -101,7 +99,7 @@ public:
   double deficit(const Quadruple& q) const
   {
     Cell_handle c;
-    return is_cell(q, c) && is_inside(complex_.label(c)) && is_sliver(q) ? deficit_(cell_sites(q)) : 0;
+    return is_cell(q, c) && is_inside(complex_.label(c)) && is_sliver(q, step_) ? deficit_(cell_sites(q)) : 0;
   }
 
   // Those of a cell that may move.
@@ -212,12 +210,9 @@ private:
     return t.triangulation().is_cell(t.vertex(q[0]), t.vertex(q[1]), t.vertex(q[2]), t.vertex(q[3]), c);
   }
 
-  // Whether an angle is below the step.
-  bool is_sliver(const Quadruple& q) const
+  bool is_sliver(const Quadruple& q, int step) const
   {
-    bool result = false;
-    deficit_.for_each_lack(cell_sites(q), [&result](double lack) { result = result || lack > margin; });
-    return result;
+    return Angle_deficit_3(Sliver_steps::angles[step])(cell_sites(q)) > 0;
   }
 
   std::array<Site, 4> cell_sites(const Quadruple& q) const

@@ -9,7 +9,6 @@
 #include <CGAL/Global_odt_mesh_3/internal/geometry/Promising_step.h>
 #include <CGAL/Global_odt_mesh_3/internal/geometry/Random_source.h>
 #include <CGAL/Global_odt_mesh_3/internal/geometry/Site.h>
-#include <CGAL/Global_odt_mesh_3/internal/geometry/Sliver_steps.h>
 
 #include <Eigen/Core>
 
@@ -34,8 +33,6 @@ struct Exact_sliver_removal_parameters
   int most_failures = 4;                    // for the same cell
   int most_passes = 12;                     // with each bound
   std::size_t tries_of_lift = 8;            // to lift a vertex and put it back takes as long as so many tries
-  // Above this angle, no step is taken if no bound is given and more of the cells lie below it.
-  double always_wanted = 30, most_slivers = 1 / 30.;
 };
 
 // Removes the cells with small dihedral angles by trials of single vertices of the exact complex, by bounds that rise
@@ -52,11 +49,14 @@ class Exact_sliver_removal_3
 public:
   typedef std::array<int, 4> Quadruple;
 
-  // The dihedral angles should exceed `bound` degrees, or as much as can be had if that is 0.
-  Exact_sliver_removal_3(Trial& trial, double bound, unsigned int seed,
+  // The failures of cells, by their vertices.
+  typedef std::map<Quadruple, int> Failures;
+
+  // Cells that have failed often enough are left alone.
+  Exact_sliver_removal_3(Trial& trial, Failures& failures, unsigned int seed,
                          const Exact_sliver_removal_parameters& parameters = Exact_sliver_removal_parameters())
     : trial_(trial)
-    , bound_(bound)
+    , failures_(failures)
     , parameters_(parameters)
     , random_(seed)
   {}
@@ -65,30 +65,24 @@ public:
   // Of places, with what lifting vertices costs.
   std::size_t number_of_tries() const { return number_of_tries_; }
 
-  // Until there are no such cells, nothing improves them any more, the tries are used up, or `may_go_on()`,
+  // Until there are no cells below the step, nothing improves them any more, the tries are used up, or `may_go_on()`,
   // asked before each cell, says no.
   template <class Predicate>
-  void run(std::size_t most_tries, const Predicate& may_go_on)
+  void run(int last_step, std::size_t most_tries, const Predicate& may_go_on)
   {
-    for(int step = 0; step <= Sliver_steps::last(bound_); ++step)
+    last_step_ = last_step;
+    const std::vector<Quadruple> slivers = trial_.slivers(last_step);
+    slivers_.insert(slivers.begin(), slivers.end());
+    for(int step = 0; step <= last_step; ++step)
     {
       trial_.set_step(step);
-      const std::vector<Quadruple> slivers = trial_.slivers();
-      slivers_.clear();
-      slivers_.insert(slivers.begin(), slivers.end());
-      if(!is_worthwhile(Sliver_steps::angles[step]) || !make_passes(most_tries, may_go_on))
+      if(!make_passes(most_tries, may_go_on))
         return;
     }
   }
 
 private:
   static constexpr double least_improvement = 1e-6;     // square degrees
-
-  bool is_worthwhile(double angle) const
-  {
-    return bound_ > 0 || angle <= parameters_.always_wanted
-           || double(slivers_.size()) < parameters_.most_slivers * double(trial_.number_of_cells());
-  }
 
   // False if it is to come to an end.
   template <class Predicate>
@@ -215,7 +209,7 @@ private:
   {
     ++number_of_moves_;
     trial_.accept();
-    for(const Quadruple& q : trial_.new_slivers())
+    for(const Quadruple& q : trial_.new_slivers(last_step_))
     {
       slivers_.insert(q);
       failures_.erase(q);
@@ -223,11 +217,11 @@ private:
   }
 
   Trial& trial_;
-  double bound_;
+  Failures& failures_;
   Exact_sliver_removal_parameters parameters_;
   Random_source random_;
-  std::set<Quadruple> slivers_;               // cells below the bound, and such as have been
-  std::map<Quadruple, int> failures_;
+  int last_step_ = 0;
+  std::set<Quadruple> slivers_;               // cells below the last step, and such as have been
   double best_change_ = 0;
   int best_vertex_ = -1;
   Site best_site_ = { 0, 0, 0, 0 };

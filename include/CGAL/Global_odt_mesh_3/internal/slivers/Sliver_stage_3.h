@@ -7,6 +7,8 @@
 #define CGAL_GLOBAL_ODT_MESH_3_INTERNAL_SLIVERS_SLIVER_STAGE_3_H
 
 #include <CGAL/Global_odt_mesh_3/internal/geometry/Angle_deficit_3.h>
+#include <CGAL/Global_odt_mesh_3/internal/geometry/Sliver_steps.h>
+#include <CGAL/Global_odt_mesh_3/internal/slivers/Cell_angles.h>
 #include <CGAL/Global_odt_mesh_3/internal/slivers/Exact_sliver_removal_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/slivers/Sliver_removal_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/surface/Boundary_geometry_3.h>
@@ -17,14 +19,17 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <optional>
+#include <utility>
 #include <vector>
 
 namespace CGAL {
 namespace Global_odt_mesh_3 {
 namespace internal {
 
-// Removal of slivers from a complex: those of the flat mesh first, where a try takes microseconds but facets on
-// surfaces are constrained, and then, step by step, those of the exact complex that is made of it.
+// Removal of slivers from a complex, step by step: those of the flat mesh first, where a try takes microseconds but
+// facets on surfaces are constrained, and then those of the exact complex that is made of it. What a step has reached
+// is not given up by the next; and as no step depends on the bound that is wanted, a higher one never leads to less.
 template <class Complex>
 class Sliver_stage_3
   : private Vertex_motion_3
@@ -44,13 +49,15 @@ public:
   template <class Has_time, class May_go_on>
   bool run(const Has_time& has_time, const May_go_on& may_go_on)
   {
-    remove_from_mesh(has_time);
+    remove_from_mesh(first_step, has_time);
     const bool is_stored = complex_.state().has_positions(mesh_.sites);
     if((!is_stored || !complex_.state().is_input()) && !complex_.advance(mesh_.sites, true))
       return false;
-    if(may_go_on())
-      remove_from_complex(has_time);
     complex_.flatten(mesh_);
+    reached_ = Cell_angles(mesh_);
+    bool goes_on = may_go_on() && climb_in_complex(first_step, has_time);
+    for(int step = first_step + 1; step <= Sliver_steps::last(bound_) && goes_on; ++step)
+      goes_on = may_go_on() && is_worthwhile(step) && climb(step, has_time);
     return true;
   }
 
@@ -65,26 +72,73 @@ public:
   }
 
 private:
-  static constexpr double bound_of_mesh = 20;   // degrees
+  typedef typename Complex::State State;
+  typedef Exact_sliver_removal_3<typename Complex::Trial> Exact_removal;
+
+  static constexpr int first_step = 1;
+  static constexpr std::size_t tries_for_an_exact_one = 3;
+  // Above the angle, no step is taken if no bound is given and more of the cells lie below it.
+  static constexpr double always_wanted = 30, most_slivers = 1 / 30.;
+
+  bool is_worthwhile(int step) const
+  {
+    return bound_ > 0 || Sliver_steps::angles[step] <= always_wanted
+           || double(reached_.below[step]) < most_slivers * mesh_.topology.number_of_cells();
+  }
+
+  // Whether the next step may be taken.
+  template <class Has_time>
+  bool climb(int step, const Has_time& has_time)
+  {
+    if(reached_.below[step] == 0)
+      return true;
+    if(!remove_from_mesh(step, has_time))
+      return climb_in_complex(step, has_time);
+    std::optional<State> replaced = complex_.advance(mesh_.sites, true);
+    if(climb_in_complex(step, has_time))
+      return true;
+    if(replaced)
+      complex_.return_to(std::move(*replaced));
+    return climb_in_complex(step, has_time);
+  }
+
+  // Whether more is reached than before.
+  template <class Has_time>
+  bool climb_in_complex(int step, const Has_time& has_time)
+  {
+    remove_from_complex(step, has_time);
+    complex_.flatten(mesh_);
+    const Cell_angles now(mesh_);
+    const bool is_better = now.is_better_than(reached_, step);
+    if(is_better)
+      reached_ = now;
+    return is_better || reached_.below[step] == 0;
+  }
 
   // On rough surfaces, vertices move even where the facets around them bend sharply.
   bool is_rough() const { return complex_.is_surface_rough(); }
 
+  std::size_t tries_left() const { return most_tries_ - (std::min)(number_of_tries_, most_tries_); }
+
+  // Whether vertices have moved.
   template <class Has_time>
-  void remove_from_mesh(const Has_time& has_time)
+  bool remove_from_mesh(int step, const Has_time& has_time)
   {
     Sliver_removal_parameters parameters;
-    parameters.most_joint_tries = 0;
-    parameters.most_tries = most_tries_;
-    Sliver_removal_3(mesh_, bound_of_mesh, seed_, this, parameters).run(has_time);
+    parameters.most_tries = tries_left() / 2;     // the rest is for what can be removed in the complex only
+    Sliver_removal_3 removal(mesh_, Sliver_steps::angles[step], seed_++, this, parameters);
+    removal.run(has_time);
+    number_of_tries_ += removal.number_of_tries();
+    return removal.number_of_moves() > 0;
   }
 
   template <class Has_time>
-  void remove_from_complex(const Has_time& has_time)
+  void remove_from_complex(int step, const Has_time& has_time)
   {
     typename Complex::Trial trial = complex_.make_trial();
-    Exact_sliver_removal_3<typename Complex::Trial> removal(trial, bound_, seed_ + 1);
-    removal.run(most_tries_, has_time);
+    Exact_removal removal(trial, failures_, seed_++);
+    removal.run(step, tries_left() / tries_for_an_exact_one, has_time);
+    number_of_tries_ += tries_for_an_exact_one * removal.number_of_tries();
     if(removal.number_of_moves() > 0)
       complex_.adopt(trial);
   }
@@ -145,7 +199,9 @@ private:
   Moving_triangulation_3& mesh_;
   double bound_;
   unsigned int seed_;
-  std::size_t most_tries_;
+  std::size_t most_tries_, number_of_tries_ = 0;
+  Cell_angles reached_;
+  typename Exact_removal::Failures failures_;
   std::vector<Slot> star_;
 };
 

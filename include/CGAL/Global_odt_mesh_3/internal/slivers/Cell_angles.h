@@ -1,0 +1,73 @@
+// Copyright (c) 2026 The Global_odt_mesh_3 authors.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_GLOBAL_ODT_MESH_3_INTERNAL_SLIVERS_CELL_ANGLES_H
+#define CGAL_GLOBAL_ODT_MESH_3_INTERNAL_SLIVERS_CELL_ANGLES_H
+
+#include <CGAL/Global_odt_mesh_3/internal/geometry/Angle_deficit_3.h>
+#include <CGAL/Global_odt_mesh_3/internal/triangulation/Constrained_triangulation_3.h>
+
+#include <CGAL/Global_odt_mesh_3/internal/geometry/Site.h>
+#include <CGAL/Global_odt_mesh_3/internal/geometry/Sliver_steps.h>
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+
+namespace CGAL {
+namespace Global_odt_mesh_3 {
+namespace internal {
+
+// How many cells of a mesh have a dihedral angle below each step that the removal of slivers climbs.
+struct Cell_angles
+{
+  double smallest = 90;
+  std::array<std::size_t, Sliver_steps::number> below = {};
+  std::array<double, Sliver_steps::number> deficit = {};     // square degrees
+
+  Cell_angles() {}
+
+  explicit Cell_angles(const Constrained_triangulation_3& mesh)
+  {
+    const Angle_deficit_3 highest(Sliver_steps::angles.back());
+    for(int c = 0; c < mesh.topology.number_of_cell_slots(); ++c)
+      if(mesh.topology.is_alive(c))
+        add(mesh.cell_sites(c), highest);
+  }
+
+  // Whether more of what the step asks for is reached, and no less of what the steps before do.
+  bool is_better_than(const Cell_angles& other, int step) const
+  {
+    if(smallest < other.smallest || !(deficit[step] < other.deficit[step]))
+      return false;
+    for(int s = 0; s < step; ++s)
+      if(below[s] > other.below[s])
+        return false;
+    return true;
+  }
+
+private:
+  void add(const std::array<Site, 4>& cell, const Angle_deficit_3& highest)
+  {
+    double angle = Sliver_steps::angles.back();
+    highest.for_each_lack(cell, [&](double lack)
+    {
+      const double a = Sliver_steps::angles.back() - lack;
+      angle = (std::min)(angle, a);
+      for(int s = 0; s < Sliver_steps::number; ++s)
+        if(a < Sliver_steps::angles[s])
+          deficit[s] += (Sliver_steps::angles[s] - a) * (Sliver_steps::angles[s] - a);
+    });
+    smallest = (std::min)(smallest, angle);
+    for(int s = 0; s < Sliver_steps::number; ++s)
+      below[s] += angle < Sliver_steps::angles[s];
+  }
+};
+
+} // namespace internal
+} // namespace Global_odt_mesh_3
+} // namespace CGAL
+
+#endif // CGAL_GLOBAL_ODT_MESH_3_INTERNAL_SLIVERS_CELL_ANGLES_H
