@@ -25,7 +25,7 @@ inline void search_globally(Moving_triangulation_3& mesh, Odt_objective_3& f, co
   const Limited_memory_bfgs_parameters parameters;
   Global_search search(schedule, seed, parameters);
   Cell_order order(mesh);
-  const int iterations = Global_search::iterations_in_round(schedule, false);
+  const int iterations = Global_search::iterations_in_round(schedule);
   for(int round = 0; round < rounds; ++round)
     search.make_round(f, iterations, [&](int n) { return (round + double(n) / iterations) / rounds; },
                       [] { return true; }, [&] { order.maintain(mesh); });

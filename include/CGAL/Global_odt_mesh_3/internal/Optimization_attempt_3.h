@@ -7,12 +7,10 @@
 #define CGAL_GLOBAL_ODT_MESH_3_INTERNAL_OPTIMIZATION_ATTEMPT_3_H
 
 #include <CGAL/Global_odt_mesh_3/internal/Iteration_control.h>
+#include <CGAL/Global_odt_mesh_3/internal/Mesh_density_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/Odt_parameters.h>
 #include <CGAL/Global_odt_mesh_3/internal/Round_plan.h>
 #include <CGAL/Global_odt_mesh_3/internal/User_fields_3.h>
-#include <CGAL/Global_odt_mesh_3/internal/density/Density_3.h>
-#include <CGAL/Global_odt_mesh_3/internal/density/Density_quadrature_3.h>
-#include <CGAL/Global_odt_mesh_3/internal/density/Make_density_quadrature_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/geometry/Site.h>
 #include <CGAL/Global_odt_mesh_3/internal/optimization/Convergence_monitor.h>
 #include <CGAL/Global_odt_mesh_3/internal/optimization/Global_search.h>
@@ -24,7 +22,6 @@
 #include <CGAL/Global_odt_mesh_3/internal/restricted/C3t3_writer_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/restricted/Restricted_complex_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/restricted/Surface_roughness_3.h>
-#include <CGAL/Global_odt_mesh_3/internal/sizing/Input_density_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/slivers/Sliver_stage_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/surface/Surface_cvt_objective_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/surface/Surface_cvt_term_3.h>
@@ -119,23 +116,10 @@ private:
 
   void prepare_energies()
   {
-    density_ = make_density();
-    // The density of the input is what it is at vertices, but a field may vary between them.
-    if(!density_->is_uniform() || fields_)
-      quadrature_ = make_density_quadrature_3(parameters_.quadrature, *density_, mesh_.sites);
-    mesh_.set_quadrature(quadrature_.get());
-    if(!density_->is_uniform())
-      surface_density_at_vertex_ = [this](int v, const Site& s) { return density_->on_surface(v, s); };
-    surface_term_ = std::make_unique<Surface_cvt_term_3>(
-      mesh_.number_of_interior_vertices, number_of_surface_vertices(), parameters_.surface_weight, surface_density_at_vertex_);
-  }
-
-  std::unique_ptr<Density_3> make_density() const
-  {
     const auto& vertices = complex_.state().numbering->input_vertices;
-    if(fields_)
-      return fields_.make_density(mesh_.sites, [&vertices](int v) { return vertices[v]; });
-    return std::make_unique<Input_density_3>(mesh_);
+    density_.prepare(mesh_, fields_, parameters_.quadrature, [&vertices](int v) { return vertices[v]; });
+    surface_term_ = std::make_unique<Surface_cvt_term_3>(
+      mesh_.number_of_interior_vertices, number_of_surface_vertices(), parameters_.surface_weight, density_.on_surface());
   }
 
   // The rounds of the plan, the last stage as long as it pays, and what follows. False if they lead to no valid
@@ -229,7 +213,7 @@ private:
   double remesh_surfaces()
   {
     Surface_cvt_objective_3 objective(complex_.state().boundary.complex(), mesh_.sites, mesh_.number_of_interior_vertices,
-                                      surface_motions(true), surface_density_at_vertex_);
+                                      surface_motions(true), density_.on_surface());
     Limited_memory_bfgs minimizer(minimizer_parameters(mesh_.quadrature()));
     for(int n = 0; n < Round_plan::iterations_on_surface && control_.goes_on() && begin_iteration(); ++n)
     {
@@ -347,9 +331,7 @@ private:
   Complex complex_;
   Moving_triangulation_3 mesh_;
   std::unique_ptr<Round_plan> plan_;
-  std::unique_ptr<Density_3> density_;
-  std::unique_ptr<Density_quadrature_3> quadrature_;
-  Surface_density surface_density_at_vertex_;
+  Mesh_density_3 density_;
   std::unique_ptr<Surface_cvt_term_3> surface_term_;
   double search_begin_ = 0;                 // in fractions of the time
   std::size_t number_of_slivers_ = 0;

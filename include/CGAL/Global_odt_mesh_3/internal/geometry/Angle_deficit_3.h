@@ -31,6 +31,8 @@ public:
     , cosine_(std::cos(bound * CGAL_PI / 180))
   {}
 
+  double bound() const { return bound_; }
+
   double operator()(const std::array<Site, 4>& cell) const
   {
     double deficit = 0;

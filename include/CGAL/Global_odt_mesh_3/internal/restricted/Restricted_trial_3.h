@@ -7,9 +7,11 @@
 #define CGAL_GLOBAL_ODT_MESH_3_INTERNAL_RESTRICTED_RESTRICTED_TRIAL_3_H
 
 #include <CGAL/Global_odt_mesh_3/internal/geometry/Angle_deficit_3.h>
+#include <CGAL/Global_odt_mesh_3/internal/geometry/Angle_step_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/geometry/Cell_products_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/geometry/Promising_step.h>
 #include <CGAL/Global_odt_mesh_3/internal/geometry/Site.h>
+#include <CGAL/Global_odt_mesh_3/internal/geometry/Sliver_count.h>
 #include <CGAL/Global_odt_mesh_3/internal/geometry/Sliver_steps.h>
 #include <CGAL/Global_odt_mesh_3/internal/geometry/Vertex_tuples.h>
 #include <CGAL/Global_odt_mesh_3/internal/restricted/Facet_exchange_3.h>
@@ -19,14 +21,12 @@
 
 #include <CGAL/assertions.h>
 
-#include <Eigen/Cholesky>
 #include <Eigen/Core>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
-#include <functional>
 #include <iterator>
 #include <limits>
 #include <utility>
@@ -127,10 +127,10 @@ public:
   {
     measure_neighborhood(v);
     find_star(v);
-    Eigen::Vector3d step = damped_step(v);
-    const double length = step.norm(), longest = farthest * mean_edge_;
-    if(length > longest)
-      step *= longest / length;
+    Angle_step_3 angle_step(deficit_, normal_);
+    for(const Quadruple& q : star_)
+      angle_step.add(cell_sites(q), static_cast<int>(std::find(q.begin(), q.end(), v) - q.begin()));
+    const Eigen::Vector3d step = angle_step.displacement(farthest * mean_edge_);
     const double before = deficit_of_star();
     const Site from = complex_.sites[v];
     for(double share : shares)
@@ -266,22 +266,9 @@ private:
     normal_.normalize();
   }
 
-  // Of cells: how many are below each step, and what they lack.
-  struct Angles
-  {
-    double deficit = 0, smallest = 90;
-    std::array<int, Sliver_steps::number> below = {};
-
-    bool is_not_worse_than(const Angles& other, int step) const
-    {
-      return smallest >= other.smallest
-             && std::equal(below.begin(), below.begin() + step, other.below.begin(), std::less_equal<int>());
-    }
-  };
-
   double change_of_deficit()
   {
-    before_ = after_ = Angles();
+    before_ = after_ = Sliver_count();
     const Site to = std::exchange(complex_.sites[lifted_.vertex()], lifted_.from());
     for(const Cell& c : lifted_.old_cells())
       add(c, before_);
@@ -291,24 +278,12 @@ private:
     return after_.deficit - before_.deficit;
   }
 
-  void add(const Cell& c, Angles& angles) const
+  void add(const Cell& c, Sliver_count& count) const
   {
     if(c.label == Lifted_vertex::mixed)
-      angles.deficit = infinity;
-    if(!is_inside(c.label))
-      return;
-    double most = 0;
-    deficit_.for_each_lack(cell_sites(c.vertices), [&](double lack)
-    {
-      angles.deficit += lack * lack;
-      most = (std::max)(most, lack);
-    });
-    if(!(most > 0))
-      return;
-    const double angle = Sliver_steps::angles[step_] + margin - most;
-    angles.smallest = (std::min)(angles.smallest, angle);
-    for(int n = 0; n < step_; ++n)
-      angles.below[n] += angle < Sliver_steps::angles[n];
+      count.deficit = infinity;
+    else if(is_inside(c.label))
+      count.add(cell_sites(c.vertices), deficit_, step_);
   }
 
   // The cells of the complex around a vertex.
@@ -336,26 +311,6 @@ private:
     return sum;
   }
 
-  Eigen::Vector3d damped_step(int v) const
-  {
-    constexpr double damping = 1e-2;
-    Eigen::Matrix3d normal_equations = Eigen::Matrix3d::Zero();
-    Eigen::Vector3d right_side = Eigen::Vector3d::Zero();
-    for(const Quadruple& q : star_)
-    {
-      const int m = static_cast<int>(std::find(q.begin(), q.end(), v) - q.begin());
-      deficit_.for_each_gradient(cell_sites(q), m, [&](double lack, const Eigen::Vector3d& gradient)
-      {
-        const Eigen::Vector3d g = gradient - normal_.dot(gradient) * normal_;
-        normal_equations += g * g.transpose();
-        right_side += lack * g;
-      });
-    }
-    normal_equations.diagonal().array() += damping * normal_equations.trace();
-    const Eigen::Vector3d step = normal_equations.ldlt().solve(right_side);
-    return step.allFinite() ? step : Eigen::Vector3d(Eigen::Vector3d::Zero());
-  }
-
   Complex complex_;
   Lifted_vertex lifted_;
   Facet_exchange_3<Domain> exchange_;
@@ -365,7 +320,7 @@ private:
   std::vector<Quadruple> star_;
   double mean_edge_ = 0, shortest_edge_ = 0;                  // at the lifted vertex
   Eigen::Vector3d normal_ = Eigen::Vector3d::Zero();          // of the surface there
-  Angles before_, after_;
+  Sliver_count before_, after_;
 };
 
 } // namespace internal

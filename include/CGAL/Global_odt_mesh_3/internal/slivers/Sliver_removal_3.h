@@ -222,10 +222,7 @@ private:
   // These say whether a position was found, and accepted, that leaves no deficit.
   bool try_steps(int v)
   {
-    Eigen::Vector3d step = trial_.step_to_more(v);
-    const double length = step.norm(), longest = parameters_.farthest * edge_length_[v];
-    if(length > longest)
-      step *= longest / length;
+    const Eigen::Vector3d step = trial_.step_to_more(v, parameters_.farthest * edge_length_[v]);
     for(double factor : { 1., .5, .25 })
       if(try_position(v, site_at(position(mesh_.sites[v]) + factor * step, mesh_.sites[v].weight)) == SOLVED)
         return true;

@@ -7,6 +7,7 @@
 #define CGAL_GLOBAL_ODT_MESH_3_INTERNAL_SLIVERS_VERTEX_TRIAL_3_H
 
 #include <CGAL/Global_odt_mesh_3/internal/geometry/Angle_deficit_3.h>
+#include <CGAL/Global_odt_mesh_3/internal/geometry/Angle_step_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/geometry/Site.h>
 #include <CGAL/Global_odt_mesh_3/internal/triangulation/Constrained_triangulation_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/triangulation/Flips_3.h>
@@ -16,7 +17,6 @@
 #include <CGAL/assertions.h>
 
 #include <Eigen/Core>
-#include <Eigen/Cholesky>
 
 #include <array>
 #include <cstddef>
@@ -83,26 +83,15 @@ public:
     return after_ - before_;
   }
 
-  // The displacement that would give the cells around the vertex what their angles lack, in first order and as far
-  // as one vertex can: the step of Gauss and Newton, damped.
-  Eigen::Vector3d step_to_more(int v)
+  // Of the vertex, toward more for the angles around it, as far as `longest`.
+  Eigen::Vector3d step_to_more(int v, double longest)
   {
-    Eigen::Matrix3d normal_equations = Eigen::Matrix3d::Zero();
-    Eigen::Vector3d right_side = Eigen::Vector3d::Zero();
+    Angle_step_3 step(angle_deficit_);
     mesh_.topology.star(v, star_);
     for(Slot t : star_)
-    {
-      if(!(deficit_[t.cell()] > 0))
-        continue;
-      angle_deficit_.for_each_gradient(mesh_.cell_sites(t.cell()), t.index(), [&](double lack, const Eigen::Vector3d& gradient)
-      {
-        normal_equations += gradient * gradient.transpose();
-        right_side += lack * gradient;
-      });
-    }
-    normal_equations.diagonal().array() += damping * normal_equations.trace();
-    const Eigen::Vector3d step = normal_equations.ldlt().solve(right_side);
-    return step.allFinite() ? step : Eigen::Vector3d(Eigen::Vector3d::Zero());
+      if(deficit_[t.cell()] > 0)
+        step.add(mesh_.cell_sites(t.cell()), t.index());
+    return step.displacement(longest);
   }
 
   // The sum of the deficits of the cells that the trial has made.
@@ -166,8 +155,6 @@ public:
   }
 
 private:
-  static constexpr double damping = 1e-2;
-
   friend class Lawson_flips_3<Vertex_trial_3>;
 
   std::array<int, 3> flip_2_3(Slot s)

@@ -1,0 +1,63 @@
+// Copyright (c) 2026 The Global_odt_mesh_3 authors.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_GLOBAL_ODT_MESH_3_INTERNAL_MESH_DENSITY_3_H
+#define CGAL_GLOBAL_ODT_MESH_3_INTERNAL_MESH_DENSITY_3_H
+
+#include <CGAL/Global_odt_mesh_3/internal/User_fields_3.h>
+#include <CGAL/Global_odt_mesh_3/internal/density/Density_3.h>
+#include <CGAL/Global_odt_mesh_3/internal/density/Density_quadrature_3.h>
+#include <CGAL/Global_odt_mesh_3/internal/density/Make_density_quadrature_3.h>
+#include <CGAL/Global_odt_mesh_3/internal/sizing/Input_density_3.h>
+#include <CGAL/Global_odt_mesh_3/internal/surface/Surface_cvt_energy_3.h>
+#include <CGAL/Global_odt_mesh_3/internal/triangulation/Moving_triangulation_3.h>
+
+#include <memory>
+
+namespace CGAL {
+namespace Global_odt_mesh_3 {
+namespace internal {
+
+// The density of a mesh, the user's or else that of its input, for the energies of cells and of surfaces.
+class Mesh_density_3
+{
+public:
+  Mesh_density_3() {}
+
+  // The mesh refers to the quadrature.
+  Mesh_density_3(const Mesh_density_3&) = delete;
+  Mesh_density_3& operator=(const Mesh_density_3&) = delete;
+
+  // `vertex(v)` is the one of the input with that number.
+  template <class C3t3, class Vertex>
+  void prepare(Moving_triangulation_3& mesh, const User_fields_3<C3t3>& fields, const Quadrature_choice& quadrature,
+               const Vertex& vertex)
+  {
+    if(fields)
+      density_ = fields.make_density(mesh.sites, vertex);
+    else
+      density_ = std::make_unique<Input_density_3>(mesh);
+    // The density of the input is what it is at vertices, but a field may vary between them.
+    if(!density_->is_uniform() || fields)
+      quadrature_ = make_density_quadrature_3(quadrature, *density_, mesh.sites);
+    mesh.set_quadrature(quadrature_.get());
+    if(!density_->is_uniform())
+      on_surface_ = [this](int v, const Site& s) { return density_->on_surface(v, s); };
+  }
+
+  // Empty if it is uniform.
+  const Surface_density& on_surface() const { return on_surface_; }
+
+private:
+  std::unique_ptr<Density_3> density_;
+  std::unique_ptr<Density_quadrature_3> quadrature_;
+  Surface_density on_surface_;
+};
+
+} // namespace internal
+} // namespace Global_odt_mesh_3
+} // namespace CGAL
+
+#endif // CGAL_GLOBAL_ODT_MESH_3_INTERNAL_MESH_DENSITY_3_H
