@@ -215,23 +215,29 @@ static void progress(const Labeled_c3t3& input, const Labeled_domain& domain)
   { CGAL::odt_optimize_mesh_3(c3t3, domain, params::callback(f), params::optimize_boundary = false); });
 }
 
-// The bound is for the iterations of all stages together, and the search takes place within it. Rounds of the removal of
-// slivers would ask the callback, too.
+struct Counting_visitor
+{
+  int iterations = 0;
+  void after_compute_moves() {}
+  void after_move_points() {}
+  void after_rebuild_restricted_delaunay() {}
+  void end_of_iteration(int) { ++iterations; }
+};
+
+// The bound is for the iterations of all stages together, and the search takes place within it.
 static void iteration_bound(const Labeled_c3t3& input, const Labeled_domain& domain)
 {
   const Contract contract(input, domain, "70 iterations");
-  int iterations = 0;
-  const auto count = [&](double) { ++iterations; return true; };
   const auto bounded = [&](std::size_t rounds)
   {
     Labeled_c3t3 c(input);
-    iterations = 0;
+    Counting_visitor counted;
     const auto code = CGAL::odt_optimize_mesh_3(c, domain, params::max_iteration_number = 70, params::number_of_rounds = rounds,
-                                                params::convergence = 0, params::do_freeze = false, params::do_remove_slivers = false,
-                                                params::callback(count));
-    check::that(iterations <= 70, iterations, " iterations instead of 70 at most");
-    check::that(code == (iterations == 70 ? CGAL::MAX_ITERATION_NUMBER_REACHED : CGAL::CANT_IMPROVE_ANYMORE),
-                iterations, " iterations of 70: return code ", code);
+                                                params::convergence = 0, params::do_freeze = false,
+                                                params::do_remove_slivers = false, params::visitor(std::ref(counted)));
+    check::that(counted.iterations <= 70, counted.iterations, " iterations instead of 70 at most");
+    check::that(code == (counted.iterations == 70 ? CGAL::MAX_ITERATION_NUMBER_REACHED : CGAL::CANT_IMPROVE_ANYMORE),
+                counted.iterations, " iterations of 70: return code ", code);
     check_moved(contract, c);
     return Contract::points(c);
   };
@@ -239,10 +245,10 @@ static void iteration_bound(const Labeled_c3t3& input, const Labeled_domain& dom
   for(const bool freezes : { false, true })
   {
     Labeled_c3t3 c(input);
-    iterations = 0;
+    Counting_visitor counted;
     CGAL::odt_optimize_mesh_3(c, domain, params::max_iteration_number = 70, params::do_freeze = freezes,
-                              params::do_remove_slivers = false, params::callback(count));
-    check::that(iterations <= 70, iterations, " iterations of the usual call instead of 70 at most");
+                              params::visitor(std::ref(counted)));
+    check::that(counted.iterations <= 70, counted.iterations, " iterations of the usual call instead of 70 at most");
   }
 }
 

@@ -85,11 +85,13 @@ template <class C3t3, class Domain>
 void rejected_trials(const std::string& name, const C3t3& c3t3, const Domain& domain, bool moves_surfaces)
 {
   Setting<C3t3, Domain> setting(c3t3, domain, Boundary_motion::BY_NORMALS);
-  auto trial = setting.complex.make_trial(40);
+  auto trial = setting.complex.make_trial();
+  const int step = Sliver_steps::last(40);
+  trial.set_step(step);
   const Contents before(trial);
   Random_source random(5);
   int lifted = 0, on_surface = 0, permitted = 0, refused = 0, other = 0;
-  for(const auto& q : trial.slivers())
+  for(const auto& q : trial.slivers(step))
     for(int v : trial.movable_vertices(q))
     {
       if(lifted == 400)
@@ -120,26 +122,29 @@ void rejected_trials(const std::string& name, const C3t3& c3t3, const Domain& do
 
 // Slivers are removed, and what comes out is a mesh as good as the one before in all other respects.
 template <class C3t3, class Domain>
-void removal(const std::string& name, const C3t3& c3t3, const Domain& domain, Boundary_motion motion, double bound,
+void removal(const std::string& name, const C3t3& c3t3, const Domain& domain, Boundary_motion motion, int step,
              double most_left)
 {
+  const double bound = Sliver_steps::angles[step];
   const Mesh_contract<C3t3, Domain> contract(c3t3, domain, name);
   std::vector<C3t3> results;
   for(int run = 0; run < 2; ++run)
   {
     Setting<C3t3, Domain> setting(c3t3, domain, motion);
-    auto trial = setting.complex.make_trial(bound);
-    const std::size_t before = trial.slivers().size();
-    Exact_sliver_removal_3<decltype(trial)> removal(trial, bound, 1);
-    removal.run(1000000, [] { return true; });
-    const std::size_t after = trial.slivers().size();
+    auto trial = setting.complex.make_trial();
+    const std::size_t before = trial.slivers(step).size();
+    typedef Exact_sliver_removal_3<decltype(trial)> Removal;
+    typename Removal::Failures failures;
+    Removal removal(trial, failures, 1);
+    removal.run(step, 1000000, [] { return true; });
+    const std::size_t after = trial.slivers(step).size();
     std::cout << name << ": " << before << " -> " << after << " cells below " << bound << " degrees by "
               << removal.number_of_moves() << " moves, " << removal.number_of_tries() << " tries" << std::endl;
     check::that(before > 5 && removal.number_of_moves() > 0, name, ": there was nothing to do");
     check::that(double(after) <= most_left * double(before), name, ": ", after, " of ", before, " slivers remain");
     const Contents reached(trial);
     check::that(setting.complex.adopt(trial), name, ": the complex does not adopt the trials");
-    auto next = setting.complex.make_trial(bound);
+    auto next = setting.complex.make_trial();
     check::that(Contents(next) == reached, name, ": the complex is not what trials have led to");
     results.push_back(setting.write());
   }
@@ -156,16 +161,18 @@ template <class C3t3, class Domain>
 void limits(const C3t3& c3t3, const Domain& domain)
 {
   Setting<C3t3, Domain> setting(c3t3, domain, Boundary_motion::BY_NORMALS);
-  auto trial = setting.complex.make_trial(30);
+  auto trial = setting.complex.make_trial();
   const Contents before(trial);
   typedef Exact_sliver_removal_3<decltype(trial)> Removal;
-  Removal without_tries(trial, 30, 1), without_time(trial, 30, 1);
-  without_tries.run(0, [] { return true; });
-  without_time.run(1000000, [] { return false; });
+  typename Removal::Failures failures;
+  Removal without_tries(trial, failures, 1), without_time(trial, failures, 1);
+  const int step = Sliver_steps::last(30);
+  without_tries.run(step, 0, [] { return true; });
+  without_time.run(step, 1000000, [] { return false; });
   check::that(without_tries.number_of_moves() == 0 && without_time.number_of_moves() == 0 && Contents(trial) == before,
               "something is done without tries or without time");
-  Removal few(trial, 70, 1);
-  few.run(2000, [] { return true; });
+  Removal few(trial, failures, 1);
+  few.run(Sliver_steps::number - 1, 2000, [] { return true; });
   const Exact_sliver_removal_parameters p;
   check::that(few.number_of_tries() <= 2000 + 10 * (p.tries_of_lift + p.tries_per_vertex), few.number_of_tries(), " tries");
 }
@@ -197,22 +204,22 @@ int main()
     const Labeled_domain domain = domains::sphere();
     const Labeled_c3t3 c3t3 = domains::mesh(domain, 0.2);
     rejected_trials("sphere", c3t3, domain, true);
-    removal("sphere", c3t3, domain, Boundary_motion::BY_NORMALS, 20, 0);
-    removal("sphere with its surface fixed", c3t3, domain, Boundary_motion::NONE, 15, 0.2);
+    removal("sphere", c3t3, domain, Boundary_motion::BY_NORMALS, 1, 0);
+    removal("sphere with its surface fixed", c3t3, domain, Boundary_motion::NONE, 0, 0.2);
     limits(c3t3, domain);
   }
   {
     const Labeled_domain domain = domains::three_subdomains();
     const Labeled_c3t3 c3t3 = domains::mesh(domain, 0.2);
     rejected_trials("three subdomains", c3t3, domain, true);
-    removal("three subdomains", c3t3, domain, Boundary_motion::BY_DOMAIN, 20, 0.1);
+    removal("three subdomains", c3t3, domain, Boundary_motion::BY_DOMAIN, 1, 0.1);
   }
   {
     Polyhedral_domain domain(domains::notched_box());
     domain.detect_features();
     const Polyhedral_c3t3 c3t3 = domains::mesh(domain, 0.3, true);
     rejected_trials("box with features", c3t3, domain, true);
-    removal("box with features", c3t3, domain, Boundary_motion::BY_NORMALS, 15, 0.1);
+    removal("box with features", c3t3, domain, Boundary_motion::BY_NORMALS, 0, 0.1);
   }
   {
     domains::Polyhedron box, surface;
@@ -221,7 +228,7 @@ int main()
     domain.detect_features();
     const Polyhedral_c3t3 c3t3 = domains::mesh(domain, 0.2, true);
     rejected_trials("box with a surface inside", c3t3, domain, true);
-    removal("box with a surface inside", c3t3, domain, Boundary_motion::BY_NORMALS, 15, 0.1);
+    removal("box with a surface inside", c3t3, domain, Boundary_motion::BY_NORMALS, 0, 0.1);
   }
   return check::result();
 }

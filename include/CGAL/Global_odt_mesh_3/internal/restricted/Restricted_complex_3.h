@@ -65,7 +65,7 @@ public:
   void start(State input)
   {
     state_ = std::move(input);
-    if(motion_ != Boundary_motion::NONE)
+    if(motion_ != Boundary_motion::NONE && state_.numbering->number_of_movable_vertices > 0)
     {
       fidelity_.measure(state_);
       shapes_.measure(state_.boundary.complex(), state_.sites);
