@@ -215,7 +215,7 @@ static void progress(const Labeled_c3t3& input, const Labeled_domain& domain)
   { CGAL::odt_optimize_mesh_3(c3t3, domain, params::callback(f), params::optimize_boundary = false); });
 }
 
-struct Counting_visitor
+struct Iteration_counter
 {
   int iterations = 0;
   void after_compute_moves() {}
@@ -231,7 +231,7 @@ static void iteration_bound(const Labeled_c3t3& input, const Labeled_domain& dom
   const auto bounded = [&](std::size_t rounds)
   {
     Labeled_c3t3 c(input);
-    Counting_visitor counted;
+    Iteration_counter counted;
     const auto code = CGAL::odt_optimize_mesh_3(c, domain, params::max_iteration_number = 70, params::number_of_rounds = rounds,
                                                 params::convergence = 0, params::do_freeze = false,
                                                 params::do_remove_slivers = false, params::visitor(std::ref(counted)));
@@ -245,7 +245,7 @@ static void iteration_bound(const Labeled_c3t3& input, const Labeled_domain& dom
   for(const bool freezes : { false, true })
   {
     Labeled_c3t3 c(input);
-    Counting_visitor counted;
+    Iteration_counter counted;
     CGAL::odt_optimize_mesh_3(c, domain, params::max_iteration_number = 70, params::do_freeze = freezes,
                               params::visitor(std::ref(counted)));
     check::that(counted.iterations <= 70, counted.iterations, " iterations of the usual call instead of 70 at most");
