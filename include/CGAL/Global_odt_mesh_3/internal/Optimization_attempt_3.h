@@ -260,12 +260,14 @@ private:
     return true;
   }
 
-  // Tries of single vertices, for a share of what the stages before have taken.
+  // Tries of single vertices, for a share of what the stages before have taken; after few iterations, for what
+  // slivers need as a rule.
   std::size_t most_tries_for_slivers() const
   {
     const int iterations = plan_->optimizes() ? control_.number_of_iterations() : plan_->number_of_iterations();
     const std::size_t work = iterations + iterations_for_a_check * complex_.number_of_checks();
-    return work * mesh_.topology.number_of_cells() / cells_in_iteration_for_a_try;
+    const std::size_t cells = mesh_.topology.number_of_cells();
+    return (std::max)(work * cells / cells_in_iteration_for_a_try, 5000 + 2 * cells);
   }
 
   bool minimize_interior()
