@@ -213,10 +213,10 @@ private:
   {
     Limited_memory_bfgs minimizer(minimizer_parameters(mesh_.quadrature()));
     Cell_order order(mesh_);
-    for(int n = 0; n < plan_->iterations() && begin_iteration(); ++n)
+    bool goes_down = true;
+    for(int n = 0; n < plan_->iterations() && goes_down && begin_iteration(); ++n)
     {
-      if(minimizer.iterate(objective) == Limited_memory_bfgs::NO_STEP_FOUND)
-        break;
+      goes_down = minimizer.iterate(objective) == Limited_memory_bfgs::STEP_TAKEN;
       end_iteration(order);
     }
   }
@@ -228,10 +228,10 @@ private:
     Surface_cvt_objective_3 objective(complex_.state().boundary.complex(), mesh_.sites, mesh_.number_of_interior_vertices,
                                       surface_motions(true), surface_density_at_vertex_);
     Limited_memory_bfgs minimizer(minimizer_parameters(mesh_.quadrature()));
-    for(int n = 0; n < Round_plan::iterations_on_surface && control_.goes_on() && begin_iteration(); ++n)
+    bool goes_down = control_.goes_on();
+    for(int n = 0; n < Round_plan::iterations_on_surface && goes_down && begin_iteration(); ++n)
     {
-      if(minimizer.iterate(objective) == Limited_memory_bfgs::NO_STEP_FOUND)
-        break;
+      goes_down = minimizer.iterate(objective) == Limited_memory_bfgs::STEP_TAKEN;
       control_.end_iteration();
     }
     return objective.value();
