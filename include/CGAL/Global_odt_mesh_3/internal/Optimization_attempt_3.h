@@ -65,7 +65,7 @@ public:
     , parameters_(parameters)
     , fields_(fields)
     , control_(control)
-    , complex_(domain, motion)
+    , complex_(domain, motion, static_cast<bool>(fields))    // to sizes that the input does not have
   {
     complex_.start(C3t3_reader_3<C3t3, Domain>(c3t3, complex_.domain()).read(mesh_, motion != Boundary_motion::NONE));
     plan_ = std::make_unique<Round_plan>(task, parameters, boundary_moves(), motion == Boundary_motion::BY_DOMAIN);

@@ -48,9 +48,11 @@ public:
   typedef Numbered_domain_3<Triangulation, Mesh_domain> Domain;
   typedef Restricted_state_3<Triangulation> State;
 
-  Restricted_complex_3(const Mesh_domain& domain, Boundary_motion motion)
+  // If vertices have long ways to go, facets may be thin until the final state.
+  Restricted_complex_3(const Mesh_domain& domain, Boundary_motion motion, bool has_long_ways = false)
     : domain_(domain)
     , motion_(motion)
+    , has_long_ways_(has_long_ways)
     , fidelity_(domain_)
   {}
 
@@ -96,7 +98,8 @@ public:
     candidate.build();
     for(int attempt = 0; attempt < most_attempts; ++attempt)
     {
-      const Report report = check(candidate, attempt < attempts_at_good_facets);
+      const bool wants_good_facets = (is_final || !has_long_ways_) && attempt < attempts_at_good_facets;
+      const Report report = check(candidate, wants_good_facets);
       if(report.is_clean())
       {
         state_ = candidate.finish(domain_);
@@ -224,6 +227,7 @@ private:
 
   Domain domain_;
   Boundary_motion motion_;
+  bool has_long_ways_;
   Fidelity_check_3<Domain> fidelity_;
   Facet_shape_check_3 shapes_;
   State state_;
