@@ -62,7 +62,7 @@ public:
     , parameters_(parameters)
     , fields_(fields)
     , control_(control)
-    , complex_(domain, motion)
+    , complex_(domain, motion, static_cast<bool>(fields))    // to sizes that the input does not have
   {
     complex_.start(C3t3_reader_3<C3t3, Domain>(c3t3, complex_.domain()).read(mesh_, motion != Boundary_motion::NONE));
     plan_ = std::make_unique<Round_plan>(task, parameters, boundary_moves(), motion == Boundary_motion::BY_DOMAIN);
@@ -200,10 +200,10 @@ private:
   {
     Limited_memory_bfgs minimizer(minimizer_parameters(mesh_.quadrature()));
     Cell_order order(mesh_);
-    for(int n = 0; n < plan_->iterations() && begin_iteration(); ++n)
+    bool goes_down = true;
+    for(int n = 0; n < plan_->iterations() && goes_down && begin_iteration(); ++n)
     {
-      if(minimizer.iterate(objective) == Limited_memory_bfgs::NO_STEP_FOUND)
-        break;
+      goes_down = minimizer.iterate(objective) == Limited_memory_bfgs::STEP_TAKEN;
       end_iteration(order);
     }
   }
@@ -215,10 +215,10 @@ private:
     Surface_cvt_objective_3 objective(complex_.state().boundary.complex(), mesh_.sites, mesh_.number_of_interior_vertices,
                                       surface_motions(true), density_.on_surface());
     Limited_memory_bfgs minimizer(minimizer_parameters(mesh_.quadrature()));
-    for(int n = 0; n < Round_plan::iterations_on_surface && control_.goes_on() && begin_iteration(); ++n)
+    bool goes_down = control_.goes_on();
+    for(int n = 0; n < Round_plan::iterations_on_surface && goes_down && begin_iteration(); ++n)
     {
-      if(minimizer.iterate(objective) == Limited_memory_bfgs::NO_STEP_FOUND)
-        break;
+      goes_down = minimizer.iterate(objective) == Limited_memory_bfgs::STEP_TAKEN;
       control_.end_iteration();
     }
     return objective.value();

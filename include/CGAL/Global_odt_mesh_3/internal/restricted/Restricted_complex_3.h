@@ -52,9 +52,11 @@ public:
   typedef Restricted_state_3<Triangulation> State;
   typedef Restricted_trial_3<Domain> Trial;
 
-  Restricted_complex_3(const Mesh_domain& domain, Boundary_motion motion)
+  // If vertices have long ways to go, facets may be thin until the final state.
+  Restricted_complex_3(const Mesh_domain& domain, Boundary_motion motion, bool has_long_ways = false)
     : domain_(domain)
     , motion_(motion)
+    , has_long_ways_(has_long_ways)
     , fidelity_(domain_)
   {}
 
@@ -122,7 +124,8 @@ public:
     candidate.build();
     for(int attempt = 0; attempt < most_attempts; ++attempt)
     {
-      const Report report = check(candidate, attempt < attempts_at_good_facets);
+      const bool wants_good_facets = (is_final || !has_long_ways_) && attempt < attempts_at_good_facets;
+      const Report report = check(candidate, wants_good_facets);
       if(report.is_clean())
         return std::exchange(state_, candidate.finish(domain_));
       if(report.is_beyond_repair() || !apply(report, candidate, projection, attempt))
@@ -251,6 +254,7 @@ private:
 
   Domain domain_;
   Boundary_motion motion_;
+  bool has_long_ways_;
   Fidelity_check_3<Domain> fidelity_;
   Facet_shape_check_3 shapes_;
   State state_;

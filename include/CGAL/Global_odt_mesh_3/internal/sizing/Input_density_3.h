@@ -102,6 +102,8 @@ private:
     const std::size_t margin = sorted.size() / 20;
     is_uniform_ = sorted[sorted.size() - 1 - margin] < uniform_ratio * sorted[margin];
     median_size_ = sorted[sorted.size() / 2];
+    // Facets may have vertices that no cell has.
+    std::replace(size_.begin(), size_.end(), 0., median_size_);
   }
 
   // Visibility walk; a point beyond a constrained facet gets the barycentric coordinates of

@@ -131,8 +131,7 @@ inline std::vector<double> surface_densities(const Surface_triangulation_3& surf
 }
 
 // That of the facets, with gradient and diagonal, twice the masses, for the vertices from number `first` on, of which
-// there are as many as the vectors have room for. If there are no densities, they are one. Facets without any of these
-// vertices, which may be degenerate, do not count.
+// there are as many as the vectors have room for. If there are no densities, they are one.
 inline double surface_cvt_energy(const Surface_triangulation_3& surface, const std::vector<Site>& sites,
                                  const std::vector<double>& densities, int first,
                                  Eigen::VectorXd& gradient, Eigen::VectorXd& diagonal)
@@ -144,12 +143,11 @@ inline double surface_cvt_energy(const Surface_triangulation_3& surface, const s
   for(int f = 0; f < surface.number_of_facets(); ++f)
   {
     const std::array<int, 3>& t = surface.vertices(f);
-    if(std::none_of(t.begin(), t.end(), [&](int v) { return v >= first && v < last; }))
-      continue;
+    const bool has_weight = std::any_of(t.begin(), t.end(), [&](int v) { return sites[v].weight != 0; });
     std::array<double, 3> density = {{ 1, 1, 1 }};
     if(!densities.empty())
       density = {{ densities[t[0]], densities[t[1]], densities[t[2]] }};
-    const bool is_plain = densities.empty() && sites[t[0]].weight == 0 && sites[t[1]].weight == 0 && sites[t[2]].weight == 0;
+    const bool is_plain = densities.empty() && !has_weight;
     const Surface_cvt_contribution_3 c = is_plain ? Surface_cvt_contribution_3(t, sites)
                                                   : Surface_cvt_contribution_3(t, sites, density);
     energy += c.energy;
