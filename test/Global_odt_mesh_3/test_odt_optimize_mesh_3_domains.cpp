@@ -248,7 +248,8 @@ int main()
   {
     const CGAL::Image_3 image = gray_image();
     const Labeled_domain domain = gray_image_domain(image);
-    test("gray image", mesh(domain, 0.08), domain, smooth);
+    // Coarse facets cut 4 % off the body, better ones less.
+    test("gray image", mesh(domain, 0.08), domain, { 0.02, 0.01, 4e-3 });
   }
   {
     const Polyhedron box = notched_box();
