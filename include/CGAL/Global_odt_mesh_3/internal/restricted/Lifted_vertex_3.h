@@ -243,12 +243,12 @@ private:
   }
 
   // Inserts the vertex at its site; the cells around it get the labels of these.
-  void insert(Cell_handle near, const std::vector<Cell>& cells)
+  void insert(Cell_handle start, const std::vector<Cell>& cells)
   {
     for(const Hole_cell& h : hole_)
       h.handle->reset_visited(IN_HOLE);
     const int v = std::exchange(vertex_, -1);
-    complex_.numbered.insert_near(v, complex_.point(v), near);
+    complex_.numbered.insert_near(v, complex_.point(v), start);
     CGAL_assertion(complex_.numbered.is_visible(v));
     std::vector<std::pair<Quadruple, int> > labels;
     for(const Cell& c : cells)

@@ -79,7 +79,7 @@ public:
   }
 
   // Puts it back, at or near a cell.
-  void insert_near(int v, const Weighted_point& p, Cell_handle near) { insert(v, p, near); }
+  void insert_near(int v, const Weighted_point& p, Cell_handle start) { insert(v, p, start); }
 
   // Becomes a copy of another triangulation, `number(vertex)` being the numbers of its vertices.
   template <class Number>
