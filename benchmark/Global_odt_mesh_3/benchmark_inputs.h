@@ -131,7 +131,7 @@ inline Polyhedral_c3t3 polyhedral_mesh(const Polyhedral_domain& domain, double r
 
 // Calls f(name, mesh, domain) for a model of CGAL's data directory whose features are kept.
 template <class Function>
-void with_features(const Function& f, const char* name, const std::string& model, double relative_size)
+void for_model_with_features(const Function& f, const char* name, const std::string& model, double relative_size)
 {
   const Polyhedron polyhedron = read_polyhedron(CGAL::data_file_path("meshes/" + model + ".off"));
   Polyhedral_domain domain(polyhedron);
@@ -161,7 +161,7 @@ void for_each_input(const Function& f, const std::string& only = "")
     f("elephant", polyhedral_mesh(domain, 0.0102, false, 1 / 6.), domain);
   }
   if(is_wanted("fandisk"))
-    with_features(f, "fandisk", "fandisk", 0.0158);
+    for_model_with_features(f, "fandisk", "fandisk", 0.0158);
   if(is_wanted("liver"))
   {
     const std::string file = CGAL::data_file_path("images/liver.inr.gz");
@@ -187,7 +187,7 @@ void for_each_coarse_part(const Function& f, const std::string& only = "")
                            Part{ "coarse joint", "joint", 0.05 }, Part{ "coarse anchor", "anchor", 0.04 },
                            Part{ "coarse spool", "spool", 0.04 } })
     if(only.empty() || only == part.name)
-      with_features(f, part.name, part.model, part.relative_size);
+      for_model_with_features(f, part.name, part.model, part.relative_size);
 }
 
 } // namespace inputs
