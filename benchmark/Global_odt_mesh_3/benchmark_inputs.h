@@ -14,6 +14,7 @@
 #include <CGAL/Mesh_polyhedron_3.h>
 #include <CGAL/Mesh_triangulation_3.h>
 #include <CGAL/Polyhedral_mesh_domain_with_features_3.h>
+#include <CGAL/Random.h>
 #include <CGAL/make_mesh_3.h>
 
 #include <cmath>
@@ -41,6 +42,14 @@ typedef CGAL::Mesh_triangulation_3<Polyhedral_domain>::type Polyhedral_triangula
 typedef CGAL::Mesh_complex_3_in_triangulation_3<
   Polyhedral_triangulation, Polyhedral_domain::Corner_index, Polyhedral_domain::Curve_index> Polyhedral_c3t3;
 
+// The same mesh, whatever has been made before.
+template <class C3t3, class Domain, class Criteria, class... Options>
+C3t3 reproducible_mesh(const Domain& domain, const Criteria& criteria, const Options&... options)
+{
+  CGAL::get_default_random() = CGAL::Random(0);
+  return CGAL::make_mesh_3<C3t3>(domain, criteria, params::no_exude(), params::no_perturb(), options...);
+}
+
 inline Labeled_domain sphere_domain()
 {
   return Labeled_domain::create_implicit_mesh_domain(
@@ -54,7 +63,7 @@ inline Labeled_c3t3 sphere(const Labeled_domain& domain, double size)
   Criteria criteria(params::facet_angle = 30, params::facet_size = size,
                     params::facet_distance = size / 8, params::cell_radius_edge_ratio = 2,
                     params::cell_size = size);
-  return CGAL::make_mesh_3<Labeled_c3t3>(domain, criteria, params::no_exude(), params::no_perturb());
+  return reproducible_mesh<Labeled_c3t3>(domain, criteria);
 }
 
 // Cell sizes grow linearly from the surface to five times as much at the center.
@@ -78,7 +87,7 @@ inline Labeled_c3t3 graded_sphere(const Labeled_domain& domain, double smallest)
   Criteria criteria(params::facet_angle = 30, params::facet_size = smallest,
                     params::facet_distance = smallest / 8, params::cell_radius_edge_ratio = 2,
                     params::cell_size = Graded_sphere_size{ smallest });
-  return CGAL::make_mesh_3<Labeled_c3t3>(domain, criteria, params::no_exude(), params::no_perturb());
+  return reproducible_mesh<Labeled_c3t3>(domain, criteria);
 }
 
 inline Labeled_domain image_domain(const CGAL::Image_3& image)
@@ -92,7 +101,7 @@ inline Labeled_c3t3 image_mesh(const Labeled_domain& domain, double facet_size, 
   Criteria criteria(params::facet_angle = 30, params::facet_size = facet_size,
                     params::facet_distance = facet_size / 4, params::cell_radius_edge_ratio = 3,
                     params::cell_size = cell_size);
-  return CGAL::make_mesh_3<Labeled_c3t3>(domain, criteria, params::no_exude(), params::no_perturb());
+  return reproducible_mesh<Labeled_c3t3>(domain, criteria);
 }
 
 inline Polyhedron read_polyhedron(const std::string& file)
@@ -116,32 +125,44 @@ inline Polyhedral_c3t3 polyhedral_mesh(const Polyhedral_domain& domain, double r
                     params::facet_distance = relative_distance * size, params::cell_radius_edge_ratio = 3,
                     params::cell_size = size);
   if(with_features)
-    return CGAL::make_mesh_3<Polyhedral_c3t3>(domain, criteria, params::no_exude(), params::no_perturb());
-  return CGAL::make_mesh_3<Polyhedral_c3t3>(domain, criteria, params::no_exude(), params::no_perturb(),
-                                            params::no_features());
+    return reproducible_mesh<Polyhedral_c3t3>(domain, criteria);
+  return reproducible_mesh<Polyhedral_c3t3>(domain, criteria, params::no_features());
 }
 
-// Calls f(name, mesh, domain) for each of them, with the models in CGAL's data directory.
+// Calls f(name, mesh, domain) for a model of CGAL's data directory whose features are kept.
 template <class Function>
-void for_each_input(const Function& f)
+void for_model_with_features(const Function& f, const char* name, const std::string& model, double relative_size)
 {
+  const Polyhedron polyhedron = read_polyhedron(CGAL::data_file_path("meshes/" + model + ".off"));
+  Polyhedral_domain domain(polyhedron);
+  domain.detect_features();
+  f(name, polyhedral_mesh(domain, relative_size, true), domain);
+}
+
+// Calls f(name, mesh, domain) for each of them, or for the one of that name, with the models in CGAL's data directory.
+template <class Function>
+void for_each_input(const Function& f, const std::string& only = "")
+{
+  const auto is_wanted = [&only](const char* name) { return only.empty() || only == name; };
+  // Each with a domain of its own, as those draw random numbers, too.
+  const auto with_sphere = [&](const char* name, double size, const auto& make)
   {
     const Labeled_domain domain = sphere_domain();
-    f("sphere", sphere(domain, 0.0572), domain);
-    f("coarse sphere", sphere(domain, 0.096), domain);
-    f("graded sphere", graded_sphere(domain, 0.0392), domain);
-  }
+    if(is_wanted(name))
+      f(name, make(domain, size), domain);
+  };
+  with_sphere("sphere", 0.0572, sphere);
+  with_sphere("coarse sphere", 0.096, sphere);
+  with_sphere("graded sphere", 0.0392, graded_sphere);
+  if(is_wanted("elephant"))
   {
     const Polyhedron elephant = read_polyhedron(CGAL::data_file_path("meshes/elephant.off"));
     const Polyhedral_domain domain(elephant);
     f("elephant", polyhedral_mesh(domain, 0.0102, false, 1 / 6.), domain);
   }
-  {
-    const Polyhedron fandisk = read_polyhedron(CGAL::data_file_path("meshes/fandisk.off"));
-    Polyhedral_domain domain(fandisk);
-    domain.detect_features();
-    f("fandisk", polyhedral_mesh(domain, 0.0158, true), domain);
-  }
+  if(is_wanted("fandisk"))
+    for_model_with_features(f, "fandisk", "fandisk", 0.0158);
+  if(is_wanted("liver"))
   {
     const std::string file = CGAL::data_file_path("images/liver.inr.gz");
     CGAL::Image_3 image;
@@ -150,6 +171,23 @@ void for_each_input(const Function& f)
     const Labeled_domain domain = image_domain(image);
     f("liver", image_mesh(domain, 4.4, 5.6), domain);
   }
+}
+
+// The same for parts with features whose cells are so large that less than a quarter of the vertices is in the
+// interior and can move at will.
+template <class Function>
+void for_each_coarse_part(const Function& f, const std::string& only = "")
+{
+  struct Part
+  {
+    const char *name, *model;
+    double relative_size;
+  };
+  for(const Part& part : { Part{ "coarse cross", "cross", 0.06 }, Part{ "coarse fandisk", "fandisk", 0.04 },
+                           Part{ "coarse joint", "joint", 0.05 }, Part{ "coarse anchor", "anchor", 0.04 },
+                           Part{ "coarse spool", "spool", 0.04 } })
+    if(only.empty() || only == part.name)
+      for_model_with_features(f, part.name, part.model, part.relative_size);
 }
 
 } // namespace inputs

@@ -13,6 +13,9 @@
 
 #include <CGAL/number_utils.h>
 
+#include <Eigen/Core>
+#include <Eigen/Geometry>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -31,7 +34,7 @@ namespace CGAL {
 /*!
 \ingroup PkgGlobalOdtMesh3Classes
 
-The class `Mesh_quality_report_3` holds measures of the shape of the cells of a mesh complex. It is
+The class `Mesh_quality_report_3` holds measures of the shape of the cells and facets of a mesh complex. It is
 filled by `mesh_quality_report_3()` and printed as a table by `operator<<`.
 */
 struct Mesh_quality_report_3
@@ -46,6 +49,7 @@ struct Mesh_quality_report_3
 
   static constexpr int number_of_angle_bins = 180;        ///< of one degree each
   static constexpr int number_of_radius_ratio_bins = 50;  ///< of 0.02 each
+  static constexpr int number_of_facet_angle_bins = 60;   ///< of one degree each
 
   std::size_t number_of_vertices = 0;
   std::size_t number_of_cells = 0;
@@ -56,6 +60,10 @@ struct Mesh_quality_report_3
   double smallest_radius_ratio = 1;
   std::array<std::size_t, number_of_angle_bins> angles{};           ///< six dihedral angles a cell
   std::array<std::size_t, number_of_radius_ratio_bins> radius_ratios{};
+  double smallest_facet_angle = 60;      ///< the smallest of the facets' smallest angles, in degrees
+  double largest_facet_angle = 0;        ///< the largest of them, 60 for the equilateral triangle
+  double mean_facet_angle = 0;           ///< the mean of them
+  std::array<std::size_t, number_of_facet_angle_bins> facet_angles{};   ///< the smallest angle of each facet
   std::vector<std::pair<double, std::size_t> > cells_below;         ///< angle in degrees, and number of cells with a smaller one
   std::map<std::string, Subdomain> subdomains;                      ///< by printed index
 
@@ -95,13 +103,54 @@ inline void add_shape(Mesh_quality_report_3& report, const Cell_shape_3& shape)
   ++report.radius_ratios[bin(shape.radius_ratio * bins, bins)];
 }
 
+// The smallest angle of a triangle, in degrees.
+inline double smallest_angle(const std::array<Site, 3>& s)
+{
+  double smallest = 180;
+  for(std::size_t i = 0; i < 3; ++i)
+  {
+    const Eigen::Vector3d a = position(s[(i + 1) % 3]) - position(s[i]);
+    const Eigen::Vector3d b = position(s[(i + 2) % 3]) - position(s[i]);
+    smallest = (std::min)(smallest, std::atan2(a.cross(b).norm(), a.dot(b)) * 180 / CGAL_PI);
+  }
+  return smallest;
+}
+
+// Of vertex `i` of a cell.
+template <class Triangulation>
+Site site(const Triangulation& triangulation, typename Triangulation::Cell_handle cell, int i)
+{
+  const auto& p = triangulation.point(cell, i);
+  return { to_double(p.x()), to_double(p.y()), to_double(p.z()), to_double(p.weight()) };
+}
+
+template <class C3T3>
+void add_facets(Mesh_quality_report_3& report, const C3T3& c3t3)
+{
+  double sum = 0;
+  for(auto f = c3t3.facets_in_complex_begin(); f != c3t3.facets_in_complex_end(); ++f)
+  {
+    std::array<Site, 3> s;
+    for(int k = 0; k < 3; ++k)
+      s[static_cast<std::size_t>(k)] = site(c3t3.triangulation(), f->first, (f->second + 1 + k) % 4);
+    const double angle = smallest_angle(s);
+    report.smallest_facet_angle = (std::min)(report.smallest_facet_angle, angle);
+    report.largest_facet_angle = (std::max)(report.largest_facet_angle, angle);
+    ++report.facet_angles[bin(angle, Mesh_quality_report_3::number_of_facet_angle_bins)];
+    sum += angle;
+    ++report.number_of_facets;
+  }
+  if(report.number_of_facets > 0)
+    report.mean_facet_angle = sum / double(report.number_of_facets);
+}
+
 } // namespace internal
 } // namespace Global_odt_mesh_3
 
 /*!
 \ingroup PkgGlobalOdtMesh3Functions
 
-measures the cells of a mesh complex.
+measures the cells and facets of a mesh complex.
 
 \tparam C3T3 a model of `MeshComplex_3InTriangulation_3`
 
@@ -116,7 +165,7 @@ Mesh_quality_report_3 mesh_quality_report_3(const C3T3& c3t3,
   typedef Mesh_quality_report_3 Report;
   Report report;
   report.number_of_vertices = c3t3.triangulation().number_of_vertices();
-  report.number_of_facets = c3t3.number_of_facets_in_complex();
+  odt::add_facets(report, c3t3);
   for(double b : bounds)
     report.cells_below.emplace_back(b, 0);
   double sum = 0;
@@ -124,11 +173,8 @@ Mesh_quality_report_3 mesh_quality_report_3(const C3T3& c3t3,
   for(auto c = c3t3.cells_in_complex_begin(); c != c3t3.cells_in_complex_end(); ++c)
   {
     std::array<odt::Site, 4> s;
-    for(std::size_t i = 0; i < 4; ++i)
-    {
-      const auto& p = c3t3.triangulation().point(c, static_cast<int>(i));
-      s[i] = { to_double(p.x()), to_double(p.y()), to_double(p.z()), to_double(p.weight()) };
-    }
+    for(int i = 0; i < 4; ++i)
+      s[static_cast<std::size_t>(i)] = odt::site(c3t3.triangulation(), c, i);
     const odt::Cell_shape_3 shape(s[0], s[1], s[2], s[3]);
     odt::add_shape(report, shape);
     sum += shape.radius_ratio;
@@ -153,7 +199,7 @@ Mesh_quality_report_3 mesh_quality_report_3(const C3T3& c3t3,
 /*!
 \ingroup PkgGlobalOdtMesh3Functions
 
-prints a report as a table with histograms.
+prints a report as a table with histograms; facets have a place there if there are any.
 */
 inline std::ostream& operator<<(std::ostream& out, const Mesh_quality_report_3& r)
 {
@@ -164,8 +210,11 @@ inline std::ostream& operator<<(std::ostream& out, const Mesh_quality_report_3& 
     << "dihedral angles " << r.smallest_angle << " - " << r.largest_angle << " degrees\n"
     << std::setprecision(4)
     << "radius ratio 3r/R   mean " << r.mean_radius_ratio << ", smallest " << r.smallest_radius_ratio << '\n'
-    << "cells with an angle below";
-  s << std::defaultfloat << std::setprecision(6);
+    << std::setprecision(2);
+  if(r.number_of_facets > 0)
+    s << "smallest angle of a facet " << r.smallest_facet_angle << " - " << r.largest_facet_angle << " degrees, mean "
+      << r.mean_facet_angle << '\n';
+  s << "cells with an angle below" << std::defaultfloat << std::setprecision(6);
   for(const auto& b : r.cells_below)
     s << "  " << b.first << ": " << b.second;
   s << "\nsubdomain        cells          volume      ODT energy\n";
@@ -190,13 +239,17 @@ inline std::ostream& operator<<(std::ostream& out, const Mesh_quality_report_3& 
         << std::setw(4) << double(n + 1) * width << std::setw(9) << bins[n] << ' ' << std::string(bar, '#') << '\n';
     }
   };
-  std::vector<std::size_t> angles(18, 0), ratios(10, 0);
+  std::vector<std::size_t> angles(18, 0), ratios(10, 0), facet_angles(12, 0);
   for(std::size_t n = 0; n < r.angles.size(); ++n)
     angles[n / 10] += r.angles[n];
   for(std::size_t n = 0; n < r.radius_ratios.size(); ++n)
     ratios[n / 5] += r.radius_ratios[n];
+  for(std::size_t n = 0; n < r.facet_angles.size(); ++n)
+    facet_angles[n / 5] += r.facet_angles[n];
   histogram("dihedral angles, degrees", angles, 10, 0);
   histogram("radius ratios", ratios, 0.1, 1);
+  if(r.number_of_facets > 0)
+    histogram("smallest angle of each facet, degrees", facet_angles, 5, 0);
   return out << s.str();
 }
 

@@ -4,7 +4,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 // The quality report against closed forms, and its independence of where the
-// mesh is and how it is turned.
+// mesh is and how it is turned; for cells and for facets.
 
 #include "check.h"
 
@@ -36,12 +36,24 @@ static C3t3 complex(const std::vector<Point_3>& points)
   return c3t3;
 }
 
-static void near(double a, double b, double tolerance, const char* what)
+static void close_to(double a, double b, double tolerance, const char* what)
 {
   check::that(std::abs(a - b) <= tolerance, what, ": ", a, ", not ", b);
 }
 
-static std::size_t sum(const std::array<std::size_t, 180>& bins)
+// With all facets of the convex hull.
+static C3t3 with_facets(const std::vector<Point_3>& points)
+{
+  C3t3 c3t3 = complex(points);
+  const Triangulation& triangulation = c3t3.triangulation();
+  for(auto f = triangulation.finite_facets_begin(); f != triangulation.finite_facets_end(); ++f)
+    if(triangulation.is_infinite(f->first) || triangulation.is_infinite(f->first->neighbor(f->second)))
+      c3t3.add_to_complex(*f, C3t3::Surface_patch_index(0, 1));
+  return c3t3;
+}
+
+template <std::size_t number_of_bins>
+static std::size_t sum(const std::array<std::size_t, number_of_bins>& bins)
 {
   std::size_t n = 0;
   for(std::size_t b : bins)
@@ -55,21 +67,21 @@ int main()
   {
     const auto r = CGAL::mesh_quality_report_3(complex({ { 1, 1, 1 }, { 1, -1, -1 }, { -1, 1, -1 }, { -1, -1, 1 } }));
     const double angle = std::acos(1. / 3) * degree;
-    near(r.smallest_angle, angle, 1e-10, "smallest angle of the regular tetrahedron");
-    near(r.largest_angle, angle, 1e-10, "largest angle of the regular tetrahedron");
-    near(r.mean_radius_ratio, 1, 1e-12, "radius ratio of the regular tetrahedron");
-    near(r.total().volume, 8. / 3, 1e-12, "volume of the regular tetrahedron of edge sqrt(8)");
-    near(r.total().energy, 8. / 3 * 48 / 20, 1e-12, "energy of the regular tetrahedron");
+    close_to(r.smallest_angle, angle, 1e-10, "smallest angle of the regular tetrahedron");
+    close_to(r.largest_angle, angle, 1e-10, "largest angle of the regular tetrahedron");
+    close_to(r.mean_radius_ratio, 1, 1e-12, "radius ratio of the regular tetrahedron");
+    close_to(r.total().volume, 8. / 3, 1e-12, "volume of the regular tetrahedron of edge sqrt(8)");
+    close_to(r.total().energy, 8. / 3 * 48 / 20, 1e-12, "energy of the regular tetrahedron");
     check::that(r.angles[70] == 6 && sum(r.angles) == 6, "histogram of the regular tetrahedron");
     check::that(r.cells_below.back().second == 0, "the regular tetrahedron counts as bad");
   }
   const std::vector<Point_3> corner = { { 0, 0, 0 }, { 1, 0, 0 }, { 0, 1, 0 }, { 0, 0, 1 } };
   {
     const auto r = CGAL::mesh_quality_report_3(complex(corner), { 50, 60 });
-    near(r.largest_angle, 90, 1e-10, "largest angle of the cube's corner");
-    near(r.smallest_angle, std::acos(1 / std::sqrt(3.)) * degree, 1e-10, "smallest angle of the cube's corner");
+    close_to(r.largest_angle, 90, 1e-10, "largest angle of the cube's corner");
+    close_to(r.smallest_angle, std::acos(1 / std::sqrt(3.)) * degree, 1e-10, "smallest angle of the cube's corner");
     // r = 1 / (3 + sqrt(3)), R = sqrt(3) / 2.
-    near(r.mean_radius_ratio, 3 / (3 + std::sqrt(3.)) / (std::sqrt(3.) / 2), 1e-12, "radius ratio of the cube's corner");
+    close_to(r.mean_radius_ratio, 3 / (3 + std::sqrt(3.)) / (std::sqrt(3.) / 2), 1e-12, "radius ratio of the cube's corner");
     check::that(r.cells_below.size() == 2 && r.cells_below[0].second == 0 && r.cells_below[1].second == 1,
                 "cells below 50 and 60 degrees");
   }
@@ -88,16 +100,58 @@ int main()
     for(const Point_3& p : corner)
       moved.emplace_back(c * p.x() - s * p.y() + 1e4, s * p.x() + c * p.y() - 2e4, p.z() + 3e4);
     const auto r = CGAL::mesh_quality_report_3(complex(corner)), t = CGAL::mesh_quality_report_3(complex(moved));
-    near(t.smallest_angle, r.smallest_angle, 1e-8, "turned, smallest angle");
-    near(t.mean_radius_ratio, r.mean_radius_ratio, 1e-9, "turned, radius ratio");
-    near(t.total().energy, r.total().energy, 1e-9, "turned, energy");
+    close_to(t.smallest_angle, r.smallest_angle, 1e-8, "turned, smallest angle");
+    close_to(t.mean_radius_ratio, r.mean_radius_ratio, 1e-9, "turned, radius ratio");
+    close_to(t.total().energy, r.total().energy, 1e-9, "turned, energy");
+  }
+  {
+    const auto r = CGAL::mesh_quality_report_3(with_facets({ { 1, 1, 1 }, { 1, -1, -1 }, { -1, 1, -1 }, { -1, -1, 1 } }));
+    close_to(r.smallest_facet_angle, 60, 1e-10, "smallest angle of equilateral facets");
+    close_to(r.largest_facet_angle, 60, 1e-10, "largest smallest angle of equilateral facets");
+    close_to(r.mean_facet_angle, 60, 1e-10, "mean angle of equilateral facets");
+    check::that(r.number_of_facets == 4 && r.facet_angles[59] + r.facet_angles[58] == 4 && sum(r.facet_angles) == 4,
+                "histogram of equilateral facets");
+  }
+  {
+    // Three right-angled facets with two angles of 45 degrees each, and an equilateral one.
+    const auto r = CGAL::mesh_quality_report_3(with_facets(corner));
+    close_to(r.smallest_facet_angle, 45, 1e-10, "smallest angle of the facets of the cube's corner");
+    close_to(r.largest_facet_angle, 60, 1e-10, "largest smallest angle of the facets of the cube's corner");
+    close_to(r.mean_facet_angle, (3 * 45 + 60) / 4., 1e-10, "mean angle of the facets of the cube's corner");
+  }
+  {
+    // Facets with legs of 1 and a, b or c: the tangents of their smallest angles are the ratios of legs.
+    const auto r = CGAL::mesh_quality_report_3(with_facets({ { 0, 0, 0 }, { 1, 0, 0 }, { 0, 2, 0 }, { 0, 0, 4 } }));
+    const double oblique = std::atan2(std::sqrt(4. + 16. + 64.), 16.) * degree;    // the normal is (8, 4, 2)
+    close_to(r.smallest_facet_angle, std::atan(1 / 4.) * degree, 1e-10, "smallest angle of facets with legs");
+    close_to(r.mean_facet_angle, (2 * std::atan(1 / 2.) * degree + std::atan(1 / 4.) * degree + oblique) / 4, 1e-10,
+             "mean angle of facets with legs");
+    check::that(r.facet_angles[14] == 1 && r.facet_angles[26] == 2 && sum(r.facet_angles) == 4, "histogram of facets with legs");
+  }
+  {
+    // A needle of a facet, far away.
+    const double h = 1e-9;
+    const auto r = CGAL::mesh_quality_report_3(with_facets({ { 0, 0, 8 }, { h, 0, 8 }, { 0, 4, 8 }, { 0, 0, 11 } }));
+    close_to(r.smallest_facet_angle, h / 4 * degree, 1e-15 * degree, "smallest angle of needles");
+    check::that(r.facet_angles[0] >= 2, "histogram of needles");
+  }
+  {
+    const auto r = CGAL::mesh_quality_report_3(complex(corner));
+    check::that(r.number_of_facets == 0 && r.mean_facet_angle == 0 && sum(r.facet_angles) == 0, "facets that are not in the complex");
+    std::ostringstream without, with;
+    without << r;
+    with << CGAL::mesh_quality_report_3(with_facets(corner));
+    check::that(without.str().find("angle of a facet") == std::string::npos
+                && without.str().find("each facet") == std::string::npos, "a report without facets prints some");
+    check::that(with.str().find("smallest angle of a facet 45.00 - 60.00 degrees, mean 48.75\n") != std::string::npos
+                && with.str().find("     45 -   50        3 ####") != std::string::npos, "the report of facets");
   }
   {
     std::vector<Point_3> cube;
     for(int i = 0; i < 8; ++i)
       cube.emplace_back(i & 1, i >> 1 & 1, i >> 2 & 1);
     const auto r = CGAL::mesh_quality_report_3(complex(cube));
-    near(r.total().volume, 1, 1e-14, "volume of the cube");
+    close_to(r.total().volume, 1, 1e-14, "volume of the cube");
     check::that(sum(r.angles) == 6 * r.number_of_cells && r.number_of_cells >= 5, "six angles a cell");
     std::ostringstream out;
     out << r;

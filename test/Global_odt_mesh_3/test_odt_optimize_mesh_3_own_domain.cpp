@@ -20,6 +20,7 @@
 #include <CGAL/odt_optimize_mesh_3.h>
 #include <CGAL/refine_mesh_3.h>
 #include <CGAL/remesh_boundary_mesh_3.h>
+#include <CGAL/remove_slivers_mesh_3.h>
 #include <CGAL/version.h>
 
 #if CGAL_VERSION_NR < 1060000000
@@ -164,11 +165,13 @@ static void functions()
     contract.check_moved(c3t3, 0.03, 0.03, 1e-9);
     check::that(Contract::points(c3t3) != Contract::points(input), what, " does nothing");
   };
-  C3t3 optimized(input), remeshed(input), refined(input);
+  C3t3 optimized(input), remeshed(input), freed(input), refined(input);
   CGAL::odt_optimize_mesh_3(optimized, ball);
   improved(optimized, "odt_optimize_mesh_3");
   CGAL::remesh_boundary_mesh_3(remeshed, ball);
   improved(remeshed, "remesh_boundary_mesh_3");
+  CGAL::remove_slivers_mesh_3(freed, ball);
+  improved(freed, "remove_slivers_mesh_3");
   CGAL::refine_mesh_3(refined, ball, criteria(0.25), params::odt(), params::no_exude(), params::no_perturb());
   check::that(refined.triangulation().is_valid(), "not valid after refine_mesh_3 with odt()");
   const C3t3 made = CGAL::make_mesh_3<C3t3>(ball, criteria(0.25), params::odt(), params::no_exude(), params::no_perturb());

@@ -26,6 +26,7 @@
 #include <CGAL/odt_energy_3.h>
 #include <CGAL/odt_optimize_mesh_3.h>
 #include <CGAL/remesh_boundary_mesh_3.h>
+#include <CGAL/remove_slivers_mesh_3.h>
 
 #include <array>
 #include <functional>
@@ -61,6 +62,7 @@ static void numbers(Labeled_c3t3& c3t3, const Labeled_domain& domain)
   {
     refuses("time_limit", [&] { CGAL::odt_optimize_mesh_3(c3t3, domain, params::time_limit = bad); });
     refuses("time_limit", [&] { CGAL::remesh_boundary_mesh_3(c3t3, domain, params::time_limit = bad); });
+    refuses("time_limit", [&] { CGAL::remove_slivers_mesh_3(c3t3, domain, params::time_limit = bad); });
     refuses("max_iteration_number", [&] { CGAL::odt_optimize_mesh_3(c3t3, domain, params::max_iteration_number = bad); });
     refuses("number_of_rounds", [&] { CGAL::odt_optimize_mesh_3(c3t3, domain, params::number_of_rounds = bad); });
     refuses("surface_weight", [&] { CGAL::odt_optimize_mesh_3(c3t3, domain, params::surface_weight = bad); });
@@ -74,8 +76,14 @@ static void numbers(Labeled_c3t3& c3t3, const Labeled_domain& domain)
     refuses("convergence", [&] { CGAL::odt_optimize_mesh_3(c3t3, domain, params::convergence = bad); });
     refuses("freeze_bound", [&] { CGAL::odt_optimize_mesh_3(c3t3, domain, params::freeze_bound = bad); });
   }
-  for(double bad : { -0.1, 70.6, 180., nan_value, infinity })
+  for(double bad : { -0.1, -1e-9, 70.5001, 70.6, 180., nan_value, infinity, -infinity })
+  {
     refuses("sliver_bound", [&] { CGAL::odt_optimize_mesh_3(c3t3, domain, params::sliver_bound = bad); });
+    refuses("sliver_bound", [&] { CGAL::remove_slivers_mesh_3(c3t3, domain, params::sliver_bound = bad); });
+    // Also where it would not be used.
+    refuses("sliver_bound", [&] { CGAL::odt_optimize_mesh_3(c3t3, domain, params::do_remove_slivers = false,
+                                                            params::sliver_bound = bad); });
+  }
 }
 
 static void allowed(const Labeled_c3t3& input, const Labeled_domain& domain)
@@ -95,6 +103,22 @@ static void allowed(const Labeled_c3t3& input, const Labeled_domain& domain)
   schedule.momentum = schedule.surface_amplitude = 0;
   schedule.interior_amplitude = 1;
   allows("the ends of a schedule", params::time_limit = 0, params::number_of_rounds = 1, params::annealing_schedule = schedule);
+  allows("a weight", params::number_of_rounds = 0, params::surface_weight = 1e3, params::do_remove_slivers = false);
+  allows("an integer as weight", params::number_of_rounds = 0, params::surface_weight(2), params::do_remove_slivers(true));
+}
+
+static void allowed_for_slivers(const Labeled_c3t3& input, const Labeled_domain& domain)
+{
+  const auto allows = [&](const char* what, const auto&... parameters)
+  {
+    Labeled_c3t3 c3t3(input);
+    try { CGAL::remove_slivers_mesh_3(c3t3, domain, parameters...); }
+    catch(const CGAL::Precondition_exception& e) { check::that(false, what, ", slivers alone: ", e.message()); }
+  };
+  allows("nothing");
+  allows("zeros", params::time_limit = 0, params::sliver_bound = 0);
+  allows("the largest angle", params::sliver_bound = 70.5, params::optimize_boundary = false);
+  allows("unlimited", params::time_limit = infinity, params::sliver_bound = 20, params::random_seed(1));
 }
 
 static void fields(Labeled_c3t3& c3t3, const Labeled_domain& domain)
@@ -208,6 +232,7 @@ static void weights(const Labeled_c3t3& input, const Labeled_domain& domain)
   CGAL::exude_mesh_3(exuded, params::sliver_bound = 20);
   refuses("weights", [&] { CGAL::odt_optimize_mesh_3(exuded, domain); });
   refuses("weights", [&] { CGAL::remesh_boundary_mesh_3(exuded, domain); });
+  refuses("weights", [&] { CGAL::remove_slivers_mesh_3(exuded, domain); });
 }
 
 static int number_of_failures = 0;
@@ -217,6 +242,7 @@ int main()
   const Labeled_domain domain = domains::sphere();
   const Labeled_c3t3 input = domains::mesh(domain, 0.25);
   allowed(input, domain);
+  allowed_for_slivers(input, domain);
 
   // They end where those of CGAL do.
   CGAL::set_error_behaviour(CGAL::THROW_EXCEPTION);

@@ -3,8 +3,9 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// The default call beside what CGAL reaches with odt and perturb on the same meshes, in one run and in
-// process CPU time; then with a higher sliver bound; then with CGAL's perturb and exude after it.
+// The default call, with and without the removal of slivers, beside what CGAL reaches with odt, perturb and exude on
+// the same meshes, in one run and in process CPU time; then with CGAL's perturb and exude after it, and with a higher
+// sliver bound. CGAL's functions know of no seed: for each, they do the same once more, and only the time differs.
 //
 //   compare_qualities [number of seeds, default 3] [rounds with the higher bound, default 6] [name of an input]
 //
@@ -21,11 +22,13 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <cstdio>
 #include <cstdlib>
 #include <functional>
 #include <map>
 #include <string>
+#include <utility>
 #include <vector>
 
 using namespace inputs;
@@ -54,55 +57,84 @@ std::map<int, double> median_edges(const C3t3& c3t3, const Size& size)
   return medians;
 }
 
+// A table of the meshes that come from one input.
 template <class C3t3>
-void print(const std::string& what, const C3t3& c3t3, const C3t3& input, const Size& size, double time, double reference_time)
+class Table
 {
-  const CGAL::Mesh_quality_report_3 r = CGAL::mesh_quality_report_3(c3t3, { 10, 20 });
-  const double volume = CGAL::mesh_quality_report_3(input, { 10 }).total().volume;
-  double change = 0;
-  const std::map<int, double> before = median_edges(input, size), after = median_edges(c3t3, size);
-  for(const auto& m : before)
-    change = (std::max)(change, std::abs(after.at(m.first) / m.second - 1));
-  std::printf("  %-26s %.4f  %6.2f - %6.2f  %4zu %5zu  %+.3f %%  %5.1f %%  %6.2f s  %5.2f\n", what.c_str(), r.mean_radius_ratio,
-              r.smallest_angle, r.largest_angle, r.cells_below[0].second, r.cells_below[1].second,
-              100 * (r.total().volume / volume - 1), 100 * change, time, time / reference_time);
-  std::fflush(stdout);
+public:
+  Table(const char* name, const C3t3& input, const Size& size)
+    : size_(size)
+    , volume_(CGAL::mesh_quality_report_3(input).total().volume)
+    , medians_(median_edges(input, size))
+  {
+    std::size_t interior = 0;
+    for(auto v = input.triangulation().finite_vertices_begin(); v != input.triangulation().finite_vertices_end(); ++v)
+      interior += input.in_dimension(v) == 3;
+    const std::size_t vertices = input.triangulation().number_of_vertices();
+    std::printf("\n%s: %zu vertices, %.0f %% of them in the interior\n  %-30s %-7s %-16s %4s %5s  %-12s  %-9s %-7s %8s  %s\n", name,
+                vertices, 100. * double(interior) / double(vertices), "", "3r/R", "dihedral", "<10", "<20", "facets, mean",
+                "volume", "size", "CPU", "over CGAL's odt");
+    print("input", input, 0);
+  }
+
+  // The time that the others are relative to.
+  void set_reference(double time) { reference_ = time; }
+
+  void print(const std::string& what, const C3t3& c3t3, double time) const
+  {
+    const CGAL::Mesh_quality_report_3 r = CGAL::mesh_quality_report_3(c3t3, { 10, 20 });
+    double change = 0;
+    for(const auto& m : median_edges(c3t3, size_))
+      change = (std::max)(change, std::abs(m.second / medians_.at(m.first) - 1));
+    std::printf("  %-30s %.4f  %6.2f - %6.2f  %4zu %5zu  %5.2f, %5.2f  %+.3f %%  %5.1f %%  %6.2f s  %5.2f\n", what.c_str(),
+                r.mean_radius_ratio, r.smallest_angle, r.largest_angle, r.cells_below[0].second, r.cells_below[1].second,
+                r.smallest_facet_angle, r.mean_facet_angle, 100 * (r.total().volume / volume_ - 1), 100 * change, time,
+                time / reference_);
+    std::fflush(stdout);
+  }
+
+private:
+  Size size_;
+  double volume_, reference_ = 1;
+  std::map<int, double> medians_;
+};
+
+// Perturbs and exudes a mesh that took so long.
+template <class C3t3, class Domain>
+void perturb_and_exude(const Table<C3t3>& table, C3t3& c3t3, const Domain& domain, double time)
+{
+  time += seconds([&] { CGAL::perturb_mesh_3(c3t3, domain, params::sliver_bound = 20); });
+  table.print("  then perturb(20)", c3t3, time);
+  time += seconds([&] { CGAL::exude_mesh_3(c3t3); });
+  table.print("  then exude", c3t3, time);
 }
 
 template <class C3t3, class Domain>
 void compare(const char* name, const C3t3& input, const Domain& domain, const Size& size, unsigned int seeds,
              std::size_t more_rounds)
 {
-  std::printf("\n%s: %zu vertices\n  %-26s %-7s %-16s %4s %5s  %-9s %-7s %8s  %s\n", name,
-              std::size_t(input.triangulation().number_of_vertices()), "", "3r/R", "dihedral", "<10", "<20", "volume", "size",
-              "CPU", "over CGAL's odt");
-  double reference = 1;
+  Table<C3t3> table(name, input, size);
+  const auto optimize = [&](const std::string& what, const auto&... parameters)
   {
     C3t3 c3t3(input);
-    reference = seconds([&] { odt_of_mesh_3(c3t3, domain); });
-    print("CGAL's odt", c3t3, input, size, reference, reference);
-    const double time = seconds([&] { CGAL::perturb_mesh_3(c3t3, domain, params::sliver_bound = 20); });
-    print("CGAL's odt, perturb(20)", c3t3, input, size, reference + time, reference);
-  }
+    const double time = seconds([&] { CGAL::odt_optimize_mesh_3(c3t3, domain, parameters...); });
+    table.print(what, c3t3, time);
+    return std::make_pair(c3t3, time);
+  };
   for(unsigned int seed = 1; seed <= seeds; ++seed)
   {
-    C3t3 c3t3(input);
-    const double time = seconds([&] { CGAL::odt_optimize_mesh_3(c3t3, domain, params::random_seed(seed)); });
-    print("default, seed " + std::to_string(seed), c3t3, input, size, time, reference);
-  }
-  for(unsigned int seed = 1; seed <= seeds; ++seed)
-  {
-    C3t3 c3t3(input);
-    const double time = seconds([&] { CGAL::odt_optimize_mesh_3(c3t3, domain, params::random_seed(seed),
-                                                                params::number_of_rounds = more_rounds,
-                                                                params::sliver_bound = 35); });
-    print("bound 35, seed " + std::to_string(seed), c3t3, input, size, time, reference);
-    if(seed > 1)
-      continue;
-    const double perturbing = seconds([&] { CGAL::perturb_mesh_3(c3t3, domain, params::sliver_bound = 20); });
-    print("  then perturb(20)", c3t3, input, size, perturbing, reference);
-    const double exuding = seconds([&] { CGAL::exude_mesh_3(c3t3, params::sliver_bound = 20); });
-    print("  then exude(20)", c3t3, input, size, exuding, reference);
+    C3t3 cgal(input);
+    const double time = seconds([&] { odt_of_mesh_3(cgal, domain); });
+    table.set_reference(time);
+    table.print("CGAL's odt", cgal, time);
+    perturb_and_exude(table, cgal, domain, time);
+
+    const std::string suffix = ", seed " + std::to_string(seed);
+    optimize("slivers left" + suffix, params::random_seed(seed), params::do_remove_slivers = false);
+    auto ours = optimize("default" + suffix, params::random_seed(seed));
+    perturb_and_exude(table, ours.first, domain, ours.second);
+    optimize("bound 35, " + std::to_string(more_rounds) + " rounds" + suffix, params::random_seed(seed),
+             params::number_of_rounds = more_rounds, params::sliver_bound = 35);
   }
 }
 
@@ -111,13 +143,14 @@ int main(int argc, char* argv[])
   const unsigned int seeds = argc > 1 ? std::atoi(argv[1]) : 3;
   const std::size_t more_rounds = argc > 2 ? std::atoi(argv[2]) : 6;
   const std::string only = argc > 3 ? argv[3] : "";
-  for_each_input([&](const char* name, const auto& input, const auto& domain)
+  const auto compare_on = [&](const char* name, const auto& input, const auto& domain)
   {
     Size size = [](const Point_3&) { return 1.; };
     if(std::string(name) == "graded sphere")
       size = [](const Point_3& p) { return Graded_sphere_size{ 1 }(p, 3, 0); };
-    if(only.empty() || only == name)
-      compare(name, input, domain, size, seeds, more_rounds);
-  });
+    compare(name, input, domain, size, seeds, more_rounds);
+  };
+  for_each_input(compare_on, only);
+  for_each_coarse_part(compare_on, only);
   return EXIT_SUCCESS;
 }

@@ -61,6 +61,7 @@
 #include <CGAL/odt_energy_3.h>
 #include <CGAL/odt_optimize_mesh_3.h>
 #include <CGAL/remesh_boundary_mesh_3.h>
+#include <CGAL/remove_slivers_mesh_3.h>
 
 typedef CGAL::Exact_predicates_inexact_constructions_kernel Kernel;
 typedef CGAL::Labeled_mesh_domain_3<Kernel> Domain;
@@ -75,6 +76,7 @@ int main()
     Kernel::Sphere_3(CGAL::ORIGIN, 2.));
   const CGAL::Mesh_criteria_3<Triangulation> criteria(
     CGAL::parameters::facet_angle = 25, CGAL::parameters::facet_size = 0.5, CGAL::parameters::cell_size = 0.5);
-  const C3t3 c3t3 = CGAL::make_mesh_3<C3t3>(domain, criteria, CGAL::parameters::odt());
+  C3t3 c3t3 = CGAL::make_mesh_3<C3t3>(domain, criteria, CGAL::parameters::odt());
+  CGAL::remove_slivers_mesh_3(c3t3, domain, CGAL::parameters::sliver_bound = 20);
   return c3t3.triangulation().is_valid() ? 0 : 1;
 }

@@ -16,6 +16,7 @@
 #include <CGAL/odt_energy_3.h>
 #include <CGAL/odt_optimize_mesh_3.h>
 #include <CGAL/remesh_boundary_mesh_3.h>
+#include <CGAL/remove_slivers_mesh_3.h>
 #include <CGAL/tags.h>
 #include <CGAL/version.h>
 
@@ -48,6 +49,12 @@ void no_parameters(C3t3& c3t3, const Domain& domain)
   CGAL::odt_optimize_mesh_3(c3t3, domain, "time_limit");
 #line 1 "string"
   CGAL::remesh_boundary_mesh_3(c3t3, domain, std::string("time_limit"));
+#line 1 "slivers_string"
+  CGAL::remove_slivers_mesh_3(c3t3, domain, std::string("sliver_bound"));
+#if CGAL_VERSION_NR >= 1050600000
+#line 1 "new_slivers_number"
+  CGAL::remove_slivers_mesh_3(c3t3, domain, 20.);
+#endif
 #line 1 "field_without_name"
   CGAL::odt_energy_3(c3t3, [](const Kernel::Point_3&) { return 1.; });
 }
@@ -66,12 +73,38 @@ void not_read(C3t3& c3t3, const Domain& domain)
   CGAL::remesh_boundary_mesh_3(c3t3, domain, params::sliver_bound = 10);
 #line 1 "remeshing_rounds"
   CGAL::remesh_boundary_mesh_3(c3t3, domain, params::number_of_rounds = 4);
+#line 1 "remeshing_removal"
+  CGAL::remesh_boundary_mesh_3(c3t3, domain, params::do_remove_slivers = false);
+#line 1 "remeshing_weight"
+  CGAL::remesh_boundary_mesh_3(c3t3, domain, params::surface_weight = 1);
+#line 1 "slivers_rounds"
+  CGAL::remove_slivers_mesh_3(c3t3, domain, params::number_of_rounds = 4);
+#line 1 "slivers_removal"
+  CGAL::remove_slivers_mesh_3(c3t3, domain, params::do_remove_slivers = true);
+#line 1 "slivers_weight"
+  CGAL::remove_slivers_mesh_3(c3t3, domain, params::surface_weight = 1);
+#line 1 "slivers_convergence"
+  CGAL::remove_slivers_mesh_3(c3t3, domain, params::sliver_bound = 20, params::convergence = 0.1);
+#line 1 "slivers_iterations"
+  CGAL::remove_slivers_mesh_3(c3t3, domain, params::max_iteration_number = 10);
+#line 1 "slivers_sizing_field"
+  CGAL::remove_slivers_mesh_3(c3t3, domain, params::sizing_field = 1.);
+#line 1 "slivers_density"
+  CGAL::remove_slivers_mesh_3(c3t3, domain, params::density([](const Kernel::Point_3&) { return 1.; }));
+#line 1 "slivers_criterion"
+  CGAL::remove_slivers_mesh_3(c3t3, domain, params::sliver_criterion = 1);
+#line 1 "slivers_verbose_in_chain"
+  CGAL::remove_slivers_mesh_3(c3t3, domain, params::random_seed(1).verbose(true));
 #line 1 "energy_time_limit"
   CGAL::odt_energy_3(c3t3, params::time_limit = 10);
 #line 1 "energy_random_seed"
   CGAL::odt_energy_3(c3t3, params::random_seed(1));
 #line 1 "periodic_sliver_bound"
   CGAL::Global_odt_mesh_3::internal::named_arguments<Periodic_parameters>(params::sliver_bound = 10);
+#line 1 "periodic_removal"
+  CGAL::Global_odt_mesh_3::internal::named_arguments<Periodic_parameters>(params::do_remove_slivers = false);
+#line 1 "periodic_weight"
+  CGAL::Global_odt_mesh_3::internal::named_arguments<Periodic_parameters>(params::surface_weight = 1);
 }
 
 void given_twice(C3t3& c3t3, const Domain& domain)
@@ -80,6 +113,12 @@ void given_twice(C3t3& c3t3, const Domain& domain)
   CGAL::odt_optimize_mesh_3(c3t3, domain, params::time_limit = 10, params::time_limit = 20);
 #line 1 "twice_in_chain"
   CGAL::odt_optimize_mesh_3(c3t3, domain, params::random_seed(1).random_seed(2));
+#line 1 "slivers_twice"
+  CGAL::remove_slivers_mesh_3(c3t3, domain, params::sliver_bound = 10, params::sliver_bound = 20);
+#line 1 "removal_twice"
+  CGAL::odt_optimize_mesh_3(c3t3, domain, params::do_remove_slivers = true, params::do_remove_slivers = false);
+#line 1 "weight_twice"
+  CGAL::odt_optimize_mesh_3(c3t3, domain, params::surface_weight = 1, params::surface_weight(2));
 #if CGAL_VERSION_NR < 1050600000
 #line 1 "old_twice_by_position"
   CGAL::odt_optimize_mesh_3(c3t3, domain, 10, params::time_limit = 20);
@@ -92,6 +131,10 @@ void in_odt_of_the_mesher()
   params::odt(params::number_of_rounds = 40);
 #line 1 "odt_time_limit_and_boundary"
   params::odt(params::time_limit = 10, params::optimize_boundary = false);
+#line 1 "odt_removal"
+  params::odt(params::do_remove_slivers = false);
+#line 1 "odt_weight"
+  params::odt(params::surface_weight = 1);
 #if CGAL_VERSION_NR >= 1050600000
 #line 1 "new_odt_schedule_in_chain"
   params::odt(params::annealing_schedule(CGAL::Momentum_annealing_schedule()).time_limit(10));
