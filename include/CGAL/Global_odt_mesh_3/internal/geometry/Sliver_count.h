@@ -18,32 +18,31 @@ namespace CGAL {
 namespace Global_odt_mesh_3 {
 namespace internal {
 
-// Of some cells: what they lack at a step, the smallest of the angles that lack something, and how many cells are below
-// each step before.
+// Of some cells: what they lack at a bound, the smallest of their angles, and how many cells are below each of some
+// steps.
 struct Sliver_count
 {
   double deficit = 0, smallest = 90;        // square degrees, degrees
   std::array<int, Sliver_steps::number> below = {};
 
-  bool is_not_worse_than(const Sliver_count& other, int step) const
+  bool is_not_worse_than(const Sliver_count& other, int steps) const
   {
     return smallest >= other.smallest
-           && std::equal(below.begin(), below.begin() + step, other.below.begin(), std::less_equal<int>());
+           && std::equal(below.begin(), below.begin() + steps, other.below.begin(), std::less_equal<int>());
   }
 
-  void add(const std::array<Site, 4>& cell, const Angle_deficit_3& angle_deficit, int step)
+  // `highest` has the highest of the bound and the steps; the angles above it do not count.
+  void add(const std::array<Site, 4>& cell, const Angle_deficit_3& highest, double bound, int steps)
   {
-    double most = 0;
-    angle_deficit.for_each_lack(cell, [&](double lack)
+    double angle = highest.bound();
+    highest.for_each_lack(cell, [&](double lack)
     {
-      deficit += lack * lack;
-      most = (std::max)(most, lack);
+      const double a = highest.bound() - lack, missing = (std::max)(0., bound - a);
+      deficit += missing * missing;
+      angle = (std::min)(angle, a);
     });
-    if(!(most > 0))
-      return;
-    const double angle = angle_deficit.bound() - most;
     smallest = (std::min)(smallest, angle);
-    for(int n = 0; n < step; ++n)
+    for(int n = 0; n < steps; ++n)
       below[n] += angle < Sliver_steps::angles[n];
   }
 };

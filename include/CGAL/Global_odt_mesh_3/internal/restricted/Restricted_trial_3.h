@@ -57,16 +57,19 @@ public:
     , exchange_(complex_, lifted_, fidelity, boundary_moves)
     , boundary_moves_(boundary_moves)
     , deficit_(Sliver_steps::angles[0] + margin)
+    , highest_(deficit_)
   {}
 
   Restricted_trial_3(const Restricted_trial_3&) = delete;
   Restricted_trial_3& operator=(const Restricted_trial_3&) = delete;
 
-  // Which of the steps the dihedral angles should reach in the next trials.
-  void set_step(int step)
+  // The dihedral angle, in degrees, that should be reached in the next trials, and the number of steps of which none
+  // may have more cells below it afterwards.
+  void set_goal(double bound, int steps)
   {
-    step_ = step;
-    deficit_ = Angle_deficit_3(Sliver_steps::angles[step] + margin);
+    steps_ = steps;
+    deficit_ = Angle_deficit_3(bound + margin);
+    highest_ = Angle_deficit_3((std::max)(bound + margin, steps > 0 ? Sliver_steps::angles[steps - 1] : 0.));
   }
 
   // For what is to be done with the result.
@@ -74,32 +77,35 @@ public:
   const Complex& complex() const { return complex_; }
   const Site& site(int v) const { return complex_.sites[v]; }
 
-  // The cells below a step, by sorted vertices.
-  std::vector<Quadruple> slivers(int step) const
+  // The cells below a bound, by sorted vertices.
+  std::vector<Quadruple> slivers(double bound) const
   {
     std::vector<Quadruple> result;
     const Triangulation& tr = complex_.triangulation();
     for(auto c = tr.finite_cells_begin(); c != tr.finite_cells_end(); ++c)
-      if(is_inside(complex_.label(c)) && is_sliver(complex_.numbers(c), step))
+      if(is_inside(complex_.label(c)) && is_sliver(complex_.numbers(c), bound))
         result.push_back(sorted(complex_.numbers(c)));
     return result;
   }
 
   // Those among the cells that the last trial has made.
-  std::vector<Quadruple> new_slivers(int step) const
+  std::vector<Quadruple> new_slivers(double bound) const
   {
     std::vector<Quadruple> result;
     for(const Cell& c : lifted_.new_cells())
-      if(is_inside(c.label) && is_sliver(c.vertices, step))
+      if(is_inside(c.label) && is_sliver(c.vertices, bound))
         result.push_back(sorted(c.vertices));
     return result;
   }
 
-  // Of a cell, or 0 if there is none with these vertices, or none below the step.
-  double deficit(const Quadruple& q) const
+  // The smallest dihedral angle of a cell, or 90 if there is none with these vertices.
+  double smallest_angle(const Quadruple& q) const
   {
+    double angle = 90;
     Cell_handle c;
-    return is_cell(q, c) && is_inside(complex_.label(c)) && is_sliver(q, step_) ? deficit_(cell_sites(q)) : 0;
+    if(is_cell(q, c) && is_inside(complex_.label(c)))
+      Angle_deficit_3(90).for_each_lack(cell_sites(q), [&angle](double lack) { angle = (std::min)(angle, 90 - lack); });
+    return angle;
   }
 
   // Those of a cell that may move.
@@ -177,7 +183,7 @@ public:
     if(!lifted_.find_cells() || !(change_of_deficit() < most) || !lifted_.label_cells())
       return infinity;
     const double change = change_of_deficit();
-    return change < most && after_.is_not_worse_than(before_, step_) && exchange_.is_permitted() ? change : infinity;
+    return change < most && after_.is_not_worse_than(before_, steps_) && exchange_.is_permitted() ? change : infinity;
   }
 
   // The sum of the deficits of the new cells.
@@ -210,10 +216,7 @@ private:
     return t.triangulation().is_cell(t.vertex(q[0]), t.vertex(q[1]), t.vertex(q[2]), t.vertex(q[3]), c);
   }
 
-  bool is_sliver(const Quadruple& q, int step) const
-  {
-    return Angle_deficit_3(Sliver_steps::angles[step])(cell_sites(q)) > 0;
-  }
+  bool is_sliver(const Quadruple& q, double bound) const { return Angle_deficit_3(bound)(cell_sites(q)) > 0; }
 
   std::array<Site, 4> cell_sites(const Quadruple& q) const
   {
@@ -283,7 +286,7 @@ private:
     if(c.label == Lifted_vertex::mixed)
       count.deficit = infinity;
     else if(is_inside(c.label))
-      count.add(cell_sites(c.vertices), deficit_, step_);
+      count.add(cell_sites(c.vertices), highest_, deficit_.bound(), steps_);
   }
 
   // The cells of the complex around a vertex.
@@ -315,8 +318,8 @@ private:
   Lifted_vertex lifted_;
   Facet_exchange_3<Domain> exchange_;
   bool boundary_moves_;
-  int step_ = 0;
-  Angle_deficit_3 deficit_;
+  int steps_ = 0;
+  Angle_deficit_3 deficit_, highest_;
   std::vector<Quadruple> star_;
   double mean_edge_ = 0, shortest_edge_ = 0;                  // at the lifted vertex
   Eigen::Vector3d normal_ = Eigen::Vector3d::Zero();          // of the surface there

@@ -9,6 +9,7 @@
 #include <CGAL/Global_odt_mesh_3/internal/geometry/Promising_step.h>
 #include <CGAL/Global_odt_mesh_3/internal/geometry/Random_source.h>
 #include <CGAL/Global_odt_mesh_3/internal/geometry/Site.h>
+#include <CGAL/Global_odt_mesh_3/internal/geometry/Sliver_steps.h>
 
 #include <Eigen/Core>
 
@@ -32,6 +33,8 @@ struct Exact_sliver_removal_parameters
   std::size_t most_steps = 3;               // tried for a cell
   int most_failures = 4;                    // for the same cell
   int most_passes = 12;                     // with each bound
+  int most_failures_of_worst = 24;          // for the cell with the smallest angle, which should rise by so many degrees:
+  double rise_of_worst = 2;
   std::size_t tries_of_lift = 8;            // to lift a vertex and put it back takes as long as so many tries
 };
 
@@ -71,54 +74,75 @@ public:
   void run(int last_step, std::size_t most_tries, const Predicate& may_go_on)
   {
     last_step_ = last_step;
-    const std::vector<Quadruple> slivers = trial_.slivers(last_step);
-    slivers_.insert(slivers.begin(), slivers.end());
-    for(int step = 0; step <= last_step; ++step)
-    {
-      trial_.set_step(step);
-      if(!make_passes(most_tries, may_go_on))
-        return;
-    }
+    slivers_.clear();
+    for(const Quadruple& q : trial_.slivers(Sliver_steps::angles[last_step]))
+      slivers_.emplace(trial_.smallest_angle(q), q);
+    const std::size_t most_tries_of_passes = number_of_tries_ + std::size_t(share_of_passes * double(most_tries));
+    for(int step = 0; step <= last_step && make_passes(step, most_tries_of_passes, may_go_on); ++step) {}
+    raise_smallest_angle(number_of_tries_ + most_tries, may_go_on);
   }
 
 private:
+  typedef std::pair<double, Quadruple> Sliver;          // with its smallest angle
+
   static constexpr double least_improvement = 1e-6;     // square degrees
+  static constexpr double share_of_passes = 0.8;        // of the tries; the others are for the worst cells
 
   // False if it is to come to an end.
   template <class Predicate>
-  bool make_passes(std::size_t most_tries, const Predicate& may_go_on)
+  bool make_passes(int step, std::size_t most_tries, const Predicate& may_go_on)
   {
+    trial_.set_goal(Sliver_steps::angles[step], step);
     bool goes_on = true;
     for(int pass = 0; pass < parameters_.most_passes && goes_on; ++pass)
     {
       goes_on = false;
-      for(const auto& s : sorted_slivers())
+      const auto end = slivers_.lower_bound({ Sliver_steps::angles[step], Quadruple() });
+      for(const Sliver& s : std::vector<Sliver>(slivers_.begin(), end))
       {
-        const Quadruple& q = s.second;
-        if(trial_.deficit(q) == 0 || failures_[q] == parameters_.most_failures)
+        if(!is_still_there(s))
+          continue;
+        int& failures = failures_[s.second];
+        if(failures == parameters_.most_failures)
           continue;
         if(number_of_tries_ >= most_tries || !may_go_on())
           return false;
         goes_on = true;
-        if(!improve(q, failures_[q]))
-          ++failures_[q];
+        if(!improve(s.second, failures))
+          ++failures;
       }
     }
     return true;
   }
 
-  // The worst come first.
-  std::vector<std::pair<double, Quadruple> > sorted_slivers() const
+  // As long as the worst cell can be made better.
+  template <class Predicate>
+  void raise_smallest_angle(std::size_t most_tries, const Predicate& may_go_on)
   {
-    std::vector<std::pair<double, Quadruple> > result;
-    for(const Quadruple& q : slivers_)
+    const double highest = Sliver_steps::angles[last_step_];
+    int failures = 0;
+    while(!slivers_.empty() && failures < parameters_.most_failures_of_worst)
     {
-      const double d = trial_.deficit(q);
-      if(d > 0)
-        result.emplace_back(-d, q);
+      const Sliver worst = *slivers_.begin();
+      if(!is_still_there(worst))
+        continue;
+      if(number_of_tries_ >= most_tries || !may_go_on())
+        return;
+      trial_.set_goal((std::min)(worst.first + parameters_.rise_of_worst, highest), last_step_);
+      failures = improve(worst.second, failures) ? 0 : failures + 1;
     }
-    std::sort(result.begin(), result.end());
-    return result;
+  }
+
+  // Those that are not any more are forgotten.
+  bool is_still_there(const Sliver& s)
+  {
+    const double angle = trial_.smallest_angle(s.second);
+    if(angle == s.first)
+      return true;
+    slivers_.erase(s);
+    if(angle < Sliver_steps::angles[last_step_])
+      slivers_.emplace(angle, s.second);
+    return false;
   }
 
   bool improve(const Quadruple& q, int failures)
@@ -209,9 +233,9 @@ private:
   {
     ++number_of_moves_;
     trial_.accept();
-    for(const Quadruple& q : trial_.new_slivers(last_step_))
+    for(const Quadruple& q : trial_.new_slivers(Sliver_steps::angles[last_step_]))
     {
-      slivers_.insert(q);
+      slivers_.emplace(trial_.smallest_angle(q), q);
       failures_.erase(q);
     }
   }
@@ -221,7 +245,7 @@ private:
   Exact_sliver_removal_parameters parameters_;
   Random_source random_;
   int last_step_ = 0;
-  std::set<Quadruple> slivers_;               // cells below the last step, and such as have been
+  std::set<Sliver> slivers_;                  // cells below the last step, the worst first, and such as have been
   double best_change_ = 0;
   int best_vertex_ = -1;
   Site best_site_ = { 0, 0, 0, 0 };
