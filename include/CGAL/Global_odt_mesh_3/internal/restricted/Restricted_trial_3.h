@@ -240,7 +240,7 @@ private:
     if(!complex_.numbering.is_on_boundary(v) || !boundary_moves_)
       return complex_.numbering.is_interior(v);
     return complex_.numbering.input_vertices[v]->in_dimension() == 2 && complex_.sites[v].weight == 0
-           && complex_.boundary.is_surrounded(v);
+           && complex_.boundary.has_room_to_move(v);
   }
 
   // The one that the vertex has been on from the beginning.
@@ -256,12 +256,15 @@ private:
       mean_edge_ += (position(sites[complex_.numbered.number(w)]) - position(sites[v])).norm() / double(neighbors.size());
     normal_ = Eigen::Vector3d::Zero();
     shortest_edge_ = infinity;
+    const int own_patch = complex_.numbering.is_on_boundary(v) ? patch(v) : Boundary_facet::no_patch;
     for(int n : complex_.boundary.around(v))
     {
-      const std::array<int, 3>& t = complex_.boundary.facet(n).vertices;
+      const Exchangeable_boundary_3::Facet& facet = complex_.boundary.facet(n);
+      const std::array<int, 3>& t = facet.vertices;
       const Eigen::Vector3d origin = position(sites[t[0]]);
       const Eigen::Vector3d area = (position(sites[t[1]]) - origin).cross(position(sites[t[2]]) - origin);
-      normal_ += area.dot(normal_) < 0 ? Eigen::Vector3d(-area) : area;
+      if(facet.patch == own_patch)
+        normal_ += area.dot(normal_) < 0 ? Eigen::Vector3d(-area) : area;
       for(int w : t)
         if(w != v)
           shortest_edge_ = (std::min)(shortest_edge_, (position(sites[w]) - position(sites[v])).norm());

@@ -31,9 +31,11 @@ struct Exact_sliver_removal_parameters
   double farthest = 0.35, nearest = 0.12;   // the longest tries, over the mean incident edge length, in turn
   std::array<double, 3> shares_of_step = {{ 1, 0.5, 0.25 }};
   std::size_t most_steps = 3;               // tried for a cell
-  int most_failures = 4;                    // for the same cell
-  int most_passes = 12;                     // with each bound
-  int most_failures_of_worst = 24;          // for the cell with the smallest angle, which should rise by so many degrees:
+  int fewest_failures = 4, most_failures = 24;      // for the same cell: more where few cells are left
+  double share_of_failures = 0.2;                   // of the tries
+  std::size_t tries_of_failure = 40;
+  int most_passes = 30;                     // with each bound
+  int most_failures_of_worst = 60;          // for the cell with the smallest angle, which should rise by so many degrees:
   double rise_of_worst = 2;
   std::size_t tries_of_lift = 8;            // to lift a vertex and put it back takes as long as so many tries
 };
@@ -69,13 +71,14 @@ public:
   std::size_t number_of_tries() const { return number_of_tries_; }
 
   // Until there are no cells below the step, nothing improves them any more, the tries are used up, or `may_go_on()`,
-  // asked before each cell, says no.
+  // asked before each cell, says no. Then the smallest angle is raised as far as `highest`.
   template <class Predicate>
-  void run(int last_step, std::size_t most_tries, const Predicate& may_go_on)
+  void run(int last_step, double highest, std::size_t most_tries, const Predicate& may_go_on)
   {
     last_step_ = last_step;
+    highest_ = highest;
     slivers_.clear();
-    for(const Quadruple& q : trial_.slivers(Sliver_steps::angles[last_step]))
+    for(const Quadruple& q : trial_.slivers(highest_))
       slivers_.emplace(trial_.smallest_angle(q), q);
     const std::size_t most_tries_of_passes = number_of_tries_ + std::size_t(share_of_passes * double(most_tries));
     for(int step = 0; step <= last_step && make_passes(step, most_tries_of_passes, may_go_on); ++step) {}
@@ -93,17 +96,21 @@ private:
   bool make_passes(int step, std::size_t most_tries, const Predicate& may_go_on)
   {
     trial_.set_goal(Sliver_steps::angles[step], step);
+    const double share = parameters_.share_of_failures * double(most_tries - (std::min)(number_of_tries_, most_tries));
     bool goes_on = true;
     for(int pass = 0; pass < parameters_.most_passes && goes_on; ++pass)
     {
       goes_on = false;
-      const auto end = slivers_.lower_bound({ Sliver_steps::angles[step], Quadruple() });
-      for(const Sliver& s : std::vector<Sliver>(slivers_.begin(), end))
+      const std::vector<Sliver> slivers(slivers_.begin(), slivers_.lower_bound({ Sliver_steps::angles[step], Quadruple() }));
+      const double failures_for_each = share / double(parameters_.tries_of_failure * (std::max)(slivers.size(), std::size_t(1)));
+      const int most_failures = static_cast<int>((std::min)((std::max)(failures_for_each, double(parameters_.fewest_failures)),
+                                                            double(parameters_.most_failures)));
+      for(const Sliver& s : slivers)
       {
         if(!is_still_there(s))
           continue;
         int& failures = failures_[s.second];
-        if(failures == parameters_.most_failures)
+        if(failures >= most_failures)
           continue;
         if(number_of_tries_ >= most_tries || !may_go_on())
           return false;
@@ -119,7 +126,6 @@ private:
   template <class Predicate>
   void raise_smallest_angle(std::size_t most_tries, const Predicate& may_go_on)
   {
-    const double highest = Sliver_steps::angles[last_step_];
     int failures = 0;
     while(!slivers_.empty() && failures < parameters_.most_failures_of_worst)
     {
@@ -128,7 +134,7 @@ private:
         continue;
       if(number_of_tries_ >= most_tries || !may_go_on())
         return;
-      trial_.set_goal((std::min)(worst.first + parameters_.rise_of_worst, highest), last_step_);
+      trial_.set_goal((std::min)(worst.first + parameters_.rise_of_worst, highest_), last_step_);
       failures = improve(worst.second, failures) ? 0 : failures + 1;
     }
   }
@@ -140,7 +146,7 @@ private:
     if(angle == s.first)
       return true;
     slivers_.erase(s);
-    if(angle < Sliver_steps::angles[last_step_])
+    if(angle < highest_)
       slivers_.emplace(angle, s.second);
     return false;
   }
@@ -233,7 +239,7 @@ private:
   {
     ++number_of_moves_;
     trial_.accept();
-    for(const Quadruple& q : trial_.new_slivers(Sliver_steps::angles[last_step_]))
+    for(const Quadruple& q : trial_.new_slivers(highest_))
     {
       slivers_.emplace(trial_.smallest_angle(q), q);
       failures_.erase(q);
@@ -245,6 +251,7 @@ private:
   Exact_sliver_removal_parameters parameters_;
   Random_source random_;
   int last_step_ = 0;
+  double highest_ = 0;
   std::set<Sliver> slivers_;                  // cells below the last step, the worst first, and such as have been
   double best_change_ = 0;
   int best_vertex_ = -1;

@@ -137,7 +137,9 @@ private:
   {
     typename Complex::Trial trial = complex_.make_trial();
     Exact_removal removal(trial, failures_, seed_++);
-    removal.run(step, tries_left() / tries_for_an_exact_one, has_time);
+    // The last step is not the limit if as much is wanted as can be had.
+    const bool is_limit = bound_ > 0 || step + 1 == Sliver_steps::number || is_worthwhile(step + 1);
+    removal.run(step, Sliver_steps::angles[is_limit ? step : step + 1], tries_left() / tries_for_an_exact_one, has_time);
     number_of_tries_ += tries_for_an_exact_one * removal.number_of_tries();
     if(removal.number_of_moves() > 0)
       complex_.adopt(trial);

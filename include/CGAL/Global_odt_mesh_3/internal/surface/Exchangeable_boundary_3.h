@@ -45,14 +45,17 @@ public:
   // The numbers of the facets at a vertex.
   const std::vector<int>& around(int v) const { return around_[v]; }
 
-  // Whether one surface goes all around the vertex.
-  bool is_surrounded(int v)
+  // Whether one surface goes all around the vertex, or several meet in one line through it; not if one ends there.
+  bool has_room_to_move(int v)
   {
     before_.clear();
     for(int n : around_[v])
       before_.push_back(facets_[n]);
     const Pattern p = pattern(v, before_);
-    return p.umbrellas == 1 && p.junctions.empty();
+    if(p.junctions.empty())
+      return p.umbrellas == 1;
+    return p.junctions.size() == 2 && std::all_of(p.junctions.begin(), p.junctions.end(), [this](int w)
+      { return std::count_if(edges_.begin(), edges_.end(), [w](const auto& e) { return e.first == w; }) > 1; });
   }
 
   // The number of the facet with these vertices, which are sorted, or -1.
