@@ -15,6 +15,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstddef>
 #include <map>
 #include <set>
@@ -29,6 +30,8 @@ struct Exact_sliver_removal_parameters
 {
   int tries_per_vertex = 8;
   double farthest = 0.35, nearest = 0.12;   // the longest tries, over the mean incident edge length, in turn
+  int scales = 3;                           // of these, the longest for as many failures as there are at least
+  double ratio_of_scales = 1 / 4.;
   std::array<double, 3> shares_of_step = {{ 1, 0.5, 0.25 }};
   std::size_t most_steps = 3;               // tried for a cell
   int fewest_failures = 4, most_failures = 24;      // for the same cell: more where few cells are left
@@ -154,7 +157,8 @@ private:
   bool improve(const Quadruple& q, int failures)
   {
     return failures == 0 ? try_steps(trial_.movable_vertices(q))
-                         : try_vertices(failures % 2 == 1 ? trial_.movable_vertices(q) : trial_.movable_vertices_beyond(q));
+                         : try_vertices(failures % 2 == 1 ? trial_.movable_vertices(q) : trial_.movable_vertices_beyond(q),
+                                        std::pow(parameters_.ratio_of_scales, (std::max)(failures - parameters_.fewest_failures, 0) / 2 % parameters_.scales));
   }
 
   // Whether a step is accepted: those that promise most come first.
@@ -181,12 +185,12 @@ private:
 
   // Whether one of the vertices lowers the sum of the deficits: the best place is taken, or the first
   // without deficit.
-  bool try_vertices(const std::vector<int>& vertices)
+  bool try_vertices(const std::vector<int>& vertices, double scale)
   {
     best_change_ = -least_improvement;
     best_vertex_ = -1;
     for(int v : vertices)
-      if(try_places(v))
+      if(try_places(v, scale))
         return true;
     if(best_vertex_ < 0)
       return false;
@@ -201,13 +205,13 @@ private:
   }
 
   // Whether one was found, and accepted, that leaves no deficit.
-  bool try_places(int v)
+  bool try_places(int v, double scale)
   {
     const Site from = trial_.site(v);
     lift(v);
     for(int n = 0; n < parameters_.tries_per_vertex; ++n)
     {
-      const double farthest = n % 2 == 0 ? parameters_.farthest : parameters_.nearest;
+      const double farthest = scale * (n % 2 == 0 ? parameters_.farthest : parameters_.nearest);
       const Eigen::Vector3d d = trial_.mean_edge_length() * random_.uniform() * farthest * random_.direction();
       Site s = site_at(position(from) + d, from.weight);
       ++number_of_tries_;
