@@ -211,7 +211,7 @@ private:
     lift(v);
     for(int n = 0; n < parameters_.tries_per_vertex; ++n)
     {
-      const double farthest = scale * (n % 2 == 0 ? parameters_.farthest : parameters_.nearest);
+      const double farthest = scale * (2 * n < parameters_.tries_per_vertex ? parameters_.nearest : parameters_.farthest);
       const Eigen::Vector3d d = trial_.mean_edge_length() * random_.uniform() * farthest * random_.direction();
       Site s = site_at(position(from) + d, from.weight);
       ++number_of_tries_;

@@ -232,7 +232,7 @@ private:
   bool try_positions(int v)
   {
     for(int n = 0; n < parameters_.tries_per_vertex; ++n)
-      switch(try_position(v, displaced(v, n % 2 == 0 ? parameters_.farthest : parameters_.nearest)))
+      switch(try_position(v, displaced(v, 2 * n < parameters_.tries_per_vertex ? parameters_.nearest : parameters_.farthest)))
       {
         case SOLVED: return true;
         case STAYS: return false;

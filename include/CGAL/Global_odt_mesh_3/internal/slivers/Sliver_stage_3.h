@@ -83,7 +83,7 @@ private:
   bool is_worthwhile(int step) const
   {
     return bound_ > 0 || Sliver_steps::angles[step] <= always_wanted
-           || double(reached_.below[step]) < most_slivers * mesh_.topology.number_of_cells();
+           || (reached_.below[step - 1] == 0 && double(reached_.below[step]) < most_slivers * mesh_.topology.number_of_cells());
   }
 
   // Whether the next step may be taken.
