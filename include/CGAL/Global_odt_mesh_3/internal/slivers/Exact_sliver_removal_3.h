@@ -74,25 +74,39 @@ public:
   std::size_t number_of_tries() const { return number_of_tries_; }
 
   // Until there are no cells below the step, nothing improves them any more, the tries are used up, or `may_go_on()`,
-  // asked before each cell, says no. Then the smallest angle is raised as far as `highest`.
+  // asked before each cell, says no.
   template <class Predicate>
-  void run(int last_step, double highest, std::size_t most_tries, const Predicate& may_go_on)
+  void climb(int last_step, std::size_t most_tries, const Predicate& may_go_on)
   {
-    last_step_ = last_step;
-    highest_ = highest;
-    slivers_.clear();
-    for(const Quadruple& q : trial_.slivers(highest_))
-      slivers_.emplace(trial_.smallest_angle(q), q);
-    const std::size_t most_tries_of_passes = number_of_tries_ + std::size_t(share_of_passes * double(most_tries));
-    for(int step = 0; step <= last_step && make_passes(step, most_tries_of_passes, may_go_on); ++step) {}
-    raise_smallest_angle(number_of_tries_ + most_tries, may_go_on);
+    find_slivers(last_step, Sliver_steps::angles[last_step]);
+    most_tries += number_of_tries_;
+    for(int step = 0; step <= last_step && make_passes(step, most_tries, may_go_on); ++step) {}
+  }
+
+  // Raises the smallest angle as far as `highest`, as long as the worst cell can be made better and there are tries.
+  // No more cells than before are below the steps before the last.
+  template <class Predicate>
+  void raise_smallest_angle(int last_step, double highest, std::size_t most_tries, const Predicate& may_go_on)
+  {
+    find_slivers(last_step, highest);
+    most_tries += number_of_tries_;
+    int failures = 0;
+    while(!slivers_.empty() && failures < parameters_.most_failures_of_worst)
+    {
+      const Sliver worst = *slivers_.begin();
+      if(!is_still_there(worst))
+        continue;
+      if(number_of_tries_ >= most_tries || !may_go_on())
+        return;
+      trial_.set_goal((std::min)(worst.first + parameters_.rise_of_worst, highest_), last_step_);
+      failures = improve(worst.second, failures) ? 0 : failures + 1;
+    }
   }
 
 private:
   typedef std::pair<double, Quadruple> Sliver;          // with its smallest angle
 
   static constexpr double least_improvement = 1e-6;     // square degrees
-  static constexpr double share_of_passes = 0.8;        // of the tries; the others are for the worst cells
 
   // False if it is to come to an end.
   template <class Predicate>
@@ -125,21 +139,13 @@ private:
     return true;
   }
 
-  // As long as the worst cell can be made better.
-  template <class Predicate>
-  void raise_smallest_angle(std::size_t most_tries, const Predicate& may_go_on)
+  void find_slivers(int last_step, double highest)
   {
-    int failures = 0;
-    while(!slivers_.empty() && failures < parameters_.most_failures_of_worst)
-    {
-      const Sliver worst = *slivers_.begin();
-      if(!is_still_there(worst))
-        continue;
-      if(number_of_tries_ >= most_tries || !may_go_on())
-        return;
-      trial_.set_goal((std::min)(worst.first + parameters_.rise_of_worst, highest_), last_step_);
-      failures = improve(worst.second, failures) ? 0 : failures + 1;
-    }
+    last_step_ = last_step;
+    highest_ = highest;
+    slivers_.clear();
+    for(const Quadruple& q : trial_.slivers(highest_))
+      slivers_.emplace(trial_.smallest_angle(q), q);
   }
 
   // Those that are not any more are forgotten.
@@ -256,7 +262,7 @@ private:
   Random_source random_;
   int last_step_ = 0;
   double highest_ = 0;
-  std::set<Sliver> slivers_;                  // cells below the last step, the worst first, and such as have been
+  std::set<Sliver> slivers_;                  // cells below the highest angle, the worst first, and such as have been
   double best_change_ = 0;
   int best_vertex_ = -1;
   Site best_site_ = { 0, 0, 0, 0 };

@@ -57,7 +57,7 @@ public:
     reached_ = Cell_angles(mesh_);
     bool goes_on = may_go_on() && climb_in_complex(first_step, has_time);
     for(int step = first_step + 1; step <= Sliver_steps::last(bound_) && goes_on; ++step)
-      goes_on = may_go_on() && is_worthwhile(step) && climb(step, has_time);
+      goes_on = may_go_on() && is_worthwhile(step, reached_.below[step - 1], reached_.below[step]) && climb(step, has_time);
     return true;
   }
 
@@ -77,13 +77,16 @@ private:
 
   static constexpr int first_step = 1;
   static constexpr std::size_t tries_for_an_exact_one = 3;
-  // Above the angle, no step is taken if no bound is given and more of the cells lie below it.
+  static constexpr double share_of_climb = 0.8;         // of the exact ones; the others are for the worst cells
+  // Above the angle, no step is taken if no bound is given, and cells are left below the one before or more of them
+  // below this.
   static constexpr double always_wanted = 30, most_slivers = 1 / 30.;
 
-  bool is_worthwhile(int step) const
+  // Whether to take a step with so many cells below it, and below the one before.
+  bool is_worthwhile(int step, std::size_t below_last, std::size_t below) const
   {
     return bound_ > 0 || Sliver_steps::angles[step] <= always_wanted
-           || (reached_.below[step - 1] == 0 && double(reached_.below[step]) < most_slivers * mesh_.topology.number_of_cells());
+           || (below_last == 0 && double(below) < most_slivers * mesh_.topology.number_of_cells());
   }
 
   // Whether the next step may be taken.
@@ -137,12 +140,22 @@ private:
   {
     typename Complex::Trial trial = complex_.make_trial();
     Exact_removal removal(trial, failures_, seed_++);
+    const std::size_t most_tries = tries_left() / tries_for_an_exact_one;
+    removal.climb(step, std::size_t(share_of_climb * double(most_tries)), has_time);
     // The last step is not the limit if as much is wanted as can be had.
-    const bool is_limit = bound_ > 0 || step + 1 == Sliver_steps::number || is_worthwhile(step + 1);
-    removal.run(step, Sliver_steps::angles[is_limit ? step : step + 1], tries_left() / tries_for_an_exact_one, has_time);
+    const int next = step + 1;
+    const bool is_limit = bound_ > 0 || next == Sliver_steps::number
+                          || is_worthwhile(next, number_below(trial, step), number_below(trial, next));
+    removal.raise_smallest_angle(step, Sliver_steps::angles[is_limit ? step : next],
+                                 most_tries - (std::min)(removal.number_of_tries(), most_tries), has_time);
     number_of_tries_ += tries_for_an_exact_one * removal.number_of_tries();
     if(removal.number_of_moves() > 0)
       complex_.adopt(trial);
+  }
+
+  static std::size_t number_below(const typename Complex::Trial& trial, int step)
+  {
+    return trial.slivers(Sliver_steps::angles[step]).size();
   }
 
   // Displacements on a surface are tangential.
