@@ -110,7 +110,7 @@ private:
   static constexpr double least_gain_of_round = 2e-4;     // of the energy, relatively
   static constexpr double longest_way_in_round = 0.3;     // of a surface vertex, over its shortest edge on the surface
   static constexpr double share_of_rounds = 0.8;          // of the progress that is reported
-  static constexpr std::size_t iterations_for_a_check = 20, cells_in_iteration_for_a_try = 200;     // of like cost
+  static constexpr std::size_t iterations_for_a_check = 20, cells_in_iteration_for_a_try = 180;     // of like cost
 
   bool boundary_moves() const { return number_of_surface_vertices() > 0; }
 

@@ -56,8 +56,14 @@ public:
     complex_.flatten(mesh_);
     reached_ = Cell_angles(mesh_);
     bool goes_on = may_go_on() && climb_in_complex(first_step, has_time);
+    int repetitions = most_repetitions;
     for(int step = first_step + 1; step <= Sliver_steps::last(bound_) && goes_on; ++step)
+    {
       goes_on = may_go_on() && is_worthwhile(step, reached_.below[step - 1], reached_.below[step]) && climb(step, has_time);
+      // Where cells are left far below, another time is likely to reach more than another step.
+      if(goes_on && reached_.below[first_step] > 0 && repetitions-- > 0)
+        --step;
+    }
     return true;
   }
 
@@ -75,12 +81,12 @@ private:
   typedef typename Complex::State State;
   typedef Exact_sliver_removal_3<typename Complex::Trial> Exact_removal;
 
-  static constexpr int first_step = 1;
+  static constexpr int first_step = 1, most_repetitions = 2;
   static constexpr std::size_t tries_for_an_exact_one = 3;
   static constexpr double share_of_climb = 0.8;         // of the exact ones; the others are for the worst cells
   // Above the angle, no step is taken if no bound is given, and cells are left below the one before or more of them
   // below this.
-  static constexpr double always_wanted = 30, most_slivers = 1 / 30.;
+  static constexpr double always_wanted = 30, most_slivers = 1 / 25.;
 
   // Whether to take a step with so many cells below it, and below the one before.
   bool is_worthwhile(int step, std::size_t below_last, std::size_t below) const
