@@ -141,8 +141,9 @@ Vertices in dimension 2 move on the surface, first toward a centroidal Voronoi t
 (see `remesh_boundary_mesh_3()`) and then together with the interior, the energy of that tessellation being a term
 beside \f$ E^\rho_{ODT} \f$ (see `surface_weight`). They end on the surface:
 of polyhedral domains exactly, else within the error bound of the domain. Vertices in
-dimension 0 and 1, that is, corners and vertices on features, stay where they are, and so do vertices
-where surfaces meet. Those where a surface bends sharply or separates no subdomains move only to remove a sliver. The result has as many vertices of each dimension and index, and
+dimension 0 and 1, that is, corners and vertices on features, stay where they are. Vertices where
+surfaces meet, where one bends sharply, or of one that separates no subdomains move only to remove a sliver, those where
+surfaces meet on the surface that their index tells. The result has as many vertices of each dimension and index, and
 as many facets of each patch, the Euler characteristic, the components and the junctions of patches and
 subdomains are those of the input, and the centroids of facets are as close to a polyhedral surface
 as in the input at the worst. No facet of the boundary gets an angle below the smallest in those of the input or below

@@ -77,8 +77,10 @@ public:
     check::that(count_indices(after.sliding) == count_indices(before_.sliding), n,
                 "vertices of dimension 2 or their indices changed");
     check::that(after.patches == before_.patches, n, "number of facets, Euler characteristic or components of patches changed");
-    check::that(after.junctions == before_.junctions, n, "edges where patches meet changed, ", before_.junctions.size(),
-                " -> ", after.junctions.size());
+    check::that(degrees(after.junctions) == degrees(before_.junctions), n, "edges where patches meet changed, ",
+                before_.junctions.size(), " -> ", after.junctions.size());
+    check::that(stray_ends(after.junctions, before_.junctions) == 0, n, stray_ends(after.junctions, before_.junctions),
+                " edges where patches meet are farther than an edge from those before");
     check::that(after.interior_on_boundary <= before_.interior_on_boundary, n, after.interior_on_boundary,
                 " vertices of dimension 3 on facets of the complex, before ", before_.interior_on_boundary);
     check::that(after.surface_off_boundary <= before_.surface_off_boundary, n, after.surface_off_boundary,
@@ -93,6 +95,38 @@ public:
                 after.farthest_centroid, " from the surface, before ", before_.farthest_centroid);
     check_volume(after, volume_of_subdomain, volume_of_all);
   }
+
+  // How many of some edges there are at each of their ends.
+  static std::vector<int> degrees(const std::set<Segment>& edges)
+  {
+    std::map<Point, int> at;
+    for(const Segment& e : edges)
+    {
+      ++at[e.first];
+      ++at[e.second];
+    }
+    std::vector<int> result;
+    for(const auto& a : at)
+      result.push_back(a.second);
+    std::sort(result.begin(), result.end());
+    return result;
+  }
+
+  // The number of ends of edges that are farther from all ends of others than the longest of these.
+  static int stray_ends(const std::set<Segment>& edges, const std::set<Segment>& others)
+  {
+    double longest = 0;
+    for(const Segment& e : others)
+      longest = (std::max)(longest, length(e.first, e.second));
+    int stray = 0;
+    for(const Segment& e : edges)
+      for(const Point& p : { e.first, e.second })
+        stray += std::none_of(others.begin(), others.end(), [&](const Segment& o)
+                              { return (std::min)(length(p, o.first), length(p, o.second)) <= longest; });
+    return stray;
+  }
+
+  static double length(const Point& p, const Point& q) { return std::hypot(p[0] - q[0], p[1] - q[1], p[2] - q[2]); }
 
   static std::multiset<std::array<double, 4> > points(const C3t3& c3t3)
   {

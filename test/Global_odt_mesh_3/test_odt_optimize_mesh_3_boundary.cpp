@@ -105,7 +105,7 @@ static void touching()
     }
 }
 
-// Where three subdomains meet in a curve, and where four and eight meet in a point, vertices stay.
+// Where three subdomains meet in a curve, and where four and eight meet in a point, patches keep their junctions.
 static void junctions()
 {
   const Tolerance branching = { 0.03, 0.01, 4e-3 };

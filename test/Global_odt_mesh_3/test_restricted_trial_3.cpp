@@ -87,11 +87,11 @@ void rejected_trials(const std::string& name, const C3t3& c3t3, const Domain& do
   Setting<C3t3, Domain> setting(c3t3, domain, Boundary_motion::BY_NORMALS);
   auto trial = setting.complex.make_trial();
   const int step = Sliver_steps::last(40);
-  trial.set_step(step);
+  trial.set_goal(Sliver_steps::angles[step], step);
   const Contents before(trial);
   Random_source random(5);
   int lifted = 0, on_surface = 0, permitted = 0, refused = 0, other = 0;
-  for(const auto& q : trial.slivers(step))
+  for(const auto& q : trial.slivers(Sliver_steps::angles[step]))
     for(int v : trial.movable_vertices(q))
     {
       if(lifted == 400)
@@ -132,12 +132,12 @@ void removal(const std::string& name, const C3t3& c3t3, const Domain& domain, Bo
   {
     Setting<C3t3, Domain> setting(c3t3, domain, motion);
     auto trial = setting.complex.make_trial();
-    const std::size_t before = trial.slivers(step).size();
+    const std::size_t before = trial.slivers(Sliver_steps::angles[step]).size();
     typedef Exact_sliver_removal_3<decltype(trial)> Removal;
     typename Removal::Failures failures;
     Removal removal(trial, failures, 1);
-    removal.run(step, 1000000, [] { return true; });
-    const std::size_t after = trial.slivers(step).size();
+    removal.climb(step, 1000000, [] { return true; });
+    const std::size_t after = trial.slivers(Sliver_steps::angles[step]).size();
     std::cout << name << ": " << before << " -> " << after << " cells below " << bound << " degrees by "
               << removal.number_of_moves() << " moves, " << removal.number_of_tries() << " tries" << std::endl;
     check::that(before > 5 && removal.number_of_moves() > 0, name, ": there was nothing to do");
@@ -156,6 +156,74 @@ void removal(const std::string& name, const C3t3& c3t3, const Domain& domain, Bo
   check::that(Contract::points(results[0]) == Contract::points(results[1]), name, ": not deterministic");
 }
 
+// The smallest angle rises far beyond that of the input, and no step gets more cells below it.
+template <class C3t3, class Domain>
+void smallest_angle(const std::string& name, const C3t3& c3t3, const Domain& domain, double wanted)
+{
+  Setting<C3t3, Domain> setting(c3t3, domain, Boundary_motion::BY_NORMALS);
+  auto trial = setting.complex.make_trial();
+  typedef Exact_sliver_removal_3<decltype(trial)> Removal;
+  typename Removal::Failures failures;
+  Removal removal(trial, failures, 1);
+  const int step = Sliver_steps::last(30);
+  std::vector<std::size_t> before, after;
+  for(int s = 0; s < step; ++s)
+    before.push_back(trial.slivers(Sliver_steps::angles[s]).size());
+  removal.raise_smallest_angle(step, 35, 1000000, [] { return true; });
+  double smallest = 90;
+  for(const auto& q : trial.slivers(35))
+    smallest = (std::min)(smallest, trial.smallest_angle(q));
+  std::cout << name << ": smallest angle " << smallest << " after " << removal.number_of_tries() << " tries" << std::endl;
+  check::that(smallest >= wanted, name, ": smallest angle ", smallest);
+  for(int s = 0; s < step; ++s)
+  {
+    after.push_back(trial.slivers(Sliver_steps::angles[s]).size());
+    check::that(after[s] <= before[s], name, ": ", after[s], " cells below ", Sliver_steps::angles[s], ", before ", before[s]);
+  }
+}
+
+// Where three subdomains meet, vertices move, and the edges on that line remain edges between the same vertices.
+static void junction_moves()
+{
+  const Labeled_domain domain = domains::labeled([](const domains::Point_3& p)
+    { return domains::squared(p) >= 1 ? 0 : p.x() > 0.01 ? 1 : p.y() > 0.02 ? 2 : 3; });
+  const Labeled_c3t3 c3t3 = domains::mesh(domain, 0.25);
+  Setting<Labeled_c3t3, Labeled_domain> setting(c3t3, domain, Boundary_motion::BY_NORMALS);
+  auto trial = setting.complex.make_trial();
+  const double bound = 50;
+  trial.set_goal(bound, 0);
+  Random_source random(3);
+  const auto is_on_junction = [&trial](int v)
+  {
+    std::set<std::array<int, 2> > labels;
+    for(int n : trial.complex().boundary.around(v))
+      labels.insert(trial.complex().boundary.facet(n).labels);
+    return labels.size() == 3;
+  };
+  int moved = 0, lifted = 0;
+  for(const auto& q : trial.slivers(bound))
+    for(int v : trial.movable_vertices(q))
+    {
+      if(!is_on_junction(v))
+        continue;
+      ++lifted;
+      const Site from = trial.site(v);
+      trial.lift(v);
+      Site s = site_at(position(from) + 0.1 * trial.mean_edge_length() * random.uniform() * random.direction(), from.weight);
+      if(trial.place(s) && std::isfinite(trial.move(s, (std::numeric_limits<double>::infinity)())))
+      {
+        trial.accept();
+        ++moved;
+        check::that(is_on_junction(v), "a vertex leaves the line where three subdomains meet");
+      }
+      else
+        trial.reject();
+    }
+  std::cout << "junction: " << moved << " of " << lifted << " moves" << std::endl;
+  check::that(moved > 0 && setting.complex.adopt(trial), "no vertex where three subdomains meet moves");
+  Mesh_contract<Labeled_c3t3, Labeled_domain>(c3t3, domain, "junction").check_moved(setting.write(), 0.05, 0.02, 1e-2);
+}
+
 // Nothing is done without tries or time, and the tries are no more than wanted, but for the last vertices.
 template <class C3t3, class Domain>
 void limits(const C3t3& c3t3, const Domain& domain)
@@ -167,12 +235,12 @@ void limits(const C3t3& c3t3, const Domain& domain)
   typename Removal::Failures failures;
   Removal without_tries(trial, failures, 1), without_time(trial, failures, 1);
   const int step = Sliver_steps::last(30);
-  without_tries.run(step, 0, [] { return true; });
-  without_time.run(step, 1000000, [] { return false; });
+  without_tries.climb(step, 0, [] { return true; });
+  without_time.climb(step, 1000000, [] { return false; });
   check::that(without_tries.number_of_moves() == 0 && without_time.number_of_moves() == 0 && Contents(trial) == before,
               "something is done without tries or without time");
   Removal few(trial, failures, 1);
-  few.run(Sliver_steps::number - 1, 2000, [] { return true; });
+  few.climb(Sliver_steps::number - 1, 2000, [] { return true; });
   const Exact_sliver_removal_parameters p;
   check::that(few.number_of_tries() <= 2000 + 10 * (p.tries_of_lift + p.tries_per_vertex), few.number_of_tries(), " tries");
 }
@@ -207,7 +275,9 @@ int main()
     removal("sphere", c3t3, domain, Boundary_motion::BY_NORMALS, 1, 0);
     removal("sphere with its surface fixed", c3t3, domain, Boundary_motion::NONE, 0, 0.2);
     limits(c3t3, domain);
+    smallest_angle("sphere", c3t3, domain, 25);
   }
+  junction_moves();
   {
     const Labeled_domain domain = domains::three_subdomains();
     const Labeled_c3t3 c3t3 = domains::mesh(domain, 0.2);

@@ -40,7 +40,8 @@ namespace internal {
 // exchanges. A vertex is lifted, tried in some places, and then accepted in the last of them or put back.
 //
 // Vertices of the interior move, and those of dimension 2 that one surface goes around, also if it bends sharply
-// there or does not separate subdomains.
+// there or does not separate subdomains, or through which a line goes where several meet. Without features, such lines
+// are known only as well as the surfaces on either side: their vertices move on the one that they are from.
 template <class Domain>
 class Restricted_trial_3
 {
