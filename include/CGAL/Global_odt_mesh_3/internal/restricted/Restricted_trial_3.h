@@ -168,6 +168,8 @@ public:
     const int v = lifted_.vertex();
     if(complex_.numbering.is_interior(v))
       return true;
+    if(normal_.isZero())                              // no facet around it is on its own surface
+      return false;
     const Eigen::Vector3d way = position(s) - position(lifted_.from());
     Eigen::Vector3d p = position(s) - normal_.dot(way) * normal_;
     if(!complex_.domain.project(p, normal_, farthest_projection * shortest_edge_, patch(v)))
