@@ -82,7 +82,7 @@ private:
   typedef Exact_sliver_removal_3<typename Complex::Trial> Exact_removal;
 
   static constexpr int first_step = 1, most_repetitions = 2;
-  static constexpr std::size_t tries_for_an_exact_one = 3;
+  static constexpr std::size_t tries_for_an_exact_one = 3, tries_for_one_beyond = 10;
   static constexpr double share_of_climb = 0.8;         // of the exact ones; the others are for the worst cells
   // Above the angle, no step is taken if no bound is given, and cells are left below the one before or more of them
   // below this.
@@ -148,12 +148,16 @@ private:
     Exact_removal removal(trial, failures_, seed_++);
     const std::size_t most_tries = tries_left() / tries_for_an_exact_one;
     removal.climb(step, std::size_t(share_of_climb * double(most_tries)), has_time);
+    const auto raise = [&](int to, std::size_t most)
+    {
+      const std::size_t left = most_tries - (std::min)(removal.number_of_tries(), most_tries);
+      removal.raise_smallest_angle(step, Sliver_steps::angles[to], (std::min)(left, most), has_time);
+    };
+    raise(step, most_tries);
     // The last step is not the limit if as much is wanted as can be had.
     const int next = step + 1;
-    const bool is_limit = bound_ > 0 || next == Sliver_steps::number
-                          || is_worthwhile(next, number_below(trial, step), number_below(trial, next));
-    removal.raise_smallest_angle(step, Sliver_steps::angles[is_limit ? step : next],
-                                 most_tries - (std::min)(removal.number_of_tries(), most_tries), has_time);
+    if(!(bound_ > 0) && next < Sliver_steps::number && !is_worthwhile(next, number_below(trial, step), number_below(trial, next)))
+      raise(next, most_tries / tries_for_one_beyond);
     number_of_tries_ += tries_for_an_exact_one * removal.number_of_tries();
     if(removal.number_of_moves() > 0)
       complex_.adopt(trial);
