@@ -38,7 +38,7 @@ struct Exact_sliver_removal_parameters
   double share_of_failures = 0.2;                   // of the tries
   std::size_t tries_of_failure = 40;
   int most_passes = 30;                     // with each bound
-  int most_failures_of_worst = 60;          // for the cell with the smallest angle, which should rise by so many degrees:
+  int most_failures_of_worst = 120;          // for the cell with the smallest angle, which should rise by so many degrees:
   double rise_of_worst = 2;
   std::size_t tries_of_lift = 8;            // to lift a vertex and put it back takes as long as so many tries
 };
