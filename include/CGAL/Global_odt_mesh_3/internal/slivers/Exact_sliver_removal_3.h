@@ -29,7 +29,7 @@ namespace internal {
 struct Exact_sliver_removal_parameters
 {
   int tries_per_vertex = 8;
-  double farthest = 0.35, nearest = 0.12;   // the longest tries, over the mean incident edge length, in turn
+  double farthest = 0.35, nearest = 0.12;   // the longest tries, over the mean incident edge length, near ones first
   int scales = 3;                           // of these, the longest for as many failures as there are at least
   double ratio_of_scales = 1 / 4.;
   std::array<double, 3> shares_of_step = {{ 1, 0.5, 0.25 }};
@@ -38,7 +38,7 @@ struct Exact_sliver_removal_parameters
   double share_of_failures = 0.2;                   // of the tries
   std::size_t tries_of_failure = 40;
   int most_passes = 30;                     // with each bound
-  int most_failures_of_worst = 120;          // for the cell with the smallest angle, which should rise by so many degrees:
+  int most_failures_of_worst = 120;         // for the cell with the smallest angle, which should rise by so many degrees:
   double rise_of_worst = 2;
   std::size_t tries_of_lift = 8;            // to lift a vertex and put it back takes as long as so many tries
 };

@@ -29,7 +29,7 @@ struct Sliver_removal_parameters
 {
   double margin = 0.5;              // degrees by which cells should exceed the bound: surfaces may take some away
   int tries_per_vertex = 8;
-  double farthest = 0.35, nearest = 0.12;   // the longest tries, over the mean incident edge length, in turn
+  double farthest = 0.35, nearest = 0.12;   // the longest tries, over the mean incident edge length, near ones first
   int most_failures = 3;            // for the same cell
   int most_passes = 12;
   double joint_farthest = 0.2;                // the longest of a vertex, over the same
