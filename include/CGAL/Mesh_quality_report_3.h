@@ -9,16 +9,12 @@
 #include <CGAL/Global_odt_mesh_3/internal/energy/Odt_energy_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/geometry/Cell_products_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/geometry/Cell_shape_3.h>
+#include <CGAL/Global_odt_mesh_3/internal/geometry/Facet_shape_3.h>
+#include <CGAL/Global_odt_mesh_3/internal/geometry/Point_coordinates.h>
 #include <CGAL/Global_odt_mesh_3/internal/geometry/Site.h>
-
-#include <CGAL/number_utils.h>
-
-#include <Eigen/Core>
-#include <Eigen/Geometry>
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <cstddef>
 #include <iomanip>
 #include <limits>
@@ -103,25 +99,11 @@ inline void add_shape(Mesh_quality_report_3& report, const Cell_shape_3& shape)
   ++report.radius_ratios[bin(shape.radius_ratio * bins, bins)];
 }
 
-// The smallest angle of a triangle, in degrees.
-inline double smallest_angle(const std::array<Site, 3>& s)
-{
-  double smallest = 180;
-  for(std::size_t i = 0; i < 3; ++i)
-  {
-    const Eigen::Vector3d a = position(s[(i + 1) % 3]) - position(s[i]);
-    const Eigen::Vector3d b = position(s[(i + 2) % 3]) - position(s[i]);
-    smallest = (std::min)(smallest, std::atan2(a.cross(b).norm(), a.dot(b)) * 180 / CGAL_PI);
-  }
-  return smallest;
-}
-
 // Of vertex `i` of a cell.
 template <class Triangulation>
 Site site(const Triangulation& triangulation, typename Triangulation::Cell_handle cell, int i)
 {
-  const auto& p = triangulation.point(cell, i);
-  return { to_double(p.x()), to_double(p.y()), to_double(p.z()), to_double(p.weight()) };
+  return weighted_site(triangulation.point(cell, i));
 }
 
 template <class C3T3>
@@ -133,7 +115,7 @@ void add_facets(Mesh_quality_report_3& report, const C3T3& c3t3)
     std::array<Site, 3> s;
     for(int k = 0; k < 3; ++k)
       s[static_cast<std::size_t>(k)] = site(c3t3.triangulation(), f->first, (f->second + 1 + k) % 4);
-    const double angle = smallest_angle(s);
+    const double angle = smallest_angle_of_facet(s);
     report.smallest_facet_angle = (std::min)(report.smallest_facet_angle, angle);
     report.largest_facet_angle = (std::max)(report.largest_facet_angle, angle);
     ++report.facet_angles[bin(angle, Mesh_quality_report_3::number_of_facet_angle_bins)];

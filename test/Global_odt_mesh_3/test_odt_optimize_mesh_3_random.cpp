@@ -11,6 +11,7 @@
 
 #include <CGAL/Annealing_schedules_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/geometry/Cell_shape_3.h>
+#include <CGAL/Global_odt_mesh_3/internal/geometry/Point_coordinates.h>
 #include <CGAL/Random.h>
 #include <CGAL/odt_optimize_mesh_3.h>
 
@@ -43,8 +44,7 @@ struct Slivers
       for(int i = 0; i < 4; ++i)
       {
         const auto v = c->vertex(i);
-        const auto& p = c3t3.triangulation().point(v);
-        s[i] = { CGAL::to_double(p.x()), CGAL::to_double(p.y()), CGAL::to_double(p.z()), CGAL::to_double(p.weight()) };
+        s[i] = CGAL::Global_odt_mesh_3::internal::weighted_site(c3t3.triangulation().point(v));
         const bool is_weighted = s[i].weight != 0;
         has_interior_vertex = has_interior_vertex
                               || (v->in_dimension() == 3 && !is_weighted && on_boundary.count(v) == 0);

@@ -7,6 +7,7 @@
 #define CGAL_GLOBAL_ODT_MESH_3_INTERNAL_RESTRICTED_FACET_EXCHANGE_3_H
 
 #include <CGAL/Global_odt_mesh_3/internal/geometry/Facet_dual_3.h>
+#include <CGAL/Global_odt_mesh_3/internal/geometry/Facet_shape_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/geometry/Point_coordinates.h>
 #include <CGAL/Global_odt_mesh_3/internal/geometry/Site.h>
 #include <CGAL/Global_odt_mesh_3/internal/geometry/Vertex_tuples.h>
@@ -15,13 +16,10 @@
 #include <CGAL/Global_odt_mesh_3/internal/restricted/Trial_complex_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/surface/Exchangeable_boundary_3.h>
 
-#include <CGAL/number_utils.h>
-
 #include <Eigen/Core>
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <cstddef>
 #include <set>
 #include <utility>
@@ -237,17 +235,9 @@ private:
     return least;
   }
 
-  // In degrees.
   double smallest_angle(const Triple& t) const
   {
-    double least = 180;
-    for(int k = 0; k < 3; ++k)
-    {
-      const Vector origin = position(complex_.sites[t[k]]), a = position(complex_.sites[t[(k + 1) % 3]]) - origin,
-                   b = position(complex_.sites[t[(k + 2) % 3]]) - origin;
-      least = (std::min)(least, std::atan2(a.cross(b).norm(), a.dot(b)) * 180 / CGAL_PI);
-    }
-    return least;
+    return smallest_angle_of_facet({{ complex_.sites[t[0]], complex_.sites[t[1]], complex_.sites[t[2]] }});
   }
 
   Complex& complex_;
