@@ -60,7 +60,7 @@ public:
   // The failures of cells, by their vertices.
   typedef std::map<Quadruple, int> Failures;
 
-  // Cells that have failed often enough are left alone.
+  // Cells that have failed often enough are left alone. The trial is to be moved by this object only.
   Exact_sliver_removal_3(Trial& trial, Failures& failures, unsigned int seed,
                          const Exact_sliver_removal_parameters& parameters = Exact_sliver_removal_parameters())
     : trial_(trial)
@@ -78,7 +78,7 @@ public:
   template <class Predicate>
   void climb(int last_step, std::size_t most_tries, const Predicate& may_go_on)
   {
-    find_slivers(last_step, Sliver_steps::angles[last_step]);
+    find_slivers(Sliver_steps::angles[last_step]);
     most_tries += number_of_tries_;
     for(int step = 0; step <= last_step && make_passes(step, most_tries, may_go_on); ++step) {}
   }
@@ -88,7 +88,7 @@ public:
   template <class Predicate>
   void raise_smallest_angle(int last_step, double highest, std::size_t most_tries, const Predicate& may_go_on)
   {
-    find_slivers(last_step, highest);
+    find_slivers(highest);
     most_tries += number_of_tries_;
     int failures = 0;
     while(!slivers_.empty() && failures < parameters_.most_failures_of_worst)
@@ -98,7 +98,7 @@ public:
         continue;
       if(number_of_tries_ >= most_tries || !may_go_on())
         return;
-      trial_.set_goal((std::min)(worst.first + parameters_.rise_of_worst, highest_), last_step_);
+      trial_.set_goal((std::min)(worst.first + parameters_.rise_of_worst, highest_), last_step);
       failures = improve(worst.second, failures) ? 0 : failures + 1;
     }
   }
@@ -119,9 +119,7 @@ private:
     {
       goes_on = false;
       const std::vector<Sliver> slivers(slivers_.begin(), slivers_.lower_bound({ Sliver_steps::angles[step], Quadruple() }));
-      const double failures_for_each = share / double(parameters_.tries_of_failure * (std::max)(slivers.size(), std::size_t(1)));
-      const int most_failures = static_cast<int>((std::min)((std::max)(failures_for_each, double(parameters_.fewest_failures)),
-                                                            double(parameters_.most_failures)));
+      const int most_failures = failures_for_each(slivers.size(), share);
       for(const Sliver& s : slivers)
       {
         if(!is_still_there(s))
@@ -139,9 +137,18 @@ private:
     return true;
   }
 
-  void find_slivers(int last_step, double highest)
+  // How often each of some cells may fail before the tries are used up.
+  int failures_for_each(std::size_t number_of_slivers, double tries) const
   {
-    last_step_ = last_step;
+    const double failures = tries / double(parameters_.tries_of_failure * (std::max)(number_of_slivers, std::size_t(1)));
+    return static_cast<int>((std::min)((std::max)(failures, double(parameters_.fewest_failures)),
+                                       double(parameters_.most_failures)));
+  }
+
+  void find_slivers(double highest)
+  {
+    if(highest == highest_)                             // all trials since then have been followed
+      return;
     highest_ = highest;
     slivers_.clear();
     for(const Quadruple& q : trial_.slivers(highest_))
@@ -162,9 +169,17 @@ private:
 
   bool improve(const Quadruple& q, int failures)
   {
-    return failures == 0 ? try_steps(trial_.movable_vertices(q))
-                         : try_vertices(failures % 2 == 1 ? trial_.movable_vertices(q) : trial_.movable_vertices_beyond(q),
-                                        std::pow(parameters_.ratio_of_scales, (std::max)(failures - parameters_.fewest_failures, 0) / 2 % parameters_.scales));
+    if(failures == 0)
+      return try_steps(trial_.movable_vertices(q));
+    const bool is_beyond = failures % 2 == 0;
+    return try_vertices(is_beyond ? trial_.movable_vertices_beyond(q) : trial_.movable_vertices(q), scale(failures));
+  }
+
+  // Of the places, over the longest: after the first failures, two with each scale.
+  double scale(int failures) const
+  {
+    const int n = (std::max)(failures - parameters_.fewest_failures, 0) / 2;
+    return std::pow(parameters_.ratio_of_scales, n % parameters_.scales);
   }
 
   // Whether a step is accepted: those that promise most come first.
@@ -260,7 +275,6 @@ private:
   Failures& failures_;
   Exact_sliver_removal_parameters parameters_;
   Random_source random_;
-  int last_step_ = 0;
   double highest_ = 0;
   std::set<Sliver> slivers_;                  // cells below the highest angle, the worst first, and such as have been
   double best_change_ = 0;

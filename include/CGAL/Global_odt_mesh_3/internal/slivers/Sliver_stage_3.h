@@ -59,7 +59,7 @@ public:
     int repetitions = most_repetitions;
     for(int step = first_step + 1; step <= Sliver_steps::last(bound_) && goes_on; ++step)
     {
-      goes_on = may_go_on() && is_worthwhile(step, reached_.below[step - 1], reached_.below[step]) && climb(step, has_time);
+      goes_on = may_go_on() && is_worthwhile(step, [this](int s) { return reached_.below[s]; }) && climb(step, has_time);
       // Where cells are left far below, another time is likely to reach more than another step.
       if(goes_on && reached_.below[first_step] > 0 && repetitions-- > 0)
         --step;
@@ -88,11 +88,12 @@ private:
   // below this.
   static constexpr double always_wanted = 30, most_slivers = 1 / 25.;
 
-  // Whether to take a step with so many cells below it, and below the one before.
-  bool is_worthwhile(int step, std::size_t below_last, std::size_t below) const
+  // Whether to take a step; below(s) is the number of cells below step s.
+  template <class Below>
+  bool is_worthwhile(int step, const Below& below) const
   {
     return bound_ > 0 || Sliver_steps::angles[step] <= always_wanted
-           || (below_last == 0 && double(below) < most_slivers * mesh_.topology.number_of_cells());
+           || (below(step - 1) == 0 && double(below(step)) < most_slivers * mesh_.topology.number_of_cells());
   }
 
   // Whether the next step may be taken.
@@ -156,16 +157,12 @@ private:
     raise(step, most_tries);
     // The last step is not the limit if as much is wanted as can be had.
     const int next = step + 1;
-    if(!(bound_ > 0) && next < Sliver_steps::number && !is_worthwhile(next, number_below(trial, step), number_below(trial, next)))
+    const auto below = [&trial](int s) { return trial.slivers(Sliver_steps::angles[s]).size(); };
+    if(next < Sliver_steps::number && !is_worthwhile(next, below))
       raise(next, most_tries / tries_for_one_beyond);
     number_of_tries_ += tries_for_an_exact_one * removal.number_of_tries();
     if(removal.number_of_moves() > 0)
       complex_.adopt(trial);
-  }
-
-  static std::size_t number_below(const typename Complex::Trial& trial, int step)
-  {
-    return trial.slivers(Sliver_steps::angles[step]).size();
   }
 
   // Displacements on a surface are tangential.
