@@ -147,7 +147,8 @@ surfaces meet on the surface that their index tells. The result has as many vert
 as many facets of each patch, the Euler characteristic, the components and the junctions of patches and
 subdomains are those of the input, and the centroids of facets are as close to a polyhedral surface
 as in the input at the worst. No facet of the boundary gets an angle below the smallest in those of the input or below
-30 degrees, whichever is less, unless the rest, or sizes that differ from those of the input, cannot be had with that. Where that cannot be had, vertices move less, or not at all.
+30 degrees, whichever is less, unless the rest, or sizes that differ from those of the input, cannot be had with that.
+Where that cannot be had, vertices move less, or not at all.
 It is an exact regular triangulation in which a cell with a vertex of the interior is in the
 subdomain where its dual point lies; a flat cell with all vertices on the surface may be labelled otherwise.
 

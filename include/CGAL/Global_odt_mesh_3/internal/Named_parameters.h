@@ -47,7 +47,8 @@ template <class Tag>
 struct Refuse_global_odt_parameter
 {
   static_assert(std::is_void<Tag>::value,
-                "this named parameter is read by odt_optimize_mesh_3(), remesh_boundary_mesh_3(), remove_slivers_mesh_3() or odt_energy_3() alone; "
+                "this named parameter is read by odt_optimize_mesh_3(), remesh_boundary_mesh_3(), "
+                "remove_slivers_mesh_3() or odt_energy_3() alone; "
                 "instead of odt() with it, give no_odt() to make_mesh_3() and call odt_optimize_mesh_3() afterwards");
   typedef Param_not_found type;
   typedef Param_not_found reference;

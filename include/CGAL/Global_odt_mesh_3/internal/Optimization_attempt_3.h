@@ -111,6 +111,7 @@ private:
   static constexpr double longest_way_in_round = 0.3;     // of a surface vertex, over its shortest edge on the surface
   static constexpr double share_of_rounds = 0.8;          // of the progress that is reported
   static constexpr std::size_t iterations_for_a_check = 20, cells_in_iteration_for_a_try = 180;     // of like cost
+  static constexpr std::size_t fewest_tries = 5000, fewest_tries_for_a_cell = 2;          // what slivers need as a rule
 
   bool boundary_moves() const { return number_of_surface_vertices() > 0; }
 
@@ -249,7 +250,8 @@ private:
 
   bool remove_slivers()
   {
-    Sliver_stage_3<Complex> stage(complex_, mesh_, parameters_.sliver_bound, parameters_.random_seed, most_tries_for_slivers());
+    Sliver_stage_3<Complex> stage(complex_, mesh_, parameters_.sliver_bound, parameters_.random_seed,
+                                  most_tries_for_slivers());
     if(!stage.run([this] { return control_.has_time(); }, [this] { return control_.may_go_on(); }))
       return false;
     number_of_slivers_ = stage.number_of_slivers();
@@ -267,7 +269,7 @@ private:
     const int iterations = plan_->optimizes() ? control_.number_of_iterations() : plan_->number_of_iterations();
     const std::size_t work = iterations + iterations_for_a_check * complex_.number_of_checks();
     const std::size_t cells = mesh_.topology.number_of_cells();
-    return (std::max)(work * cells / cells_in_iteration_for_a_try, 5000 + 2 * cells);
+    return (std::max)(work * cells / cells_in_iteration_for_a_try, fewest_tries + fewest_tries_for_a_cell * cells);
   }
 
   bool minimize_interior()
