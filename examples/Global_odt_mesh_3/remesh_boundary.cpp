@@ -6,39 +6,19 @@
 // Two ways to a well-spaced boundary: the surface remeshed first and then fixed while the
 // interior is optimized, or all vertices together.
 
-#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
-#include <CGAL/Labeled_mesh_domain_3.h>
-#include <CGAL/Mesh_complex_3_in_triangulation_3.h>
-#include <CGAL/Mesh_criteria_3.h>
+#include "torus_mesh.h"
+
 #include <CGAL/Mesh_quality_report_3.h>
-#include <CGAL/Mesh_triangulation_3.h>
-#include <CGAL/make_mesh_3.h>
 #include <CGAL/odt_optimize_mesh_3.h>
 #include <CGAL/remesh_boundary_mesh_3.h>
 
-#include <cmath>
 #include <cstdlib>
 #include <iostream>
 
-typedef CGAL::Exact_predicates_inexact_constructions_kernel K;
-typedef CGAL::Labeled_mesh_domain_3<K> Domain;
-typedef CGAL::Mesh_triangulation_3<Domain>::type Tr;
-typedef CGAL::Mesh_complex_3_in_triangulation_3<Tr> C3t3;
-typedef CGAL::Mesh_criteria_3<Tr> Criteria;
-namespace params = CGAL::parameters;
-
-double torus(const K::Point_3& p)
-{
-  const double ring = std::sqrt(p.x() * p.x() + p.y() * p.y()) - 1;
-  return ring * ring + p.z() * p.z() - 0.16;
-}
-
 int main()
 {
-  const Domain domain = Domain::create_implicit_mesh_domain(torus, K::Sphere_3(CGAL::ORIGIN, 4.));
-  const Criteria criteria(params::facet_angle = 30, params::facet_size = 0.1, params::facet_distance = 0.01,
-                          params::cell_radius_edge_ratio = 2, params::cell_size = 0.1);
-  const C3t3 input = CGAL::make_mesh_3<C3t3>(domain, criteria, params::no_perturb(), params::no_exude());
+  const Domain domain = torus_domain();
+  const C3t3 input = torus_mesh(domain);
   std::cout << "--- input ---\n" << CGAL::mesh_quality_report_3(input);
 
   C3t3 remeshed(input);
