@@ -79,7 +79,8 @@ public:
     check::that(after.patches == before_.patches, n, "number of facets, Euler characteristic or components of patches changed");
     check::that(degrees(after.junctions) == degrees(before_.junctions), n, "edges where patches meet changed, ",
                 before_.junctions.size(), " -> ", after.junctions.size());
-    check::that(stray_ends(after.junctions, before_.junctions) == 0, n, stray_ends(after.junctions, before_.junctions),
+    const int stray = stray_ends(after.junctions, before_.junctions);
+    check::that(stray == 0, n, stray,
                 " edges where patches meet are farther than an edge from those before");
     check::that(after.interior_on_boundary <= before_.interior_on_boundary, n, after.interior_on_boundary,
                 " vertices of dimension 3 on facets of the complex, before ", before_.interior_on_boundary);

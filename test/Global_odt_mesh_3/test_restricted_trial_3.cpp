@@ -132,12 +132,12 @@ void removal(const std::string& name, const C3t3& c3t3, const Domain& domain, Bo
   {
     Setting<C3t3, Domain> setting(c3t3, domain, motion);
     auto trial = setting.complex.make_trial();
-    const std::size_t before = trial.slivers(Sliver_steps::angles[step]).size();
+    const std::size_t before = trial.slivers(bound).size();
     typedef Exact_sliver_removal_3<decltype(trial)> Removal;
     typename Removal::Failures failures;
     Removal removal(trial, failures, 1);
     removal.climb(step, 1000000, [] { return true; });
-    const std::size_t after = trial.slivers(Sliver_steps::angles[step]).size();
+    const std::size_t after = trial.slivers(bound).size();
     std::cout << name << ": " << before << " -> " << after << " cells below " << bound << " degrees by "
               << removal.number_of_moves() << " moves, " << removal.number_of_tries() << " tries" << std::endl;
     check::that(before > 5 && removal.number_of_moves() > 0, name, ": there was nothing to do");
@@ -166,7 +166,7 @@ void smallest_angle(const std::string& name, const C3t3& c3t3, const Domain& dom
   typename Removal::Failures failures;
   Removal removal(trial, failures, 1);
   const int step = Sliver_steps::last(30);
-  std::vector<std::size_t> before, after;
+  std::vector<std::size_t> before;
   for(int s = 0; s < step; ++s)
     before.push_back(trial.slivers(Sliver_steps::angles[s]).size());
   removal.raise_smallest_angle(step, 35, 1000000, [] { return true; });
@@ -177,8 +177,8 @@ void smallest_angle(const std::string& name, const C3t3& c3t3, const Domain& dom
   check::that(smallest >= wanted, name, ": smallest angle ", smallest);
   for(int s = 0; s < step; ++s)
   {
-    after.push_back(trial.slivers(Sliver_steps::angles[s]).size());
-    check::that(after[s] <= before[s], name, ": ", after[s], " cells below ", Sliver_steps::angles[s], ", before ", before[s]);
+    const std::size_t after = trial.slivers(Sliver_steps::angles[s]).size();
+    check::that(after <= before[s], name, ": ", after, " cells below ", Sliver_steps::angles[s], ", before ", before[s]);
   }
 }
 
