@@ -25,6 +25,9 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <map>
+#include <set>
+#include <tuple>
 #include <type_traits>
 #include <vector>
 
@@ -41,6 +44,9 @@ namespace internal {
 class Moving_triangulation_3
   : public Constrained_triangulation_3
 {
+private:
+  auto outcome_of_pass() { return std::tie(sites, gradient_, energy_, inverted_, intruders_, irregular_); }
+
 public:
   // The density, null where it is one everywhere. A quadrature serves one mesh at a time.
   void set_quadrature(Density_quadrature_3* quadrature)
@@ -109,8 +115,12 @@ public:
     const std::size_t number_of_inverted_cells = inverted_.size();
     if(number_of_inverted_cells > most_inverted_cells())
       return false;
-    if(number_of_inverted_cells > 0 && !untangle() && !Position_control(*this).hold_back(number_of_inverted_cells))
-      return false;
+    if(number_of_inverted_cells > 0)
+    {
+      asked_for_ = outcome_of_pass();
+      if(!untangle() && !Position_control(*this).hold_back(number_of_inverted_cells))
+        return false;
+    }
     if(!make_regular())
       return false;
     retreat_from_surfaces();
@@ -259,29 +269,44 @@ private:
 
   const std::vector<int>& stuck_cells() const { return stuck_; }
   const Site& kept_site(int v) const { return kept_sites_[v]; }
+  const Site& site_asked_for(int v) const { return std::get<0>(asked_for_)[v]; }
   void add_retreated(int v) { retreated_.push_back(v); }
 
-  // The same from the kept topology on, for other positions, with energy and gradient.
-  bool untangle_anew()
+  // The same from the kept topology on, with other positions for some vertices, in whose stars alone things are
+  // not as the pass has found them.
+  bool untangle_anew(const std::map<int, Site>& others)
   {
     ++statistics_.holds;
-    find_inverted_cells();
-    irregular_.clear();
-    if(!inverted_.empty() && !untangle())
-      return false;
-    // Where flips have been made, Lawson's are to come first: the others get stuck less often.
-    const std::vector<Slot> flipped = irregular_;
-    pass();
-    irregular_.insert(irregular_.end(), flipped.begin(), flipped.end());
-    return true;
+    outcome_of_pass() = asked_for_;
+    std::set<int> cells;
+    for(const auto& o : others)
+    {
+      topology.star(o.first, star_);
+      for(Slot s : star_)
+        cells.insert(s.cell());
+    }
+    for(int c : cells)
+      add_cell(c, -1);
+    for(const auto& o : others)
+      sites[o.first] = o.second;
+    inverted_.erase(std::remove_if(inverted_.begin(), inverted_.end(), [&](int c) { return cells.count(c) > 0; }),
+                    inverted_.end());
+    for(int c : cells)
+      add_anew(c);
+    return inverted_.empty() || untangle();
   }
 
-  void find_inverted_cells()
+  // With all that the pass finds out about a cell.
+  void add_anew(int c)
   {
-    inverted_.clear();
-    for(int c = 0; c < topology.number_of_cell_slots(); ++c)
-      if(is_inverted(c))
-        inverted_.push_back(c);
+    add_cell(c, 1);
+    push_facets(c, irregular_);
+    if(is_inverted(c))
+      inverted_.push_back(c);
+    else
+      for(int i = 0; i < 4; ++i)
+        if(topology.vertices(c)[i] < number_of_interior_vertices && is_beyond_surface(Slot(c, i)))
+          intruders_.push_back(topology.vertices(c)[i]);
   }
 
   // Moves `v` if all its cells, those of its star, become positive.
@@ -320,7 +345,10 @@ private:
   bool has_kept_gradient_ = false;    // whether the gradient is that of the kept state
   double energy_ = 0, kept_energy_ = 0;
   std::vector<int> inverted_, intruders_, stuck_, retreated_;
-  std::vector<Slot> irregular_;
+  std::vector<Slot> irregular_, star_;
+  // That for the positions that were asked for, before any flip.
+  std::tuple<std::vector<Site>, std::vector<Site_gradient>, double, std::vector<int>, std::vector<int>,
+             std::vector<Slot> > asked_for_;
   std::vector<Site> kept_sites_;
   Statistics statistics_;
 };

@@ -13,6 +13,7 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <map>
 #include <vector>
 
 namespace CGAL {
@@ -82,20 +83,21 @@ public:
   {
     if(mesh_.stuck_cells().size() > parameters_.cells_out_of_reach + number_of_inverted_cells)
       return false;
-    const std::vector<Site> target = mesh_.sites;
-    std::vector<int> times(target.size(), 0);
+    std::map<int, int> times;
     for(int n = 0; n < parameters_.rings_held_back * parameters_.times_to_standstill; ++n)
     {
       const std::vector<int> held = vertices_to_hold_back(n / parameters_.times_to_standstill);
       for(int v : held)
-        times[v] = (std::min)(times[v] + 1, parameters_.times_to_standstill);
-      for(int v = 0; v < mesh_.number_of_movable_vertices; ++v)
-        mesh_.sites[v] = times[v] == 0 ? target[v] : on_the_way(v, target[v], part_of_step(times[v]));
-      if(!mesh_.untangle_anew())
+        if(v < mesh_.number_of_movable_vertices)
+          times[v] = (std::min)(times[v] + 1, parameters_.times_to_standstill);
+      std::map<int, Site> sites;
+      for(const auto& t : times)
+        sites.emplace(t.first, on_the_way(t.first, mesh_.site_asked_for(t.first), part_of_step(t.second)));
+      if(!mesh_.untangle_anew(sites))
         continue;
-      for(int v = 0; v < mesh_.number_of_movable_vertices; ++v)
-        if(times[v] == parameters_.times_to_standstill)
-          mesh_.add_retreated(v);
+      for(const auto& t : times)
+        if(t.second == parameters_.times_to_standstill)
+          mesh_.add_retreated(t.first);
       return true;
     }
     return false;
@@ -106,9 +108,11 @@ public:
   {
     const Site to = mesh_.sites[v];
     mesh_.topology.star(v, star_);
+    const auto is_beyond = [this](Slot s) { return mesh_.is_beyond_surface(s); };
+    if(std::none_of(star_.begin(), star_.end(), is_beyond))       // any more, after flips
+      return;
     for(double part : parameters_.parts_before_surface)
-      if(mesh_.relocate(v, star_, on_the_way(v, to, part))
-         && std::none_of(star_.begin(), star_.end(), [this](Slot s) { return mesh_.is_beyond_surface(s); }))
+      if(mesh_.relocate(v, star_, on_the_way(v, to, part)) && std::none_of(star_.begin(), star_.end(), is_beyond))
         break;
     mesh_.add_retreated(v);
   }
