@@ -29,6 +29,9 @@ public:
   // cell is for what is kept of it.
   virtual Density_moments_3 moments(int cell, const int* vertices, const Site* sites) = 0;
 
+  // Whether moments() may be called by several threads at once. Densities of users may not.
+  virtual bool may_be_asked_by_threads() const { return false; }
+
   // To be called when vertices have moved, up to that number; those beyond stay for ever.
   virtual void update(const std::vector<Site>&, int /* number_of_movable_vertices */) {}
 

@@ -43,6 +43,8 @@ public:
     return m;
   }
 
+  bool may_be_asked_by_threads() const override { return true; }
+
 private:
   Quadratic_polynomial_3 density_;
 };

@@ -11,9 +11,11 @@
 #include <CGAL/Global_odt_mesh_3/internal/energy/Odt_energy_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/geometry/Cell_products_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/geometry/Site.h>
+#include <CGAL/Global_odt_mesh_3/internal/parallel/Thread_policy.h>
 #include <CGAL/Global_odt_mesh_3/internal/triangulation/Constrained_triangulation_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/triangulation/Flat_triangulation_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/triangulation/Flips_3.h>
+#include <CGAL/Global_odt_mesh_3/internal/triangulation/Fused_pass_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/triangulation/Lawson_flips_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/triangulation/Position_control_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/triangulation/Slot.h>
@@ -25,7 +27,6 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
-#include <type_traits>
 #include <vector>
 
 namespace CGAL {
@@ -50,6 +51,10 @@ public:
   }
 
   Density_quadrature_3* quadrature() const { return quadrature_; }
+
+  // One thread, unless this is called. The result is the same.
+  void set_threads(const Thread_policy& threads) { threads_ = threads; }
+  const Thread_policy& threads() const { return threads_; }
 
   struct Statistics
   {
@@ -140,70 +145,19 @@ private:
   // A step that inverts more is too long to be worth repairing.
   std::size_t most_inverted_cells() const { return 20 + static_cast<std::size_t>(topology.number_of_cells()) / 10; }
 
-  // The quadrature is that of the mesh, by its type as far as that is faster, or null.
-  template <class Quadrature>
-  static Cell_energy cell_energy(const Cell_products& t, int cell, const int* v, const Site* s, Quadrature quadrature)
-  {
-    if constexpr (std::is_same_v<Quadrature, std::nullptr_t>)
-      return uniform_odt_energy(t, s[v[0]], s[v[1]], s[v[2]], s[v[3]]);
-    else
-      return odt_energy(t, s[v[0]], s[v[1]], s[v[2]], s[v[3]], quadrature->moments(cell, v, s));
-  }
-
   void pass()
   {
     if(has_kept_gradient_)
       gradient_.swap(kept_gradient_);
     has_kept_gradient_ = false;
-    gradient_.assign(sites.size(), Site_gradient{ 0, 0, 0, 0 });
-    inverted_.clear();
-    irregular_.clear();
-    intruders_.clear();
-    energy_ = quadrature_ == nullptr ? fused_pass(nullptr)
-            : linear_quadrature_ != nullptr ? fused_pass(linear_quadrature_->view()) : fused_pass(quadrature_);
-  }
-
-  // Energy, gradient, orientation and regularity of everything at once; each
-  // facet is tested from its first slot.
-  template <class Quadrature>
-  double fused_pass(Quadrature quadrature)
-  {
-    const int* const vertices = topology.cell_vertices();
-    const int* const neighbors = topology.neighbors();
-    const Site* const s = sites.data();
-    Site_gradient* const g = gradient_.data();
-    double energy = 0;
-    for(int slot = 0, end = topology.number_of_slots(); slot < end; slot += 4)
-    {
-      const int* const v = vertices + slot;
-      if(v[0] == Flat_triangulation_3::no_vertex)
-        continue;
-      const Site& origin = s[v[0]];
-      const Cell_products t(origin, s[v[1]], s[v[2]], s[v[3]]);
-      const Cell_energy e = cell_energy(t, slot / 4, v, s, quadrature);
-      energy += e.energy;
-      for(int i = 0; i < 4; ++i)
-        g[v[i]] += e.gradient[i];
-      if(!(t.determinant > 0))
-      {
-        inverted_.push_back(slot / 4);
-        continue;
-      }
-      for(int i = 0; i < 4; ++i)
-      {
-        const int across = neighbors[slot + i];
-        if(across > slot + i)
-        {
-          const Site& q = s[vertices[across]];
-          const double power = t.power(origin, q);
-          if(power < 0 && is_irregular(power, squared_distance(origin, q)))
-            irregular_.push_back(Slot(slot + i));
-        }
-        else if(across < 0 && v[i] < number_of_interior_vertices && is_beyond_surface(t, v, i, Slot(across)))
-          intruders_.push_back(v[i]);
-      }
-    }
-    return energy;
+    const Thread_policy one_thread;
+    if(quadrature_ == nullptr)
+      energy_ = pass_.run(*this, nullptr, threads_, gradient_);
+    else if(linear_quadrature_ != nullptr)
+      energy_ = pass_.run(*this, linear_quadrature_->view(), threads_, gradient_);
+    else
+      energy_ = pass_.run(*this, quadrature_, quadrature_->may_be_asked_by_threads() ? threads_ : one_thread, gradient_);
+    pass_.lists(inverted_, irregular_, intruders_);
   }
 
   // Adds (or, with sign -1, removes) what a cell contributes.
@@ -212,9 +166,10 @@ private:
     const int* const v = topology.vertices(cell);
     const Cell_products t = products(cell);
     const Site* const s = sites.data();
-    const Cell_energy e = quadrature_ == nullptr ? cell_energy(t, cell, v, s, nullptr)
-                        : linear_quadrature_ != nullptr ? cell_energy(t, cell, v, s, linear_quadrature_->view())
-                                                        : cell_energy(t, cell, v, s, quadrature_);
+    const Cell_energy e
+      = quadrature_ == nullptr ? Fused_pass_3::cell_energy(t, cell, v, s, nullptr)
+      : linear_quadrature_ != nullptr ? Fused_pass_3::cell_energy(t, cell, v, s, linear_quadrature_->view())
+                                      : Fused_pass_3::cell_energy(t, cell, v, s, quadrature_);
     energy_ += sign * e.energy;
     for(int i = 0; i < 4; ++i)
     {
@@ -314,6 +269,8 @@ private:
       Position_control(*this).retreat_from_surface(v);
   }
 
+  Thread_policy threads_;
+  Fused_pass_3 pass_;
   Density_quadrature_3* quadrature_ = nullptr;
   Linear_density_quadrature_3* linear_quadrature_ = nullptr;    // the same, if it is one
   std::vector<Site_gradient> gradient_, kept_gradient_;
