@@ -159,6 +159,13 @@ If the domain, a field or the callback throws, `c3t3` is as it was before the ca
 `random_seed` the result is the same, bit for bit, unless `time_limit` shortens the schedule. Handles to vertices and
 cells of `c3t3` become invalid.
 
+If `C3T3::Triangulation::Concurrency_tag` is convertible to `CGAL::Parallel_tag` and the program links TBB, the energy
+\f$ E^\rho_{ODT} \f$ and its gradient are evaluated on several threads, within the limits of the caller's
+`tbb::global_control` and `tbb::task_arena`, unless that takes values of a density inside of cells; all else runs on one.
+The result is the same, bit for bit, for any number of threads; that of the same mesh with `CGAL::Sequential_tag` may
+differ from it by rounding. The domain, fields, the callback and the visitor are only called from the thread that calls
+this function.
+
 Meshes in periodic triangulations are handed over to `CGAL::Mesh_3::Mesh_global_optimizer`, which
 knows of the first five parameters only. As with the function of Mesh_3, a program that uses them must not link TBB.
 

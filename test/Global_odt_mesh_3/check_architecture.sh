@@ -7,10 +7,10 @@ set -euo pipefail
 cd "$1"
 status=0
 
-# Beside each other: slivers and restricted.
+# Beside each other: geometry and parallel, slivers and restricted.
 rank() {
   case $1 in
-    geometry) echo 0 ;; density) echo 1 ;; energy) echo 2 ;; triangulation) echo 3 ;; sizing) echo 4 ;;
+    geometry | parallel) echo 0 ;; density) echo 1 ;; energy) echo 2 ;; triangulation) echo 3 ;; sizing) echo 4 ;;
     optimization) echo 5 ;; surface) echo 6 ;; slivers | restricted) echo 7 ;; .) echo 8 ;; *) echo unknown ;;
   esac
 }

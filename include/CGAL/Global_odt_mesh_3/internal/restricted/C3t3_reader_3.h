@@ -9,6 +9,7 @@
 #include <CGAL/Global_odt_mesh_3/internal/geometry/Point_coordinates.h>
 #include <CGAL/Global_odt_mesh_3/internal/geometry/Site.h>
 #include <CGAL/Global_odt_mesh_3/internal/geometry/Spatial_order.h>
+#include <CGAL/Global_odt_mesh_3/internal/parallel/Thread_policy.h>
 #include <CGAL/Global_odt_mesh_3/internal/restricted/Estimated_surface_center_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/restricted/Flatten_state_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/restricted/Restricted_state_3.h>
@@ -54,6 +55,7 @@ public:
   State read(Moving_triangulation_3& mesh, bool boundary_moves)
   {
     mesh = Moving_triangulation_3();
+    mesh.set_threads(Thread_policy::for_tag<typename Triangulation::Concurrency_tag>());
     if(tr_.dimension() != 3)
       return std::move(state_);
     for(auto v = tr_.finite_vertices_begin(); v != tr_.finite_vertices_end(); ++v)

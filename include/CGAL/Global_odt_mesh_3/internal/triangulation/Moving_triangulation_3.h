@@ -11,9 +11,11 @@
 #include <CGAL/Global_odt_mesh_3/internal/energy/Odt_energy_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/geometry/Cell_products_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/geometry/Site.h>
+#include <CGAL/Global_odt_mesh_3/internal/parallel/Thread_policy.h>
 #include <CGAL/Global_odt_mesh_3/internal/triangulation/Constrained_triangulation_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/triangulation/Flat_triangulation_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/triangulation/Flips_3.h>
+#include <CGAL/Global_odt_mesh_3/internal/triangulation/Fused_pass_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/triangulation/Lawson_flips_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/triangulation/Position_control_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/triangulation/Slot.h>
@@ -27,8 +29,6 @@
 #include <cstddef>
 #include <map>
 #include <set>
-#include <tuple>
-#include <type_traits>
 #include <vector>
 
 namespace CGAL {
@@ -44,9 +44,6 @@ namespace internal {
 class Moving_triangulation_3
   : public Constrained_triangulation_3
 {
-private:
-  auto outcome_of_pass() { return std::tie(sites, gradient_, energy_, inverted_, intruders_, irregular_); }
-
 public:
   // The density, null where it is one everywhere. A quadrature serves one mesh at a time.
   void set_quadrature(Density_quadrature_3* quadrature)
@@ -56,6 +53,10 @@ public:
   }
 
   Density_quadrature_3* quadrature() const { return quadrature_; }
+
+  // One thread, unless this is called. The result is the same.
+  void set_threads(const Thread_policy& threads) { threads_ = threads; }
+  const Thread_policy& threads() const { return threads_; }
 
   struct Statistics
   {
@@ -117,7 +118,9 @@ public:
       return false;
     if(number_of_inverted_cells > 0)
     {
-      asked_for_ = outcome_of_pass();
+      asked_for_sites_ = sites;
+      asked_for_gradient_ = gradient_;
+      asked_for_energy_ = energy_;
       if(!untangle() && !Position_control(*this).hold_back(number_of_inverted_cells))
         return false;
     }
@@ -150,70 +153,18 @@ private:
   // A step that inverts more is too long to be worth repairing.
   std::size_t most_inverted_cells() const { return 20 + static_cast<std::size_t>(topology.number_of_cells()) / 10; }
 
-  // The quadrature is that of the mesh, by its type as far as that is faster, or null.
-  template <class Quadrature>
-  static Cell_energy cell_energy(const Cell_products& t, int cell, const int* v, const Site* s, Quadrature quadrature)
-  {
-    if constexpr (std::is_same_v<Quadrature, std::nullptr_t>)
-      return uniform_odt_energy(t, s[v[0]], s[v[1]], s[v[2]], s[v[3]]);
-    else
-      return odt_energy(t, s[v[0]], s[v[1]], s[v[2]], s[v[3]], quadrature->moments(cell, v, s));
-  }
-
   void pass()
   {
     if(has_kept_gradient_)
       gradient_.swap(kept_gradient_);
     has_kept_gradient_ = false;
-    gradient_.assign(sites.size(), Site_gradient{ 0, 0, 0, 0 });
-    inverted_.clear();
-    irregular_.clear();
-    intruders_.clear();
-    energy_ = quadrature_ == nullptr ? fused_pass(nullptr)
-            : linear_quadrature_ != nullptr ? fused_pass(linear_quadrature_->view()) : fused_pass(quadrature_);
-  }
-
-  // Energy, gradient, orientation and regularity of everything at once; each
-  // facet is tested from its first slot.
-  template <class Quadrature>
-  double fused_pass(Quadrature quadrature)
-  {
-    const int* const vertices = topology.cell_vertices();
-    const int* const neighbors = topology.neighbors();
-    const Site* const s = sites.data();
-    Site_gradient* const g = gradient_.data();
-    double energy = 0;
-    for(int slot = 0, end = topology.number_of_slots(); slot < end; slot += 4)
-    {
-      const int* const v = vertices + slot;
-      if(v[0] == Flat_triangulation_3::no_vertex)
-        continue;
-      const Site& origin = s[v[0]];
-      const Cell_products t(origin, s[v[1]], s[v[2]], s[v[3]]);
-      const Cell_energy e = cell_energy(t, slot / 4, v, s, quadrature);
-      energy += e.energy;
-      for(int i = 0; i < 4; ++i)
-        g[v[i]] += e.gradient[i];
-      if(!(t.determinant > 0))
-      {
-        inverted_.push_back(slot / 4);
-        continue;
-      }
-      for(int i = 0; i < 4; ++i)
-      {
-        const int across = neighbors[slot + i];
-        if(across > slot + i)
-        {
-          const Site& q = s[vertices[across]];
-          const double power = t.power(origin, q);
-          if(power < 0 && is_irregular(power, squared_distance(origin, q)))
-            irregular_.push_back(Slot(slot + i));
-        }
-        else if(across < 0 && v[i] < number_of_interior_vertices && is_beyond_surface(t, v, i, Slot(across)))
-          intruders_.push_back(v[i]);
-      }
-    }
-    return energy;
+    if(quadrature_ == nullptr)
+      energy_ = pass_.run(*this, nullptr, threads_, gradient_);
+    else if(linear_quadrature_ != nullptr)
+      energy_ = pass_.run(*this, linear_quadrature_->view(), threads_, gradient_);
+    else                        // which may ask the user
+      energy_ = pass_.run(*this, quadrature_, Thread_policy(), gradient_);
+    pass_.lists(inverted_, irregular_, intruders_);
   }
 
   // Adds (or, with sign -1, removes) what a cell contributes.
@@ -222,9 +173,10 @@ private:
     const int* const v = topology.vertices(cell);
     const Cell_products t = products(cell);
     const Site* const s = sites.data();
-    const Cell_energy e = quadrature_ == nullptr ? cell_energy(t, cell, v, s, nullptr)
-                        : linear_quadrature_ != nullptr ? cell_energy(t, cell, v, s, linear_quadrature_->view())
-                                                        : cell_energy(t, cell, v, s, quadrature_);
+    const Cell_energy e
+      = quadrature_ == nullptr ? Fused_pass_3::cell_energy(t, cell, v, s, nullptr)
+      : linear_quadrature_ != nullptr ? Fused_pass_3::cell_energy(t, cell, v, s, linear_quadrature_->view())
+                                      : Fused_pass_3::cell_energy(t, cell, v, s, quadrature_);
     energy_ += sign * e.energy;
     for(int i = 0; i < 4; ++i)
     {
@@ -269,7 +221,7 @@ private:
 
   const std::vector<int>& stuck_cells() const { return stuck_; }
   const Site& kept_site(int v) const { return kept_sites_[v]; }
-  const Site& site_asked_for(int v) const { return std::get<0>(asked_for_)[v]; }
+  const Site& site_asked_for(int v) const { return asked_for_sites_[v]; }
   void add_retreated(int v) { retreated_.push_back(v); }
 
   // The same from the kept topology on, with other positions for some vertices, in whose stars alone things are
@@ -277,7 +229,10 @@ private:
   bool untangle_anew(const std::map<int, Site>& others)
   {
     ++statistics_.holds;
-    outcome_of_pass() = asked_for_;
+    sites = asked_for_sites_;
+    gradient_ = asked_for_gradient_;
+    energy_ = asked_for_energy_;
+    pass_.lists(inverted_, irregular_, intruders_);
     std::set<int> cells;
     for(const auto& o : others)
     {
@@ -339,17 +294,19 @@ private:
       Position_control(*this).retreat_from_surface(v);
   }
 
+  Thread_policy threads_;
+  Fused_pass_3 pass_;
   Density_quadrature_3* quadrature_ = nullptr;
   Linear_density_quadrature_3* linear_quadrature_ = nullptr;    // the same, if it is one
   std::vector<Site_gradient> gradient_, kept_gradient_;
   bool has_kept_gradient_ = false;    // whether the gradient is that of the kept state
-  double energy_ = 0, kept_energy_ = 0;
+  double energy_ = 0, kept_energy_ = 0, asked_for_energy_ = 0;
   std::vector<int> inverted_, intruders_, stuck_, retreated_;
   std::vector<Slot> irregular_, star_;
-  // That for the positions that were asked for, before any flip.
-  std::tuple<std::vector<Site>, std::vector<Site_gradient>, double, std::vector<int>, std::vector<int>,
-             std::vector<Slot> > asked_for_;
   std::vector<Site> kept_sites_;
+  // Where vertices are sent, and what the pass finds there, before any flip.
+  std::vector<Site> asked_for_sites_;
+  std::vector<Site_gradient> asked_for_gradient_;
   Statistics statistics_;
 };
 

@@ -1,0 +1,77 @@
+// Copyright (c) 2026 The Global_odt_mesh_3 authors.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_GLOBAL_ODT_MESH_3_INTERNAL_PARALLEL_THREAD_POLICY_H
+#define CGAL_GLOBAL_ODT_MESH_3_INTERNAL_PARALLEL_THREAD_POLICY_H
+
+#include <CGAL/tags.h>
+
+#ifdef CGAL_LINKED_WITH_TBB
+#  include <tbb/blocked_range.h>
+#  include <tbb/parallel_for.h>
+#  include <tbb/partitioner.h>
+#  include <tbb/task_group.h>
+#endif
+
+#include <type_traits>
+
+namespace CGAL {
+namespace Global_odt_mesh_3 {
+namespace internal {
+
+// Whether loops run on one thread or on those that TBB has for the caller, whose arena and limits they keep to.
+// Nothing else knows TBB.
+class Thread_policy
+{
+public:
+  // One thread.
+  Thread_policy() {}
+
+  // Threads for what is made for them, if TBB is linked.
+  template <class Concurrency_tag>
+  static Thread_policy for_tag()
+  {
+    Thread_policy policy;
+#ifdef CGAL_LINKED_WITH_TBB
+    policy.is_parallel_ = std::is_convertible<Concurrency_tag, Parallel_tag>::value;
+#endif
+    return policy;
+  }
+
+  bool is_parallel() const { return is_parallel_; }
+
+  // Calls f(n) for the chunks n of a loop, with threads in any order and several at once. What f throws
+  // comes out here.
+  template <class F>
+  void for_each_chunk(int number_of_chunks, const F& f) const
+  {
+#ifdef CGAL_LINKED_WITH_TBB
+    if(is_parallel_ && number_of_chunks > 1)
+    {
+      // All threads round as the one that calls.
+      tbb::task_group_context context(tbb::task_group_context::bound,
+                                      tbb::task_group_context::default_traits | tbb::task_group_context::fp_settings);
+      const auto run = [&f](const tbb::blocked_range<int>& chunks)
+      {
+        for(int n = chunks.begin(); n < chunks.end(); ++n)
+          f(n);
+      };
+      tbb::parallel_for(tbb::blocked_range<int>(0, number_of_chunks, 1), run, tbb::simple_partitioner(), context);
+      return;
+    }
+#endif
+    for(int n = 0; n < number_of_chunks; ++n)
+      f(n);
+  }
+
+private:
+  bool is_parallel_ = false;
+};
+
+} // namespace internal
+} // namespace Global_odt_mesh_3
+} // namespace CGAL
+
+#endif // CGAL_GLOBAL_ODT_MESH_3_INTERNAL_PARALLEL_THREAD_POLICY_H
