@@ -54,7 +54,7 @@ public:
 
   Density_quadrature_3* quadrature() const { return quadrature_; }
 
-  // One thread, unless this is called. The result is the same.
+  // One thread, unless this is called. How many there are then does not matter.
   void set_threads(const Thread_policy& threads) { threads_ = threads; }
   const Thread_policy& threads() const { return threads_; }
 
