@@ -99,13 +99,6 @@ inline void add_shape(Mesh_quality_report_3& report, const Cell_shape_3& shape)
   ++report.radius_ratios[bin(shape.radius_ratio * bins, bins)];
 }
 
-// Of vertex `i` of a cell.
-template <class Triangulation>
-Site site(const Triangulation& triangulation, typename Triangulation::Cell_handle cell, int i)
-{
-  return weighted_site(triangulation.point(cell, i));
-}
-
 template <class C3T3>
 void add_facets(Mesh_quality_report_3& report, const C3T3& c3t3)
 {
@@ -114,7 +107,7 @@ void add_facets(Mesh_quality_report_3& report, const C3T3& c3t3)
   {
     std::array<Site, 3> s;
     for(int k = 0; k < 3; ++k)
-      s[static_cast<std::size_t>(k)] = site(c3t3.triangulation(), f->first, (f->second + 1 + k) % 4);
+      s[static_cast<std::size_t>(k)] = weighted_site(c3t3.triangulation().point(f->first, (f->second + 1 + k) % 4));
     const double angle = smallest_angle_of_facet(s);
     report.smallest_facet_angle = (std::min)(report.smallest_facet_angle, angle);
     report.largest_facet_angle = (std::max)(report.largest_facet_angle, angle);
@@ -156,7 +149,7 @@ Mesh_quality_report_3 mesh_quality_report_3(const C3T3& c3t3,
   {
     std::array<odt::Site, 4> s;
     for(int i = 0; i < 4; ++i)
-      s[static_cast<std::size_t>(i)] = odt::site(c3t3.triangulation(), c, i);
+      s[static_cast<std::size_t>(i)] = odt::weighted_site(c3t3.triangulation().point(c, i));
     const odt::Cell_shape_3 shape(s[0], s[1], s[2], s[3]);
     odt::add_shape(report, shape);
     sum += shape.radius_ratio;

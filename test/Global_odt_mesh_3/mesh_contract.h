@@ -80,8 +80,7 @@ public:
     check::that(degrees(after.junctions) == degrees(before_.junctions), n, "edges where patches meet changed, ",
                 before_.junctions.size(), " -> ", after.junctions.size());
     const int stray = stray_ends(after.junctions, before_.junctions);
-    check::that(stray == 0, n, stray,
-                " edges where patches meet are farther than an edge from those before");
+    check::that(stray == 0, n, stray, " edges where patches meet are farther than an edge from those before");
     check::that(after.interior_on_boundary <= before_.interior_on_boundary, n, after.interior_on_boundary,
                 " vertices of dimension 3 on facets of the complex, before ", before_.interior_on_boundary);
     check::that(after.surface_off_boundary <= before_.surface_off_boundary, n, after.surface_off_boundary,

@@ -109,10 +109,10 @@ static std::vector<double> contents(const Moving_triangulation_3& mesh)
 }
 
 // A search, with the flips and the cells to untangle that its passes find, in uniform and in graded density.
-static std::vector<double> searched(const Moving_triangulation_3& cube, const Thread_policy& threads, bool is_graded)
+static std::vector<double> searched(const Moving_triangulation_3& cube, bool is_graded)
 {
   Moving_triangulation_3 mesh = cube;
-  mesh.set_threads(threads);
+  mesh.set_threads(on_threads());
   Linear_density_quadrature_3 quadrature([](int, const Site& s) { return 1 + 10 * s.x * s.x; }, mesh.sites);
   if(is_graded)
     mesh.set_quadrature(&quadrature);
@@ -133,7 +133,7 @@ static void searches()
     for(std::size_t threads : { 1, 2, 3, 8 })
     {
       tbb::global_control control(tbb::global_control::max_allowed_parallelism, threads);
-      const std::vector<double> found = searched(cube, on_threads(), is_graded);
+      const std::vector<double> found = searched(cube, is_graded);
       if(expected.empty())
         expected = found;
       check::that(found == expected, threads, " threads lead elsewhere than one");

@@ -96,13 +96,17 @@ static void users_are_called_from_one_thread(const C3t3& input, const Domain& do
     C3t3 c3t3 = input;
     long calls = 1000000000;
     const Density density = { &caller, &calls };
-    const auto optimize = [&](const auto& quadrature)
+    const auto optimize_with = [&](const auto& quadrature)
     {
       CGAL::odt_optimize_mesh_3(c3t3, domain, params::number_of_rounds = 0, params::density = density,
                                 params::quadrature = quadrature, params::max_iteration_number = 20,
                                 params::do_remove_slivers = false);
     };
-    has_points_in_cells ? optimize(CGAL::Four_point_rule_3()) : optimize(CGAL::Linear_density_rule_3());
+    const auto optimize = [&]
+    {
+      has_points_in_cells ? optimize_with(CGAL::Four_point_rule_3()) : optimize_with(CGAL::Linear_density_rule_3());
+    };
+    optimize();
     check::that(!caller.is_other, "the density or the domain is called from another thread");
     // Again, so that it fails half way.
     const long needed = 1000000000 - calls;
@@ -110,7 +114,7 @@ static void users_are_called_from_one_thread(const C3t3& input, const Domain& do
     c3t3 = input;
     const std::vector<double> before = coordinates(c3t3);
     bool has_thrown = false;
-    try { has_points_in_cells ? optimize(CGAL::Four_point_rule_3()) : optimize(CGAL::Linear_density_rule_3()); }
+    try { optimize(); }
     catch(const std::runtime_error&) { has_thrown = true; }
     check::that(has_thrown, "the exception of the density is lost");
     check::that(coordinates(c3t3) == before && c3t3.is_valid(), "an exception has changed the mesh");
