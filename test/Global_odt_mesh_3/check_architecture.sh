@@ -11,7 +11,7 @@ status=0
 rank() {
   case $1 in
     geometry | parallel) echo 0 ;; density) echo 1 ;; energy) echo 2 ;; triangulation) echo 3 ;; sizing) echo 4 ;;
-    optimization) echo 5 ;; surface) echo 6 ;; slivers | restricted) echo 7 ;; .) echo 8 ;; *) echo unknown ;;
+    optimization) echo 5 ;; surface) echo 6 ;; blocks) echo 7 ;; slivers | restricted) echo 8 ;; .) echo 9 ;; *) echo unknown ;;
   esac
 }
 

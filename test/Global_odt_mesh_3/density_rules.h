@@ -58,6 +58,11 @@ public:
                                      density_(v[2], s[v[2]]), density_(v[3], s[v[3]]) }});
   }
 
+  std::unique_ptr<Density_quadrature_3> part(const std::vector<int>& vertices) const override
+  {
+    return std::make_unique<Linear_quadrature>(renumbered(density_, vertices));
+  }
+
 private:
   Density density_;
 };

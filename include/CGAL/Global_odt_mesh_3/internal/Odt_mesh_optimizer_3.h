@@ -11,6 +11,7 @@
 #include <CGAL/Global_odt_mesh_3/internal/Optimization_attempt_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/Round_plan.h>
 #include <CGAL/Global_odt_mesh_3/internal/User_fields_3.h>
+#include <CGAL/Global_odt_mesh_3/internal/parallel/Stage_clock.h>
 #include <CGAL/Global_odt_mesh_3/internal/restricted/Boundary_motion.h>
 
 #include <CGAL/Mesh_optimization_return_code.h>
@@ -71,6 +72,7 @@ public:
   }
 
   // Of all attempts.
+  Stage_clock& clock() { return control_.clock(); }
   const Oracle_statistics& oracle_statistics() const { return oracle_statistics_; }
   // Those that moved in the last attempt.
   std::size_t number_of_surface_vertices() const { return number_of_surface_vertices_; }

@@ -16,6 +16,7 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <memory>
 #include <utility>
 #include <vector>
 
@@ -54,6 +55,12 @@ public:
   }
 
   void set_tolerance(double tolerance) { tolerance_ = tolerance; }
+
+  std::unique_ptr<Density_quadrature_3> part(const std::vector<int>& vertices) const override
+  {
+    return std::make_unique<Adaptive_cubature_quadrature_3>(renumbered(density_, vertices), tolerance_,
+                                                            most_regions_);
+  }
 
   Density_moments_3 moments(int cell, const int* vertices, const Site* sites) override
   {

@@ -55,6 +55,11 @@ public:
     return kept.moments;
   }
 
+  std::unique_ptr<Density_quadrature_3> part(const std::vector<int>& vertices) const override
+  {
+    return std::make_unique<Density_moment_cache_3>(quadrature_->part(vertices));
+  }
+
   double energy_tolerance() const override { return quadrature_->energy_tolerance(); }
 
   std::size_t number_of_quadratures() const { return number_of_quadratures_; }

@@ -10,6 +10,7 @@
 #include <CGAL/Global_odt_mesh_3/internal/geometry/Site.h>
 
 #include <functional>
+#include <memory>
 #include <vector>
 
 namespace CGAL {
@@ -32,6 +33,10 @@ public:
   // To be called when vertices have moved, up to that number; those beyond stay for ever.
   virtual void update(const std::vector<Site>&, int /* number_of_movable_vertices */) {}
 
+  // The same for a part of the mesh with some of its vertices, given by their numbers, which stay where they are. While the
+  // values are those of the last update, parts may be made, and used, by several threads if the density permits.
+  virtual std::unique_ptr<Density_quadrature_3> part(const std::vector<int>& vertices) const = 0;
+
   // Remembers what update() changes, or goes back to it.
   virtual void keep() {}
   virtual void restore() {}
@@ -41,6 +46,11 @@ public:
   virtual double energy_tolerance() const { return 1e-9; }
 
 protected:
+  static Density renumbered(const Density& density, const std::vector<int>& vertices)
+  {
+    return [density, &vertices](int v, const Site& s) { return density(vertices[v], s); };
+  }
+
   // For moments of which the energy is not what (4.6) is the derivative of, so that it cannot be asked to fall.
   static constexpr double tolerance_of_rough_moments = 1e-3;
 };

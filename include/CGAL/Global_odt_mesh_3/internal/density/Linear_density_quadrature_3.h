@@ -13,6 +13,7 @@
 #include <CGAL/assertions.h>
 
 #include <cstddef>
+#include <memory>
 #include <utility>
 #include <vector>
 
@@ -33,6 +34,12 @@ public:
     for(std::size_t v = 0; v < sites.size(); ++v)
       values_.push_back(density_(static_cast<int>(v), sites[v]));
   }
+
+  // With the values of vertices.
+  Linear_density_quadrature_3(Density density, std::vector<double> values)
+    : density_(std::move(density))
+    , values_(std::move(values))
+  {}
 
   // Of vertices.
   const std::vector<double>& values() const { return values_; }
@@ -63,6 +70,14 @@ public:
     CGAL_assertion(sites.size() == values_.size());
     for(int v = 0; v < number_of_movable_vertices; ++v)
       values_[v] = density_(v, sites[v]);
+  }
+
+  std::unique_ptr<Density_quadrature_3> part(const std::vector<int>& vertices) const override
+  {
+    std::vector<double> values;
+    for(int v : vertices)
+      values.push_back(values_[v]);
+    return std::make_unique<Linear_density_quadrature_3>(renumbered(density_, vertices), std::move(values));
   }
 
   void keep() override { kept_values_ = values_; }

@@ -13,6 +13,7 @@
 
 #include <array>
 #include <cmath>
+#include <memory>
 #include <utility>
 #include <vector>
 
@@ -68,6 +69,11 @@ public:
     for(const Point& p : rule_.points)
       samples.add(p.coordinates, p.weight, sum);
     return Density_samples_3::moments(sum);
+  }
+
+  std::unique_ptr<Density_quadrature_3> part(const std::vector<int>& vertices) const override
+  {
+    return std::make_unique<Point_rule_quadrature_3>(rule_, renumbered(density_, vertices));
   }
 
   // The moments multiply the density by two coordinates.

@@ -15,6 +15,8 @@
 
 #include <algorithm>
 #include <array>
+#include <memory>
+#include <vector>
 
 namespace CGAL {
 namespace Global_odt_mesh_3 {
@@ -41,6 +43,11 @@ public:
     const Density_moments_3 m = quadratic_density_moments(vertices, edges);
     CGAL_GLOBAL_ODT_MESH_3_CHECK_PARAMETER(*std::min_element(m.first.begin(), m.first.end()) > 0, "density must be positive");
     return m;
+  }
+
+  std::unique_ptr<Density_quadrature_3> part(const std::vector<int>&) const override
+  {
+    return std::make_unique<Quadratic_density_quadrature_3>(density_);
   }
 
 private:

@@ -26,6 +26,9 @@ public:
   // In [0, 1).
   double uniform() { return static_cast<double>(engine_() >> 11) * 0x1p-53; }
 
+  // For another source.
+  unsigned int seed() { return static_cast<unsigned int>(engine_() >> 32); }
+
   // Uniform on the unit sphere: a point of the disk, lifted (Marsaglia, Choosing a point from
   // the surface of a sphere, 1972). Both its coordinates come from one number.
   Eigen::Vector3d direction()

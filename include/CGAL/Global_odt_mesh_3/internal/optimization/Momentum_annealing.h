@@ -14,6 +14,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
+#include <vector>
 
 namespace CGAL {
 namespace Global_odt_mesh_3 {
@@ -38,6 +40,15 @@ public:
     noise_.measure_edges(f);
     velocity_ = Eigen::VectorXd::Zero(f.point().size());
   }
+
+  // The same with the momentum of steps before, and lengths of edges that have been measured.
+  void start(Eigen::VectorXd velocity, std::vector<double> mean_edge_lengths)
+  {
+    noise_.set_edges(std::move(mean_edge_lengths));
+    velocity_ = std::move(velocity);
+  }
+
+  const Eigen::VectorXd& velocity() const { return velocity_; }
 
   // One step when the fraction `done` of all steps is behind.
   void iterate(Odt_objective_3& f, double done)

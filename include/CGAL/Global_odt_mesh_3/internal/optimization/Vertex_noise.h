@@ -11,6 +11,7 @@
 
 #include <Eigen/Core>
 
+#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -26,6 +27,8 @@ public:
 
   // To be called first and when the edges have got other lengths.
   void measure_edges(const Odt_objective_3& f) { f.mean_edge_lengths(edge_length_); }
+  // The same with lengths that have been measured.
+  void set_edges(std::vector<double> lengths) { edge_length_ = std::move(lengths); }
   double mean_edge_length(int v) const { return edge_length_[v]; }
 
   // In a random direction, its tangential part on surfaces, of a length uniform between zero and

@@ -6,6 +6,8 @@
 #ifndef CGAL_GLOBAL_ODT_MESH_3_INTERNAL_PARALLEL_THREAD_POLICY_H
 #define CGAL_GLOBAL_ODT_MESH_3_INTERNAL_PARALLEL_THREAD_POLICY_H
 
+#include <CGAL/Global_odt_mesh_3/internal/parallel/Stage_clock.h>
+
 #include <CGAL/tags.h>
 
 #ifdef CGAL_LINKED_WITH_TBB
@@ -31,9 +33,10 @@ public:
 
   // Threads for what is made for them, if TBB is linked.
   template <class Concurrency_tag>
-  static Thread_policy for_tag()
+  static Thread_policy for_tag(Stage_clock* clock = nullptr)
   {
     Thread_policy policy;
+    policy.clock_ = clock;
 #ifdef CGAL_LINKED_WITH_TBB
     policy.is_parallel_ = std::is_convertible<Concurrency_tag, Parallel_tag>::value;
 #endif
@@ -42,11 +45,15 @@ public:
 
   bool is_parallel() const { return is_parallel_; }
 
+  // What the loops tell the time to, or null.
+  Stage_clock* clock() const { return clock_; }
+
   // Calls f(n) for the chunks n of a loop, with threads in any order and several at once. What f throws
   // comes out here.
   template <class F>
   void for_each_chunk(int number_of_chunks, const F& f) const
   {
+    const Stage_clock::In_loop in_loop(number_of_chunks > 1 ? clock_ : nullptr);
 #ifdef CGAL_LINKED_WITH_TBB
     if(is_parallel_ && number_of_chunks > 1)
     {
@@ -68,6 +75,7 @@ public:
 
 private:
   bool is_parallel_ = false;
+  Stage_clock* clock_ = nullptr;
 };
 
 } // namespace internal

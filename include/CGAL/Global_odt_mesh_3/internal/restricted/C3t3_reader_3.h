@@ -41,8 +41,9 @@ public:
   typedef typename C3t3::Triangulation Triangulation;
   typedef Restricted_state_3<Triangulation> State;
 
-  C3t3_reader_3(const C3t3& c3t3, Domain& domain)
-    : tr_(c3t3.triangulation())
+  C3t3_reader_3(const C3t3& c3t3, Domain& domain, const Thread_policy& threads = Thread_policy())
+    : threads_(threads)
+    , tr_(c3t3.triangulation())
     , domain_(domain)
     , numbering_(std::make_shared<Vertex_numbering>())
   {
@@ -55,7 +56,7 @@ public:
   State read(Moving_triangulation_3& mesh, bool boundary_moves)
   {
     mesh = Moving_triangulation_3();
-    mesh.set_threads(Thread_policy::for_tag<typename Triangulation::Concurrency_tag>());
+    mesh.set_threads(threads_);
     if(tr_.dimension() != 3)
       return std::move(state_);
     for(auto v = tr_.finite_vertices_begin(); v != tr_.finite_vertices_end(); ++v)
@@ -180,6 +181,7 @@ private:
     }
   }
 
+  Thread_policy threads_;
   const Triangulation& tr_;
   Domain& domain_;
   std::shared_ptr<Vertex_numbering> numbering_;

@@ -7,6 +7,8 @@
 #define CGAL_GLOBAL_ODT_MESH_3_INTERNAL_RESTRICTED_RESTRICTED_COMPLEX_3_H
 
 #include <CGAL/Global_odt_mesh_3/internal/geometry/Site.h>
+#include <CGAL/Global_odt_mesh_3/internal/parallel/Stage_clock.h>
+#include <CGAL/Global_odt_mesh_3/internal/parallel/Thread_policy.h>
 #include <CGAL/Global_odt_mesh_3/internal/restricted/Boundary_extraction_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/restricted/Boundary_motion.h>
 #include <CGAL/Global_odt_mesh_3/internal/restricted/Boundary_peeling_3.h>
@@ -53,9 +55,11 @@ public:
   typedef Restricted_trial_3<Domain> Trial;
 
   // If vertices have long ways to go, facets may be thin until the final state.
-  Restricted_complex_3(const Mesh_domain& domain, Boundary_motion motion, bool has_long_ways = false)
+  Restricted_complex_3(const Mesh_domain& domain, Boundary_motion motion, bool has_long_ways = false,
+                       const Thread_policy& threads = Thread_policy())
     : domain_(domain)
     , motion_(motion)
+    , threads_(threads)
     , has_long_ways_(has_long_ways)
     , fidelity_(domain_)
   {}
@@ -83,7 +87,11 @@ public:
   bool is_surface_rough() const { return motion_ == Boundary_motion::BY_DOMAIN; }
 
   // Loads the state into a mesh.
-  void flatten(Moving_triangulation_3& mesh) const { flatten_state_3(state_, mesh); }
+  void flatten(Moving_triangulation_3& mesh) const
+  {
+    const Stage_clock::In_stage in_stage(threads_.clock(), Stage_clock::FLATTEN);
+    flatten_state_3(state_, mesh);
+  }
 
   // Moves a site for a vertex on a surface to that surface; false if that cannot be done.
   bool put_on_surface(int v, Site& s) { return internal::put_on_surface(domain_, state_.boundary, v, s); }
@@ -117,11 +125,12 @@ public:
   // In a final state, all vertices are on their surfaces and all boundary facets have surface centers.
   std::optional<State> advance(const std::vector<Site>& target, bool is_final)
   {
+    const Stage_clock::In_stage in_stage(threads_.clock(), Stage_clock::CHECK);
     Candidate candidate(state_, target, motion_, is_final);
     Surface_projection_3<Domain> projection(candidate, domain_);
     if(candidate.boundary_moves())
       projection.project_all();
-    candidate.build();
+    build(candidate);
     for(int attempt = 0; attempt < most_attempts; ++attempt)
     {
       const bool wants_good_facets = (is_final || !has_long_ways_) && attempt < attempts_at_good_facets;
@@ -150,6 +159,12 @@ private:
   static constexpr int halfway_returns = 2, halfway_returns_on_surface = 1;
   // If more vertices go back, a new triangulation is faster than moving them.
   static constexpr double most_moved_one_by_one = 1 / 20.;
+
+  void build(Candidate& candidate) const
+  {
+    const Stage_clock::In_stage in_stage(threads_.clock(), Stage_clock::TRIANGULATE);
+    candidate.build();
+  }
 
   // Completes the candidate until something is found wrong. Facets that are too thin may be found good enough.
   Report check(Candidate& candidate, bool wants_good_facets)
@@ -212,7 +227,7 @@ private:
         candidate.move(v);
     }
     if(rebuilds)
-      candidate.build();
+      build(candidate);
     else
       for(const auto& p : report.pushes())
         candidate.move(p.first);
@@ -254,6 +269,7 @@ private:
 
   Domain domain_;
   Boundary_motion motion_;
+  Thread_policy threads_;
   bool has_long_ways_;
   Fidelity_check_3<Domain> fidelity_;
   Facet_shape_check_3 shapes_;

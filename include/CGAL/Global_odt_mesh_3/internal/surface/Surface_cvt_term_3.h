@@ -46,12 +46,38 @@ public:
     densities_ = surface_densities(surface_, sites, density_);
   }
 
+  // The same for a part of the mesh, when the scale is known. The part has some of the vertices, named by their
+  // numbers, of which as many from `first` on move on the surfaces; `number` gives the numbers in the part.
+  template <class Number>
+  Surface_cvt_term_3 part(const std::vector<int>& vertices, int first, int number_of_moving, const Number& number) const
+  {
+    const auto begin = vertices.begin() + first;
+    Surface_density density;
+    if(density_)
+      density = [this, &vertices](int v, const Site& s) { return density_(vertices[v], s); };
+    Surface_cvt_term_3 part(first, number_of_moving, weight_, density);
+    part.factor_ = factor_;
+    part.surface_ = surface_.part(std::vector<int>(begin, begin + number_of_moving), corner_of_vertex_, number);
+    for(int v : vertices)
+      if(density_)
+        part.densities_.push_back(densities_[v]);
+    return part;
+  }
+
+  // Whether it is known how much the term weighs, which depends on where the energy is asked for first.
+  bool has_scale() const { return factor_ >= 0; }
+
+  // To be called before parts are made for these sites.
+  void prepare_parts(const std::vector<Site>& sites)
+  {
+    update_densities(sites);
+    corner_of_vertex_ = surface_.corners_of_vertices(sites.size());
+  }
+
   // Adds gradient and diagonal to those of all vertices, and gives the energy.
   double operator()(const std::vector<Site>& sites, Eigen::VectorXd& gradient, Eigen::VectorXd& diagonal)
   {
-    if(density_)
-      for(int v = first_; v < first_ + number_; ++v)
-        densities_[v] = density_(v, sites[v]);
+    update_densities(sites);
     surface_.make_delaunay(sites);
     const double energy = surface_cvt_energy(surface_, sites, densities_, first_, gradient_, diagonal_);
     // Cells may be empty where weights are large.
@@ -64,11 +90,18 @@ public:
   }
 
 private:
+  void update_densities(const std::vector<Site>& sites)
+  {
+    for(int v = first_; density_ && v < first_ + number_; ++v)
+      densities_[v] = density_(v, sites[v]);
+  }
+
   int first_, number_;
   double weight_, factor_ = -1;     // not known yet
   Surface_density density_;
   Surface_triangulation_3 surface_;
   std::vector<double> densities_;
+  std::vector<int> corner_of_vertex_;
   Eigen::VectorXd gradient_, diagonal_;
 };
 

@@ -13,6 +13,7 @@
 #include <Eigen/Core>
 #include <Eigen/Geometry>
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <utility>
@@ -56,6 +57,50 @@ public:
           if(index(static_cast<int>(n), vertices_[beyond][m]) < 0)
             opposite_[corner] = 3 * beyond + m;
       }
+  }
+
+  // The facets around some vertices, on no junction, with the numbers of vertices that `number` gives; edges where others
+  // are beyond are not flipped.
+  template <class Number>
+  Surface_triangulation_3 part(const std::vector<int>& vertices, const std::vector<int>& corner_of_vertex,
+                               const Number& number) const
+  {
+    std::vector<int> facets;
+    for(int v : vertices)
+    {
+      int c = corner_of_vertex[v];
+      do
+      {
+        facets.push_back(c / 3);
+        c = next(opposite_[next(c)]);
+      }
+      while(c != corner_of_vertex[v]);
+    }
+    std::sort(facets.begin(), facets.end());
+    facets.erase(std::unique(facets.begin(), facets.end()), facets.end());
+    Surface_triangulation_3 part;
+    for(int f : facets)
+    {
+      part.vertices_.push_back({{ number(vertices_[f][0]), number(vertices_[f][1]), number(vertices_[f][2]) }});
+      for(int k = 0; k < 3; ++k)
+      {
+        const int across = opposite_[3 * f + k];
+        const auto it = std::lower_bound(facets.begin(), facets.end(), across / 3);
+        const bool is_there = across != no_corner && it != facets.end() && *it == across / 3;
+        part.opposite_.push_back(is_there ? 3 * int(it - facets.begin()) + across % 3 : int(no_corner));
+      }
+    }
+    part.is_queued_.assign(part.opposite_.size(), false);
+    return part;
+  }
+
+  // A corner at each vertex that has one.
+  std::vector<int> corners_of_vertices(std::size_t number_of_vertices) const
+  {
+    std::vector<int> corner(number_of_vertices, no_corner);
+    for(int c = 0; c < static_cast<int>(opposite_.size()); ++c)
+      corner[vertex(c)] = c;
+    return corner;
   }
 
   int number_of_facets() const { return static_cast<int>(vertices_.size()); }

@@ -15,6 +15,7 @@
 #include <array>
 #include <cstddef>
 #include <numeric>
+#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -31,6 +32,7 @@ public:
   static constexpr int no_vertex = -1;
 
   int number_of_constrained_facets() const { return static_cast<int>(arrays_[CONSTRAINED_SLOTS].size() / 2); }
+  int number_of_sides() const { return static_cast<int>(arrays_[CONSTRAINED_SLOTS].size()); }
   // The facet of the cell on that side of the constrained facet, or none.
   Slot constrained_slot(int facet, int side) const { return constrained_slot(Slot::side(facet, side)); }
   Slot constrained_slot(Slot side) const { return Slot(arrays_[CONSTRAINED_SLOTS][side.side_id()]); }
@@ -187,16 +189,33 @@ public:
       vertices[to.id()] = vertex(from);
       neighbors[to.id()] = across.is_side() ? across.id() : Slot(place[across.cell()], across.index()).id();
     }
-    arrays_.unguarded(CELL_VERTICES).swap(vertices);
-    arrays_.unguarded(NEIGHBORS).swap(neighbors);
-    arrays_.unguarded(FREE_CELLS).clear();
-    for(int n = 0; n < number_of_slots(); ++n)
+    assign(std::move(vertices), std::move(neighbors), arrays_[VERTEX_CELL].size(), arrays_[CONSTRAINED_SLOTS].size());
+  }
+
+  // Becomes a triangulation of these cells, all alive, in the order of slots. Ends a trial.
+  void assign(std::vector<int> cell_vertices, std::vector<int> neighbors, std::size_t number_of_vertices,
+              std::size_t number_of_sides)
+  {
+    std::vector<int> vertex_cell(number_of_vertices, -1), constrained_slots(number_of_sides, Slot().id());
+    for(int s = 0; s < static_cast<int>(neighbors.size()); ++s)
     {
-      const Slot s(n), across = neighbor(s);
-      arrays_.unguarded(VERTEX_CELL)[vertex(s)] = s.cell();
-      if(across.is_side())
-        arrays_.unguarded(CONSTRAINED_SLOTS)[across.side_id()] = s.id();
+      vertex_cell[cell_vertices[s]] = Slot(s).cell();
+      if(Slot(neighbors[s]).is_side())
+        constrained_slots[Slot(neighbors[s]).side_id()] = s;
     }
+    assign(std::move(cell_vertices), std::move(neighbors), std::move(vertex_cell), std::move(constrained_slots));
+  }
+
+  // The same with a cell of each vertex, or -1, and the slot at each side, or none.
+  void assign(std::vector<int> cell_vertices, std::vector<int> neighbors, std::vector<int> vertex_cell,
+              std::vector<int> constrained_slots)
+  {
+    end_trial();
+    arrays_.unguarded(CELL_VERTICES).swap(cell_vertices);
+    arrays_.unguarded(NEIGHBORS).swap(neighbors);
+    arrays_.unguarded(VERTEX_CELL).swap(vertex_cell);
+    arrays_.unguarded(CONSTRAINED_SLOTS).swap(constrained_slots);
+    arrays_.unguarded(FREE_CELLS).clear();
     CGAL_expensive_assertion(is_valid());
   }
 

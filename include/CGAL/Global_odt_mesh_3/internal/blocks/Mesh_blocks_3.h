@@ -1,0 +1,268 @@
+// Copyright (c) 2026 The Global_odt_mesh_3 authors.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_GLOBAL_ODT_MESH_3_INTERNAL_BLOCKS_MESH_BLOCKS_3_H
+#define CGAL_GLOBAL_ODT_MESH_3_INTERNAL_BLOCKS_MESH_BLOCKS_3_H
+
+#include <CGAL/Global_odt_mesh_3/internal/blocks/Mesh_partition_3.h>
+#include <CGAL/Global_odt_mesh_3/internal/parallel/Buckets.h>
+#include <CGAL/Global_odt_mesh_3/internal/parallel/Chunks.h>
+#include <CGAL/Global_odt_mesh_3/internal/parallel/Thread_policy.h>
+#include <CGAL/Global_odt_mesh_3/internal/triangulation/Constrained_triangulation_3.h>
+#include <CGAL/Global_odt_mesh_3/internal/triangulation/Slot.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <iterator>
+#include <limits>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Global_odt_mesh_3 {
+namespace internal {
+
+// The blocks of a partition as meshes of their own, which threads may load, change and store at the same time, and the mesh
+// that is put together of what they have become.
+//
+// The vertices with all their cells in a block are its own, and move there as they do in the mesh; the others stay.
+// Facets between blocks are constrained, with the surface out of reach.
+class Mesh_blocks_3
+{
+public:
+  Mesh_blocks_3(Constrained_triangulation_3& mesh, const Mesh_partition_3& partition, const Thread_policy& threads)
+    : mesh_(mesh)
+    , partition_(partition)
+    , threads_(threads)
+    , cell_place_(places(partition.cells(), mesh.topology.number_of_cell_slots()))
+    , vertex_place_(places(partition.vertices(), static_cast<int>(mesh.sites.size())))
+    , blocks_(partition.number_of_blocks())
+  {}
+
+  // Those of the mesh, in the order of the block: its own ones first.
+  const std::vector<int>& vertices(int block) const { return blocks_[block].vertices; }
+
+  // The place of a vertex of the block there.
+  int number(int block, int v) const
+  {
+    if(is_own(block, v))
+      return vertex_place_[v] - partition_.vertices().begin(block);
+    const std::vector<int>& vertices = blocks_[block].vertices;
+    const auto others = vertices.begin() + partition_.vertices().size(block);
+    return static_cast<int>(std::lower_bound(others, vertices.end(), v) - vertices.begin());
+  }
+
+  void load(int block, Constrained_triangulation_3& part)
+  {
+    Block& b = blocks_[block];
+    number_vertices(block, b.vertices);
+    const auto own_end = b.vertices.begin() + partition_.vertices().size(block);
+    const auto own_below = [&](int v) { return int(std::lower_bound(b.vertices.begin(), own_end, v) - b.vertices.begin()); };
+    part.number_of_interior_vertices = own_below(mesh_.number_of_interior_vertices);
+    part.number_of_movable_vertices = own_below(mesh_.number_of_movable_vertices);
+    part.sites.clear();
+    for(int v : b.vertices)
+      part.sites.push_back(mesh_.sites[v]);
+    load_cells(block, b, part);
+    part.surface_heights.clear();
+    for(const Facet& f : b.facets)
+      part.surface_heights.push_back(f.is_seam() ? (std::numeric_limits<double>::infinity)()
+                                                 : mesh_.surface_heights[f.constrained_facet]);
+  }
+
+  void store(int block, Constrained_triangulation_3& part)
+  {
+    Block& b = blocks_[block];
+    for(int v = 0; v < part.number_of_movable_vertices; ++v)
+      mesh_.sites[b.vertices[v]] = part.sites[v];
+    part.topology.compact();
+    const std::size_t slots = part.topology.number_of_slots();
+    b.cell_vertices.assign(part.topology.cell_vertices(), part.topology.cell_vertices() + slots);
+    b.neighbors.assign(part.topology.neighbors(), part.topology.neighbors() + slots);
+    for(int& v : b.cell_vertices)
+      v = b.vertices[v];
+    b.vertex_cell.clear();
+    for(int v = 0; v < static_cast<int>(b.vertices.size()); ++v)
+      b.vertex_cell.push_back(part.topology.incident_cell(v));
+  }
+
+  // When all blocks are stored.
+  void assemble()
+  {
+    int cells = 0;
+    for(Block& b : blocks_)
+    {
+      b.first_cell = cells;
+      cells += static_cast<int>(b.neighbors.size() / 4);
+    }
+    std::vector<int> cell_vertices(4 * std::size_t(cells)), neighbors(cell_vertices.size());
+    std::vector<int> vertex_cell(mesh_.sites.size(), -1), sides(mesh_.topology.number_of_sides(), Slot().id());
+    std::vector<int> seam(mesh_.topology.number_of_slots());          // where slots at seams are now
+    const auto for_each_block = [this](const auto& f)
+    {
+      threads_.for_each_chunk(partition_.number_of_blocks(), [&](int n) { f(n, blocks_[n]); });
+    };
+    for_each_block([&](int n, const Block& b)
+    {
+      for(int v = 0; v < partition_.vertices().size(n); ++v)
+        vertex_cell[b.vertices[v]] = b.first_cell + b.vertex_cell[v];
+      for(int s = 0; s < static_cast<int>(b.neighbors.size()); ++s)
+      {
+        const int slot = s + 4 * b.first_cell;
+        cell_vertices[slot] = b.cell_vertices[s];
+        const Slot across(b.neighbors[s]);
+        if(!across.is_side())
+        {
+          neighbors[slot] = across.id() + 4 * b.first_cell;
+          continue;
+        }
+        const Facet& f = b.facets[across.constrained_facet()];
+        if(f.is_seam())
+        {
+          seam[f.slot.id()] = slot;
+          continue;
+        }
+        const Slot side = Slot::side(f.constrained_facet, across.side());
+        neighbors[slot] = side.id();
+        sides[side.side_id()] = slot;
+      }
+    });
+    for_each_block([&](int, const Block& b)
+    {
+      for(const Facet& f : b.facets)
+        if(f.is_seam())
+          neighbors[seam[f.slot.id()]] = seam[f.beyond.id()];
+    });
+    // No block owns vertices at seams.
+    for(int n = 0; n < partition_.number_of_blocks(); ++n)
+      for(std::size_t v = partition_.vertices().size(n); v < blocks_[n].vertices.size(); ++v)
+        vertex_cell[blocks_[n].vertices[v]] = blocks_[n].first_cell + blocks_[n].vertex_cell[v];
+    mesh_.topology.assign(std::move(cell_vertices), std::move(neighbors), std::move(vertex_cell), std::move(sides));
+  }
+
+private:
+  static constexpr int least_length = 10000, most_chunks = 64;
+
+  // A constrained one of the mesh, or one between blocks.
+  struct Facet
+  {
+    int constrained_facet;      // or negative
+    Slot slot, beyond;          // at a seam, of the mesh before
+
+    bool is_seam() const { return constrained_facet < 0; }
+  };
+
+  struct Block
+  {
+    std::vector<int> vertices;                      // numbers in the mesh
+    std::vector<Facet> facets;                      // the constrained ones
+    std::vector<int> cell_vertices;                 // numbers in the mesh
+    std::vector<int> neighbors, vertex_cell;        // slots and cells of the block
+    int first_cell = 0;
+  };
+
+  // Of each number in the buckets, or -1.
+  std::vector<int> places(const Buckets& buckets, int size) const
+  {
+    std::vector<int> place(size, -1);
+    const Chunks chunks(static_cast<int>(buckets.numbers().size()), least_length, most_chunks);
+    threads_.for_each_chunk(chunks.number(), [&](int k)
+    {
+      for(int n = chunks.begin(k); n < chunks.end(k); ++n)
+        place[buckets.numbers()[n]] = n;
+    });
+    return place;
+  }
+
+  bool is_own(int block, int vertex) const
+  {
+    const int place = vertex_place_[vertex];
+    return place >= partition_.vertices().begin(block) && place < partition_.vertices().end(block);
+  }
+
+  // In the block, or negative or too large.
+  int cell_in_block(int block, int cell) const { return cell_place_[cell] - partition_.cells().begin(block); }
+  bool is_in_block(int block, int cell) const
+  {
+    const int c = cell_in_block(block, cell);
+    return c >= 0 && c < partition_.cells().size(block);
+  }
+  Slot slot_in_block(int block, Slot s) const { return Slot(cell_in_block(block, s.cell()), s.index()); }
+
+  template <class F>
+  void for_each_cell(int block, const F& f) const
+  {
+    const Buckets& cells = partition_.cells();
+    for(int n = cells.begin(block); n < cells.end(block); ++n)
+      f(cells.numbers()[n]);
+  }
+
+  void number_vertices(int block, std::vector<int>& vertices) const
+  {
+    const Buckets& own = partition_.vertices();
+    vertices.clear();
+    for_each_cell(block, [&](int c)
+    {
+      std::copy_if(mesh_.topology.vertices(c), mesh_.topology.vertices(c) + 4, std::back_inserter(vertices),
+                   [&](int v) { return !is_own(block, v); });
+    });
+    std::sort(vertices.begin(), vertices.end());
+    vertices.erase(std::unique(vertices.begin(), vertices.end()), vertices.end());
+    vertices.insert(vertices.begin(), own.numbers().begin() + own.begin(block), own.numbers().begin() + own.end(block));
+  }
+
+  void load_cells(int block, Block& b, Constrained_triangulation_3& part) const
+  {
+    std::vector<int> cell_vertices, neighbors(4 * std::size_t(partition_.cells().size(block)));
+    cell_vertices.reserve(neighbors.size());
+    b.facets.clear();
+    for_each_cell(block, [&](int c)
+    {
+      for(int i = 0; i < 4; ++i)
+      {
+        cell_vertices.push_back(number(block, mesh_.topology.vertices(c)[i]));
+        load_neighbor(block, Slot(c, i), b.facets, neighbors);
+      }
+    });
+    part.topology.assign(std::move(cell_vertices), std::move(neighbors), b.vertices.size(), 2 * b.facets.size());
+  }
+
+  void load_neighbor(int block, Slot s, std::vector<Facet>& facets, std::vector<int>& neighbors) const
+  {
+    const Slot across = mesh_.topology.neighbor(s), here = slot_in_block(block, s);
+    const int number = static_cast<int>(facets.size());
+    if(!across.is_side())
+    {
+      if(is_in_block(block, across.cell()))
+        neighbors[here.id()] = slot_in_block(block, across).id();
+      else
+      {
+        neighbors[here.id()] = Slot::side(number, 0).id();
+        facets.push_back({ -1, s, across });
+      }
+      return;
+    }
+    const Slot beyond = mesh_.topology.constrained_slot(across.other_side());
+    const bool has_both = !beyond.is_none() && is_in_block(block, beyond.cell());
+    if(has_both && slot_in_block(block, beyond) < here)
+      return;
+    neighbors[here.id()] = Slot::side(number, across.side()).id();
+    if(has_both)
+      neighbors[slot_in_block(block, beyond).id()] = Slot::side(number, across.other_side().side()).id();
+    facets.push_back({ across.constrained_facet(), Slot(), Slot() });
+  }
+
+  Constrained_triangulation_3& mesh_;
+  const Mesh_partition_3& partition_;
+  Thread_policy threads_;
+  std::vector<int> cell_place_, vertex_place_;
+  std::vector<Block> blocks_;
+};
+
+} // namespace internal
+} // namespace Global_odt_mesh_3
+} // namespace CGAL
+
+#endif // CGAL_GLOBAL_ODT_MESH_3_INTERNAL_BLOCKS_MESH_BLOCKS_3_H

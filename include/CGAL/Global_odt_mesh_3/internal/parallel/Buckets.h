@@ -1,0 +1,77 @@
+// Copyright (c) 2026 The Global_odt_mesh_3 authors.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_GLOBAL_ODT_MESH_3_INTERNAL_PARALLEL_BUCKETS_H
+#define CGAL_GLOBAL_ODT_MESH_3_INTERNAL_PARALLEL_BUCKETS_H
+
+#include <CGAL/Global_odt_mesh_3/internal/parallel/Chunks.h>
+#include <CGAL/Global_odt_mesh_3/internal/parallel/Thread_policy.h>
+
+#include <vector>
+
+namespace CGAL {
+namespace Global_odt_mesh_3 {
+namespace internal {
+
+// The numbers below a size, distributed to buckets, in each of which they are in their order.
+class Buckets
+{
+public:
+  Buckets() {}
+
+  // bucket(n) is that of n, or negative if n is in none.
+  template <class Bucket>
+  Buckets(int size, int number_of_buckets, const Bucket& bucket, const Thread_policy& threads)
+    : first_(number_of_buckets + 1, 0)
+  {
+    const Chunks chunks(size, least_length, most_chunks);
+    std::vector<std::vector<int> > place(chunks.number());      // in each bucket, of the next one of a chunk
+    threads.for_each_chunk(chunks.number(), [&](int k)
+    {
+      place[k].assign(number_of_buckets, 0);
+      for(int n = chunks.begin(k); n < chunks.end(k); ++n)
+        if(const int b = bucket(n); b >= 0)
+          ++place[k][b];
+    });
+    int places = 0;
+    for(int b = 0; b < number_of_buckets; ++b)
+    {
+      first_[b] = places;
+      for(std::vector<int>& p : place)
+      {
+        const int number = p[b];
+        p[b] = places;
+        places += number;
+      }
+    }
+    first_[number_of_buckets] = places;
+    numbers_.resize(places);
+    threads.for_each_chunk(chunks.number(), [&](int k)
+    {
+      for(int n = chunks.begin(k); n < chunks.end(k); ++n)
+        if(const int b = bucket(n); b >= 0)
+          numbers_[place[k][b]++] = n;
+    });
+  }
+
+  int number_of_buckets() const { return static_cast<int>(first_.size()) - 1; }
+
+  // One after the other, the numbers of all buckets, and where those of a bucket are there.
+  const std::vector<int>& numbers() const { return numbers_; }
+  int begin(int bucket) const { return first_[bucket]; }
+  int end(int bucket) const { return first_[bucket + 1]; }
+  int size(int bucket) const { return end(bucket) - begin(bucket); }
+
+private:
+  static constexpr int least_length = 10000, most_chunks = 64;
+
+  std::vector<int> first_, numbers_;
+};
+
+} // namespace internal
+} // namespace Global_odt_mesh_3
+} // namespace CGAL
+
+#endif // CGAL_GLOBAL_ODT_MESH_3_INTERNAL_PARALLEL_BUCKETS_H
