@@ -138,7 +138,7 @@ private:
   }
 
   // The fraction of the search that is behind at iteration n of the round.
-  double search_progress(int n) const
+  double search_progress(double n) const
   {
     // The noise fades away within the time that there is.
     const double time = control_.progress_between(search_begin_, plan_.end_of_time(Round_plan::SEARCH));
@@ -166,18 +166,17 @@ private:
     if(term && !surface_term_->has_scale())
       Odt_objective_3(mesh_, surface_motions(true), term);
     search_in_blocks_->start(surface_motions(true), term ? surface_term_.get() : nullptr);
-    std::vector<double> done;
-    for(int n = 0; n < plan_.iterations(); n += static_cast<int>(done.size()))
+    for(int n = 0, iterations; n < plan_.iterations() && search_progress(n) < 1 && begin_iteration(); n += iterations)
     {
-      done.clear();
-      while(static_cast<int>(done.size()) < (std::min)(int(Block_annealing_3::steps_in_block), plan_.iterations() - n))
-        done.push_back(search_progress(n + static_cast<int>(done.size())));
-      if(done[0] >= 1 || !begin_iteration())
-        return;
+      iterations = (std::min)(int(Block_annealing_3::iterations_in_block), plan_.iterations() - n);
+      const int steps = (iterations * Block_annealing_3::steps_in_block) / Block_annealing_3::iterations_in_block;
+      std::vector<double> done;
+      for(int k = 0; k < steps; ++k)
+        done.push_back(search_progress(n + double(k) * iterations / steps));
       search_in_blocks_->iterate(done, [this] { return control_.may_go_on(); });
       control_.end_iteration();
       // Those that have been made along with it.
-      for(std::size_t k = 1; k < done.size() && begin_iteration(); ++k)
+      for(int k = 1; k < iterations && control_.goes_on() && begin_iteration(); ++k)
         control_.end_iteration();
       if(!control_.goes_on())
         return;

@@ -71,9 +71,9 @@ public:
   }
 
   // The fraction of the search that is behind at iteration n of the round.
-  double search_progress(int n) const
+  double search_progress(double n) const
   {
-    return (search_rounds_ - rounds_[SEARCH] + double(n) / iterations_[SEARCH]) / search_rounds_;
+    return (search_rounds_ - rounds_[SEARCH] + n / iterations_[SEARCH]) / search_rounds_;
   }
 
   // Of all rounds, about; where there are none, slivers may take what they may after the usual ones.

@@ -39,7 +39,8 @@ namespace internal {
 class Block_annealing_3
 {
 public:
-  static constexpr int steps_in_block = 10;
+  // In one partition. They are so many more as there are vertices that rest, at seams, in each of them.
+  static constexpr int iterations_in_block = 10, steps_in_block = 11;
 
   // That is worth the trouble. It depends on the mesh alone, so that the result does not depend on the threads.
   static int usual_number_of_blocks(std::size_t number_of_vertices)

@@ -97,49 +97,26 @@ public:
       b.first_cell = cells;
       cells += static_cast<int>(b.neighbors.size() / 4);
     }
-    std::vector<int> cell_vertices(4 * std::size_t(cells)), neighbors(cell_vertices.size());
-    std::vector<int> vertex_cell(mesh_.sites.size(), -1), sides(mesh_.topology.number_of_sides(), Slot().id());
+    Arrays arrays;
+    arrays.cell_vertices.resize(4 * std::size_t(cells));
+    arrays.neighbors.resize(4 * std::size_t(cells));
+    arrays.vertex_cell.assign(mesh_.sites.size(), -1);
+    arrays.constrained_slots.assign(mesh_.topology.number_of_sides(), Slot().id());
     std::vector<int> seam(mesh_.topology.number_of_slots());          // where slots at seams are now
-    const auto for_each_block = [this](const auto& f)
+    const int number = partition_.number_of_blocks();
+    threads_.for_each_chunk(number, [&](int n) { assemble(n, arrays, seam); });
+    threads_.for_each_chunk(number, [&](int n)
     {
-      threads_.for_each_chunk(partition_.number_of_blocks(), [&](int n) { f(n, blocks_[n]); });
-    };
-    for_each_block([&](int n, const Block& b)
-    {
-      for(int v = 0; v < partition_.vertices().size(n); ++v)
-        vertex_cell[b.vertices[v]] = b.first_cell + b.vertex_cell[v];
-      for(int s = 0; s < static_cast<int>(b.neighbors.size()); ++s)
-      {
-        const int slot = s + 4 * b.first_cell;
-        cell_vertices[slot] = b.cell_vertices[s];
-        const Slot across(b.neighbors[s]);
-        if(!across.is_side())
-        {
-          neighbors[slot] = across.id() + 4 * b.first_cell;
-          continue;
-        }
-        const Facet& f = b.facets[across.constrained_facet()];
+      for(const Facet& f : blocks_[n].facets)
         if(f.is_seam())
-        {
-          seam[f.slot.id()] = slot;
-          continue;
-        }
-        const Slot side = Slot::side(f.constrained_facet, across.side());
-        neighbors[slot] = side.id();
-        sides[side.side_id()] = slot;
-      }
-    });
-    for_each_block([&](int, const Block& b)
-    {
-      for(const Facet& f : b.facets)
-        if(f.is_seam())
-          neighbors[seam[f.slot.id()]] = seam[f.beyond.id()];
+          arrays.neighbors[seam[f.slot.id()]] = seam[f.beyond.id()];
     });
     // No block owns vertices at seams.
-    for(int n = 0; n < partition_.number_of_blocks(); ++n)
+    for(int n = 0; n < number; ++n)
       for(std::size_t v = partition_.vertices().size(n); v < blocks_[n].vertices.size(); ++v)
-        vertex_cell[blocks_[n].vertices[v]] = blocks_[n].first_cell + blocks_[n].vertex_cell[v];
-    mesh_.topology.assign(std::move(cell_vertices), std::move(neighbors), std::move(vertex_cell), std::move(sides));
+        arrays.vertex_cell[blocks_[n].vertices[v]] = blocks_[n].first_cell + blocks_[n].vertex_cell[v];
+    mesh_.topology.assign(std::move(arrays.cell_vertices), std::move(arrays.neighbors), std::move(arrays.vertex_cell),
+                          std::move(arrays.constrained_slots));
   }
 
 private:
@@ -162,6 +139,40 @@ private:
     std::vector<int> neighbors, vertex_cell;        // slots and cells of the block
     int first_cell = 0;
   };
+
+  // As Flat_triangulation_3 has them.
+  struct Arrays
+  {
+    std::vector<int> cell_vertices, neighbors, vertex_cell, constrained_slots;
+  };
+
+  // What is within the block.
+  void assemble(int block, Arrays& arrays, std::vector<int>& seam) const
+  {
+    const Block& b = blocks_[block];
+    for(int v = 0; v < partition_.vertices().size(block); ++v)
+      arrays.vertex_cell[b.vertices[v]] = b.first_cell + b.vertex_cell[v];
+    for(int s = 0; s < static_cast<int>(b.neighbors.size()); ++s)
+    {
+      const int slot = s + 4 * b.first_cell;
+      arrays.cell_vertices[slot] = b.cell_vertices[s];
+      const Slot across(b.neighbors[s]);
+      if(!across.is_side())
+      {
+        arrays.neighbors[slot] = across.id() + 4 * b.first_cell;
+        continue;
+      }
+      const Facet& f = b.facets[across.constrained_facet()];
+      if(f.is_seam())
+      {
+        seam[f.slot.id()] = slot;
+        continue;
+      }
+      const Slot side = Slot::side(f.constrained_facet, across.side());
+      arrays.neighbors[slot] = side.id();
+      arrays.constrained_slots[side.side_id()] = slot;
+    }
+  }
 
   // Of each number in the buckets, or -1.
   std::vector<int> places(const Buckets& buckets, int size) const

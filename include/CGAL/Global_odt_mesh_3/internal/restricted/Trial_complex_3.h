@@ -95,51 +95,53 @@ struct Trial_complex_3
   // Hands over triangulation and boundary to a candidate with the sites.
   void give(Candidate& candidate)
   {
-    give_cells(candidate);
-    give_facets(candidate);
+    std::vector<Boundary_facet> found;
+    Triangulation& tr = numbered.triangulation();
+    for(auto c = tr.all_cells_begin(); c != tr.all_cells_end(); ++c)
+    {
+      forget(Cell_handle(c));
+      note(Cell_handle(c), IS_SETTLED);
+      // Of facets that have been on the boundary, cells around the vertices that moved know it still.
+      for(int i = 0; i < 4; ++i)
+        c->set_surface_patch_index(i, typename Triangulation::Cell::Surface_patch_index());
+      const Quadruple q = numbers(c);
+      const auto is_off_boundary = [this](int v) { return v < 0 || !numbering.is_on_boundary(v); };
+      const auto off_boundary = std::count_if(q.begin(), q.end(), is_off_boundary);
+      if(off_boundary > 1)
+        continue;
+      for(int i = 0; i < 4; ++i)
+        if(off_boundary == 0 || is_off_boundary(q[i]))
+          give_facet(Facet(c, i), q, candidate, found);
+      if(off_boundary > 0)
+        continue;
+      note(Cell_handle(c), IS_BOUNDARY_CELL);
+      candidate.boundary_cells.emplace_back(c, label(c));
+    }
+    candidate.boundary_complex = std::make_shared<const Boundary_complex_3>(std::move(found), sites.size());
     candidate.numbered->swap(numbered);
   }
 
 private:
   typedef typename Triangulation::Facet Facet;
 
-  void give_cells(Candidate& candidate)
+  // If it is on the boundary, seen from the cell whose other vertex has the higher number.
+  void give_facet(const Facet& f, const Quadruple& q, Candidate& candidate, std::vector<Boundary_facet>& found) const
   {
-    Triangulation& tr = numbered.triangulation();
-    for(auto c = tr.all_cells_begin(); c != tr.all_cells_end(); ++c)
-    {
-      forget(Cell_handle(c));
-      note(Cell_handle(c), IS_SETTLED);
-      if(!is_on_boundary(numbers(c)))
-        continue;
-      note(Cell_handle(c), IS_BOUNDARY_CELL);
-      candidate.boundary_cells.emplace_back(c, label(c));
-    }
-  }
-
-  void give_facets(Candidate& candidate)
-  {
-    Triangulation& tr = numbered.triangulation();
-    std::vector<Boundary_facet> found;
-    for(auto f = tr.finite_facets_begin(); f != tr.finite_facets_end(); ++f)
-    {
-      const std::array<int, 3>& k = facet_indices(f->second);
-      Boundary_facet b;
-      for(std::size_t i = 0; i < 3; ++i)
-        b.vertices[i] = numbered.number(f->first->vertex(k[i]));
-      const int n = boundary.find(sorted(b.vertices));
-      // Of facets that have been on the boundary, cells around the vertices that moved know it still.
-      for(const Facet& g : { *f, tr.mirror_facet(*f) })
-        g.first->set_surface_patch_index(g.second, typename Triangulation::Cell::Surface_patch_index());
-      if(n < 0)
-        continue;
-      b.labels = {{ label(f->first), label(f->first->neighbor(f->second)) }};
-      b.patch = boundary.facet(n).patch;
-      found.push_back(b);
-      candidate.facets.push_back(*f);
-      candidate.old_facets.push_back(state.facet_number(b.vertices));
-    }
-    candidate.boundary_complex = std::make_shared<const Boundary_complex_3>(std::move(found), sites.size());
+    const Cell_handle c = f.first, d = c->neighbor(f.second);
+    const auto beyond = triangulation().mirror_vertex(c, f.second);
+    if(!triangulation().is_infinite(beyond) && numbered.number(beyond) > q[f.second])
+      return;
+    const std::array<int, 3>& k = facet_indices(f.second);
+    Boundary_facet b;
+    b.vertices = {{ q[k[0]], q[k[1]], q[k[2]] }};
+    const int n = boundary.find(sorted(b.vertices));
+    if(n < 0)
+      return;
+    b.labels = {{ label(c), label(d) }};
+    b.patch = boundary.facet(n).patch;
+    found.push_back(b);
+    candidate.facets.push_back(f);
+    candidate.old_facets.push_back(state.facet_number(b.vertices));
   }
 };
 

@@ -7,6 +7,8 @@
 #define CGAL_GLOBAL_ODT_MESH_3_INTERNAL_SLIVERS_CELL_ANGLES_H
 
 #include <CGAL/Global_odt_mesh_3/internal/geometry/Angle_deficit_3.h>
+#include <CGAL/Global_odt_mesh_3/internal/parallel/Chunks.h>
+#include <CGAL/Global_odt_mesh_3/internal/parallel/Thread_policy.h>
 #include <CGAL/Global_odt_mesh_3/internal/triangulation/Constrained_triangulation_3.h>
 
 #include <CGAL/Global_odt_mesh_3/internal/geometry/Site.h>
@@ -15,6 +17,7 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
+#include <vector>
 
 namespace CGAL {
 namespace Global_odt_mesh_3 {
@@ -29,12 +32,19 @@ struct Cell_angles
 
   Cell_angles() {}
 
-  explicit Cell_angles(const Constrained_triangulation_3& mesh)
+  Cell_angles(const Constrained_triangulation_3& mesh, const Thread_policy& threads)
   {
-    const Angle_deficit_3 highest(Sliver_steps::angles.back());
-    for(int c = 0; c < mesh.topology.number_of_cell_slots(); ++c)
-      if(mesh.topology.is_alive(c))
-        add(mesh.cell_sites(c), highest);
+    const Chunks cells(mesh.topology.number_of_cell_slots(), 10000, 64);
+    std::vector<Cell_angles> parts(cells.number());
+    threads.for_each_chunk(cells.number(), [&](int n)
+    {
+      const Angle_deficit_3 highest(Sliver_steps::angles.back());
+      for(int c = cells.begin(n); c < cells.end(n); ++c)
+        if(mesh.topology.is_alive(c))
+          parts[n].add(mesh.cell_sites(c), highest);
+    });
+    for(const Cell_angles& part : parts)
+      add(part);
   }
 
   // Whether more of what the step asks for is reached, and no less of what the steps before do.
@@ -49,6 +59,16 @@ struct Cell_angles
   }
 
 private:
+  void add(const Cell_angles& other)
+  {
+    smallest = (std::min)(smallest, other.smallest);
+    for(int s = 0; s < Sliver_steps::number; ++s)
+    {
+      below[s] += other.below[s];
+      deficit[s] += other.deficit[s];
+    }
+  }
+
   void add(const std::array<Site, 4>& cell, const Angle_deficit_3& highest)
   {
     double angle = Sliver_steps::angles.back();

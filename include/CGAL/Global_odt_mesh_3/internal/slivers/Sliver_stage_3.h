@@ -54,7 +54,7 @@ public:
     if((!is_stored || !complex_.state().is_input()) && !complex_.advance(mesh_.sites, true))
       return false;
     complex_.flatten(mesh_);
-    reached_ = Cell_angles(mesh_);
+    reached_ = Cell_angles(mesh_, mesh_.threads());
     bool goes_on = may_go_on() && climb_in_complex(first_step, has_time);
     int repetitions = most_repetitions;
     for(int step = first_step + 1; step <= Sliver_steps::last(bound_) && goes_on; ++step)
@@ -118,7 +118,7 @@ private:
   {
     remove_from_complex(step, has_time);
     complex_.flatten(mesh_);
-    const Cell_angles now(mesh_);
+    const Cell_angles now(mesh_, mesh_.threads());
     const bool is_better = now.is_better_than(reached_, step);
     if(is_better)
       reached_ = now;
@@ -157,7 +157,7 @@ private:
     raise(step, most_tries);
     // The last step is not the limit if as much is wanted as can be had.
     const int next = step + 1;
-    const auto below = [&trial](int s) { return trial.slivers(Sliver_steps::angles[s]).size(); };
+    const auto below = [&removal](int s) { return removal.number_of_slivers(Sliver_steps::angles[s]); };
     if(next < Sliver_steps::number && !is_worthwhile(next, below))
       raise(next, most_tries / tries_for_one_beyond);
     number_of_tries_ += tries_for_an_exact_one * removal.number_of_tries();
