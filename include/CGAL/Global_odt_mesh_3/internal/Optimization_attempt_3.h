@@ -127,7 +127,8 @@ private:
   // complex.
   bool make_rounds()
   {
-    Global_search search(parameters_.annealing_schedule, parameters_.random_seed, minimizer_parameters(mesh_.quadrature()));
+    Global_search search(parameters_.annealing_schedule, parameters_.random_seed, minimizer_parameters(mesh_.quadrature()),
+                         mesh_.threads());
     int tries = most_tries_of_last_round;
     double energy = (std::numeric_limits<double>::max)();
     Round_plan::Stage previous = plan_->stage();
@@ -199,7 +200,7 @@ private:
 
   void minimize(Odt_objective_3& objective)
   {
-    Limited_memory_bfgs minimizer(minimizer_parameters(mesh_.quadrature()));
+    Limited_memory_bfgs minimizer(minimizer_parameters(mesh_.quadrature()), mesh_.threads());
     Cell_order order(mesh_);
     bool goes_down = true;
     for(int n = 0; n < plan_->iterations() && goes_down && begin_iteration(); ++n)
@@ -215,7 +216,7 @@ private:
   {
     Surface_cvt_objective_3 objective(complex_.state().boundary.complex(), mesh_.sites, mesh_.number_of_interior_vertices,
                                       surface_motions(true), density_.on_surface());
-    Limited_memory_bfgs minimizer(minimizer_parameters(mesh_.quadrature()));
+    Limited_memory_bfgs minimizer(minimizer_parameters(mesh_.quadrature()), mesh_.threads());
     bool goes_down = control_.goes_on();
     for(int n = 0; n < Round_plan::iterations_on_surface && goes_down && begin_iteration(); ++n)
     {
@@ -277,7 +278,7 @@ private:
     Odt_objective_3 objective(mesh_);
     if(!objective.is_feasible())
       return false;
-    Limited_memory_bfgs minimizer(minimizer_parameters(mesh_.quadrature()));
+    Limited_memory_bfgs minimizer(minimizer_parameters(mesh_.quadrature()), mesh_.threads());
     Convergence_monitor monitor(parameters_.freeze_bound, parameters_.do_freeze);
     Cell_order order(mesh_);
     for(const double reported = control_.reported(); ; end_iteration(order))

@@ -8,6 +8,7 @@
 
 #include <CGAL/Global_odt_mesh_3/internal/density/Density_moments_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/geometry/Site.h>
+#include <CGAL/Global_odt_mesh_3/internal/parallel/Thread_policy.h>
 
 #include <functional>
 #include <vector>
@@ -30,9 +31,9 @@ public:
   virtual Density_moments_3 moments(int cell, const int* vertices, const Site* sites) = 0;
 
   // To be called when vertices have moved, up to that number; those beyond stay for ever.
-  virtual void update(const std::vector<Site>&, int /* number_of_movable_vertices */) {}
+  virtual void update(const std::vector<Site>&, int /* number_of_movable_vertices */, const Thread_policy&) {}
 
-  // Remembers what update() changes, or goes back to it.
+  // Remembers what update() will change, or goes back to it.
   virtual void keep() {}
   virtual void restore() {}
 
