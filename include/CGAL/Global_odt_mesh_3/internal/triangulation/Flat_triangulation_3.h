@@ -27,6 +27,8 @@ namespace internal {
 // and the vertex beyond the facet. Cells are positively oriented: det(v1-v0, v2-v0, v3-v0) > 0.
 class Flat_triangulation_3
 {
+  enum Array { CELL_VERTICES, NEIGHBORS, VERTEX_CELL, CONSTRAINED_SLOTS, FREE_CELLS, NUMBER_OF_ARRAYS };
+
 public:
   static constexpr int no_vertex = -1;
 
@@ -151,10 +153,11 @@ public:
   }
 
   // What changes on trial is undone as Undoable_arrays says.
+  typedef Undoable_arrays<NUMBER_OF_ARRAYS>::Trial_length Trial_length;
   void begin_trial() { arrays_.begin_trial(); }
   void end_trial() { arrays_.end_trial(); }
-  std::size_t trial_length() const { return arrays_.trial_length(); }
-  void undo_trial(std::size_t length = 0) { arrays_.undo_trial(length); }
+  Trial_length trial_length() const { return arrays_.trial_length(); }
+  void undo_trial(const Trial_length& length = Trial_length()) { arrays_.undo_trial(length); }
 
   // Gives vertex v the number place[v]. Ends a trial.
   void renumber_vertices(const std::vector<int>& place)
@@ -217,8 +220,6 @@ public:
   }
 
 private:
-  enum Array { CELL_VERTICES, NEIGHBORS, VERTEX_CELL, CONSTRAINED_SLOTS, FREE_CELLS, NUMBER_OF_ARRAYS };
-
   // For one cell, which is free.
   void add_room()
   {

@@ -87,6 +87,13 @@ public:
     topology.begin_trial();
   }
 
+  // Lays the cells out anew, at a state that is to be kept.
+  void compact()
+  {
+    topology.compact();
+    keep();
+  }
+
   // Calls place(v, site) for the movable vertices, on threads, which may change what is not the weight.
   template <class Place>
   void move(const Place& place)
