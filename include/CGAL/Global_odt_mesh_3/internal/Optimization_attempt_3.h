@@ -119,8 +119,8 @@ private:
   {
     const auto& vertices = complex_.state().numbering->input_vertices;
     density_.prepare(mesh_, fields_, parameters_.quadrature, [&vertices](int v) { return vertices[v]; });
-    surface_term_ = std::make_unique<Surface_cvt_term_3>(
-      mesh_.number_of_interior_vertices, number_of_surface_vertices(), parameters_.surface_weight, density_.on_surface());
+    surface_term_ = std::make_unique<Surface_cvt_term_3>(mesh_.number_of_interior_vertices, number_of_surface_vertices(),
+                                                         parameters_.surface_weight, density_.on_surface(), mesh_.threads());
   }
 
   // The rounds of the plan, the last stage as long as it pays, and what follows. False if they lead to no valid
@@ -215,7 +215,7 @@ private:
   double remesh_surfaces()
   {
     Surface_cvt_objective_3 objective(complex_.state().boundary.complex(), mesh_.sites, mesh_.number_of_interior_vertices,
-                                      surface_motions(true), density_.on_surface());
+                                      surface_motions(true), density_.on_surface(), mesh_.threads());
     Limited_memory_bfgs minimizer(minimizer_parameters(mesh_.quadrature()), mesh_.threads());
     bool goes_down = control_.goes_on();
     for(int n = 0; n < Round_plan::iterations_on_surface && goes_down && begin_iteration(); ++n)

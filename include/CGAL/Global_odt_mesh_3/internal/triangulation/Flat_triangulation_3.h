@@ -6,6 +6,8 @@
 #ifndef CGAL_GLOBAL_ODT_MESH_3_INTERNAL_TRIANGULATION_FLAT_TRIANGULATION_3_H
 #define CGAL_GLOBAL_ODT_MESH_3_INTERNAL_TRIANGULATION_FLAT_TRIANGULATION_3_H
 
+#include <CGAL/Global_odt_mesh_3/internal/parallel/Chunks.h>
+#include <CGAL/Global_odt_mesh_3/internal/parallel/Thread_policy.h>
 #include <CGAL/Global_odt_mesh_3/internal/triangulation/Slot.h>
 #include <CGAL/Global_odt_mesh_3/internal/triangulation/Undoable_arrays.h>
 
@@ -176,20 +178,22 @@ public:
 
   // Closes the gaps and lays the cells out in the order of their first vertices, which
   // are numbered along a space filling curve. Ends a trial.
-  void compact()
+  void compact(const Thread_policy& threads = Thread_policy())
   {
     end_trial();
     const std::vector<int> place = places_by_first_vertex();
     std::vector<int> vertices(4 * number_of_cells()), neighbors(vertices.size());
-    for(int s = 0; s < number_of_slots(); ++s)
+    const Chunks cells(number_of_cell_slots(), least_cells, most_chunks);
+    threads.for_each_chunk(cells.number(), [&](int n)
     {
-      const Slot from(s);
-      if(place[from.cell()] < 0)
-        continue;
-      const Slot to(place[from.cell()], from.index()), across = neighbor(from);
-      vertices[to.id()] = vertex(from);
-      neighbors[to.id()] = across.is_side() ? across.id() : Slot(place[across.cell()], across.index()).id();
-    }
+      for(int c = cells.begin(n); c < cells.end(n); ++c)
+        for(int i = 0; i < 4 && place[c] >= 0; ++i)
+        {
+          const Slot from(c, i), to(place[c], i), across = neighbor(from);
+          vertices[to.id()] = vertex(from);
+          neighbors[to.id()] = across.is_side() ? across.id() : Slot(place[across.cell()], across.index()).id();
+        }
+    });
     arrays_.unguarded(CELL_VERTICES).swap(vertices);
     arrays_.unguarded(NEIGHBORS).swap(neighbors);
     arrays_.unguarded(FREE_CELLS).clear();
@@ -220,6 +224,9 @@ public:
   }
 
 private:
+  // A chunk is to be worth the trouble of a thread.
+  static constexpr int least_cells = 10000, most_chunks = 16;
+
   // For one cell, which is free.
   void add_room()
   {

@@ -90,7 +90,7 @@ public:
   // Lays the cells out anew, at a state that is to be kept.
   void compact()
   {
-    topology.compact();
+    topology.compact(threads_);
     keep();
   }
 
