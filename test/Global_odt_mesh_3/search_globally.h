@@ -23,13 +23,13 @@ inline void search_globally(Moving_triangulation_3& mesh, Odt_objective_3& f, co
                             unsigned int seed, int rounds)
 {
   const Limited_memory_bfgs_parameters parameters;
-  Global_search search(schedule, seed, parameters);
+  Global_search search(schedule, seed, parameters, mesh.threads());
   Cell_order order(mesh);
   const int iterations = Global_search::iterations_in_round(schedule);
   for(int round = 0; round < rounds; ++round)
     search.make_round(f, iterations, [&](int n) { return (round + double(n) / iterations) / rounds; },
                       [] { return true; }, [&] { order.maintain(mesh); });
-  Limited_memory_bfgs minimizer(parameters);
+  Limited_memory_bfgs minimizer(parameters, mesh.threads());
   for(int n = Global_search::final_iterations(schedule); n > 0; --n)
   {
     if(minimizer.iterate(f) == Limited_memory_bfgs::NO_STEP_FOUND)

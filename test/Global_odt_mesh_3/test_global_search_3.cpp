@@ -88,6 +88,7 @@ static void perturbation()
   check::Largest longest, out_of_plane, of_frozen;
   for(int n = 0; n < draws; ++n)
   {
+    noise.draw();
     for(int v = 0; v < mesh.number_of_movable_vertices; ++v)
     {
       const Eigen::Vector3d moved = noise.displacement(f, v, amplitude, amplitude);

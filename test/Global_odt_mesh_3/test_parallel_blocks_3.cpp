@@ -246,7 +246,7 @@ static void quadratures(const Moving_triangulation_3& input)
   {
     const std::unique_ptr<Density_quadrature_3> p = q->part(blocks.vertices(2));
     check::that(p->energy_tolerance() == q->energy_tolerance(), "the tolerance is another one");
-    p->update(part.sites, part.number_of_movable_vertices);
+    p->update(part.sites, part.number_of_movable_vertices, Thread_policy());
     for(int c = 0; c < part.topology.number_of_cell_slots(); ++c)
     {
       const int* const v = part.topology.vertices(c);

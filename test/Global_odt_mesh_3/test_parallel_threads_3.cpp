@@ -3,15 +3,19 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Loops that run on threads give the same, bit for bit, as on one.
+// Loops that run on threads give the same, bit for bit, as without.
 
 #include "check.h"
+#include "gradient_of.h"
 #include "random_cube_triangulation.h"
 #include "search_globally.h"
 
 #include <CGAL/Annealing_schedules_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/density/Linear_density_quadrature_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/energy/Odt_energy_3.h>
+#include <CGAL/Global_odt_mesh_3/internal/optimization/Limited_memory_bfgs.h>
+#include <CGAL/Global_odt_mesh_3/internal/optimization/Odt_objective_3.h>
+#include <CGAL/Global_odt_mesh_3/internal/parallel/Chunked_sums.h>
 #include <CGAL/Global_odt_mesh_3/internal/parallel/Chunks.h>
 #include <CGAL/Global_odt_mesh_3/internal/parallel/Thread_policy.h>
 #include <CGAL/Global_odt_mesh_3/internal/triangulation/Fused_pass_3.h>
@@ -30,7 +34,7 @@ using namespace CGAL::Global_odt_mesh_3::internal;
 
 static Thread_policy on_threads() { return Thread_policy::for_tag<CGAL::Parallel_tag>(); }
 
-// Each number is in one chunk, and chunk() says which.
+// Each number is in one chunk.
 static void chunks()
 {
   for(int size : { 0, 1, 7, 99, 100, 101, 1000, 12345, 2000000000 })
@@ -39,8 +43,8 @@ static void chunks()
       const Chunks c(size, 100, most);
       check::that(c.number() == std::max(1, std::min(size / 100, most)), c.number(), " chunks for ", size);
       check::that(c.begin(0) == 0 && c.end(c.number() - 1) == size, "the chunks do not cover ", size);
-      for(int n = 0; n < c.number() && size > 0; ++n)
-        check::that(c.chunk(c.begin(n)) == n && c.chunk(c.end(n) - 1) == n, "chunk ", n, " of ", size, " is not found");
+      for(int n = 1; n < c.number(); ++n)
+        check::that(c.begin(n) == c.end(n - 1) && c.begin(n) < c.end(n), "chunk ", n, " of ", size, " is amiss");
     }
 }
 
@@ -86,9 +90,10 @@ static void sums()
       gradient[v[i]] += e.gradient[i];
   }
   check::that(std::abs(mesh.energy() - energy) <= 1e-12 * energy, "the energy is not that of the cells");
+  const std::vector<Site_gradient> found = gradient_of(mesh);
   for(std::size_t v = 0; v < gradient.size(); ++v)
   {
-    const Site_gradient &g = gradient[v], &h = mesh.gradient()[v];
+    const Site_gradient &g = gradient[v], &h = found[v];
     const double tolerance = 1e-12 * g.diagonal;
     check::that(std::abs(g.x - h.x) <= tolerance && std::abs(g.y - h.y) <= tolerance && std::abs(g.z - h.z) <= tolerance
                 && std::abs(g.diagonal - h.diagonal) <= tolerance, "the gradient at ", v, " is not that of the cells");
@@ -101,43 +106,108 @@ static std::vector<double> contents(const Moving_triangulation_3& mesh)
   std::vector<double> c = { mesh.energy() };
   for(const Site& s : mesh.sites)
     c.insert(c.end(), { s.x, s.y, s.z });
-  for(const Site_gradient& g : mesh.gradient())
+  for(const Site_gradient& g : gradient_of(mesh))
     c.insert(c.end(), { g.x, g.y, g.z, g.diagonal });
   for(int s = 0; s < mesh.topology.number_of_slots(); ++s)
     c.push_back(mesh.topology.cell_vertices()[s]);
   return c;
 }
 
-// A search, with the flips and the cells to untangle that its passes find, in uniform and in graded density.
-static std::vector<double> searched(const Moving_triangulation_3& cube, bool is_graded)
+// A density that no thread may ask while another one does.
+struct Jealous_density
+{
+  std::atomic<int>* askers;
+
+  double operator()(int, const Site& s) const
+  {
+    check::that(++*askers == 1, "the density is asked by several threads");
+    const double density = 1 + 10 * s.x * s.x;
+    --*askers;
+    return density;
+  }
+};
+
+enum class Grading { NONE, OF_THREADS, OF_ONE_THREAD };
+
+// Where a method leads from the same start.
+template <class Method>
+static std::vector<double> result(const Moving_triangulation_3& cube, Grading grading, const Thread_policy& threads,
+                                  const Method& method)
 {
   Moving_triangulation_3 mesh = cube;
-  mesh.set_threads(on_threads());
-  Linear_density_quadrature_3 quadrature([](int, const Site& s) { return 1 + 10 * s.x * s.x; }, mesh.sites);
-  if(is_graded)
-    mesh.set_quadrature(&quadrature);
-  Odt_objective_3 f(mesh);
-  CGAL::Momentum_annealing_schedule schedule;
-  search_globally(mesh, f, schedule, 3, 1);
-  check::that(mesh.statistics().flips > 1000 && mesh.statistics().untangled_cells > 0, "the search is too tame");
+  mesh.set_threads(threads);
+  std::atomic<int> askers(0);
+  Linear_density_quadrature_3 shared([](int, const Site& s) { return 1 + 10 * s.x * s.x; }, mesh.sites, true);
+  Linear_density_quadrature_3 jealous(Jealous_density{ &askers }, mesh.sites);
+  if(grading != Grading::NONE)
+    mesh.set_quadrature(grading == Grading::OF_THREADS ? &shared : &jealous);
+  method(mesh);
   mesh.set_quadrature(nullptr);
   return contents(mesh);
 }
 
-static void searches()
+// The same for all numbers of threads, and where there never are any.
+template <class Method>
+static void same_bits(const char* name, const Method& method)
 {
   const Moving_triangulation_3 cube = large_cube();
-  for(bool is_graded : { false, true })
+  for(Grading grading : { Grading::NONE, Grading::OF_THREADS, Grading::OF_ONE_THREAD })
   {
-    std::vector<double> expected;
+    const std::vector<double> expected = result(cube, grading, Thread_policy(), method);
     for(std::size_t threads : { 1, 2, 3, 8 })
     {
       tbb::global_control control(tbb::global_control::max_allowed_parallelism, threads);
-      const std::vector<double> found = searched(cube, is_graded);
-      if(expected.empty())
-        expected = found;
-      check::that(found == expected, threads, " threads lead elsewhere than one");
+      check::that(result(cube, grading, on_threads(), method) == expected, name, ": ", threads,
+                  " threads lead elsewhere than none");
     }
+  }
+}
+
+// With the flips and the cells to untangle that its passes find.
+static void search(Moving_triangulation_3& mesh)
+{
+  Odt_objective_3 f(mesh);
+  search_globally(mesh, f, CGAL::Momentum_annealing_schedule(), 3, 1);
+  check::that(mesh.statistics().flips > 1000 && mesh.statistics().untangled_cells > 0, "the search is too tame");
+}
+
+static void minimize(Moving_triangulation_3& mesh)
+{
+  Odt_objective_3 f(mesh);
+  Limited_memory_bfgs minimizer(Limited_memory_bfgs_parameters(), mesh.threads());
+  int steps = 0;
+  while(steps < 30 && minimizer.iterate(f) == Limited_memory_bfgs::STEP_TAKEN)
+    ++steps;
+  check::that(steps > 15, "the minimizer gives up after ", steps, " steps");
+}
+
+// Sums of parts that are used here and there are those of all that has been added since they were cleared.
+static void parts_of_sums()
+{
+  struct Number
+  {
+    double x;
+    Number& operator+=(const Number& o) { x += o.x; return *this; }
+  };
+  std::mt19937 random(4);
+  Chunked_sums<Number> sums;
+  for(std::size_t size : { 1, 63, 64, 1000, 1000, 200 })
+  {
+    const int parts = 5;
+    sums.resize(size, parts);
+    std::vector<double> expected(size, 0), found(size, -1);
+    for(int p = 0; p < parts; ++p)
+    {
+      sums.clear(p);
+      for(std::size_t n = 0; n < size / 4 + 1; ++n)
+      {
+        const int place = static_cast<int>(random() % size), value = static_cast<int>(random() % 100);
+        sums.part(p).add(place, { double(value) });
+        expected[place] += value;
+      }
+    }
+    sums.for_each_sum(0, sums.number_of_blocks(), [&](int n, const Number& sum) { found[n] = sum.x; });
+    check::that(found == expected, "wrong sums of ", size);
   }
 }
 
@@ -145,7 +215,9 @@ int main()
 {
   chunks();
   policy();
+  parts_of_sums();
   sums();
-  searches();
+  same_bits("search", search);
+  same_bits("minimizer", minimize);
   return check::result();
 }

@@ -27,10 +27,7 @@ using namespace CGAL::Global_odt_mesh_3::internal;
 static void compact_now_and_then(Moving_triangulation_3& mesh, int iteration)
 {
   if(iteration % 50 == 0)
-  {
-    mesh.topology.compact();
-    mesh.keep();
-  }
+    mesh.compact();
 }
 
 int main(int argc, char* argv[])

@@ -59,8 +59,9 @@ public:
     density_.prepare(mesh_, fields, parameters_.quadrature, vertex);
     minimizer_parameters_ = minimizer_parameters(mesh_.quadrature());
     surface_term_ = std::make_unique<Surface_cvt_term_3>(mesh_.number_of_interior_vertices, number_of_surface_vertices(),
-                                                         parameters_.surface_weight, density_.on_surface());
-    search_ = std::make_unique<Global_search>(parameters_.annealing_schedule, parameters_.random_seed, minimizer_parameters_);
+                                                         parameters_.surface_weight, density_.on_surface(), threads_);
+    search_ = std::make_unique<Global_search>(parameters_.annealing_schedule, parameters_.random_seed, minimizer_parameters_,
+                                              threads_);
     const int blocks = Block_annealing_3::usual_number_of_blocks(mesh_.sites.size());
     const auto* momentum = std::get_if<Momentum_annealing_schedule>(&parameters_.annealing_schedule);
     // Blocks would ask the fields of the user as of other vertices.
@@ -99,7 +100,7 @@ public:
     Odt_objective_3 objective(mesh_);
     if(!objective.is_feasible())
       return false;
-    Limited_memory_bfgs minimizer(minimizer_parameters_);
+    Limited_memory_bfgs minimizer(minimizer_parameters_, threads_);
     Convergence_monitor monitor(parameters_.freeze_bound, parameters_.do_freeze);
     Cell_order order(mesh_);
     for(const double reported = control_.reported(); ; end_iteration(order))
@@ -185,7 +186,7 @@ private:
 
   void minimize(Odt_objective_3& objective)
   {
-    Limited_memory_bfgs minimizer(minimizer_parameters_);
+    Limited_memory_bfgs minimizer(minimizer_parameters_, threads_);
     Cell_order order(mesh_);
     bool goes_down = true;
     for(int n = 0; n < plan_.iterations() && goes_down && begin_iteration(); ++n)
@@ -200,8 +201,8 @@ private:
   double remesh_surfaces()
   {
     Surface_cvt_objective_3 objective(boundary_->complex(), mesh_.sites, mesh_.number_of_interior_vertices,
-                                      surface_motions(true), density_.on_surface());
-    Limited_memory_bfgs minimizer(minimizer_parameters_);
+                                      surface_motions(true), density_.on_surface(), threads_);
+    Limited_memory_bfgs minimizer(minimizer_parameters_, threads_);
     bool goes_down = control_.goes_on();
     for(int n = 0; n < Round_plan::iterations_on_surface && goes_down && begin_iteration(); ++n)
     {

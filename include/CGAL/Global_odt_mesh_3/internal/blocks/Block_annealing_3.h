@@ -75,7 +75,7 @@ public:
     const Mesh_partition_3 partition(mesh_, number_of_blocks_, Random_source(random_.seed()), threads_);
     Mesh_blocks_3 blocks(mesh_, partition, threads_);
     if(mesh_.quadrature() != nullptr)
-      mesh_.quadrature()->update(mesh_.sites, mesh_.number_of_movable_vertices);
+      mesh_.quadrature()->update(mesh_.sites, mesh_.number_of_movable_vertices, threads_);
     if(term_ != nullptr)
       term_->prepare_parts(mesh_.sites);
     std::vector<unsigned int> seeds(number_of_blocks_);

@@ -28,6 +28,9 @@ public:
   // Whether it is one everywhere.
   virtual bool is_uniform() const = 0;
 
+  // Whether several threads may ask at the same time, for different vertices.
+  virtual bool is_safe_for_threads() const { return false; }
+
   // At the position of a vertex, given its number. The scale is such that the median of the
   // vertices has a density of about one.
   virtual double in_volume(int v, const Site& s) = 0;

@@ -8,6 +8,7 @@
 
 #include <CGAL/Global_odt_mesh_3/internal/density/Density_moments_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/geometry/Site.h>
+#include <CGAL/Global_odt_mesh_3/internal/parallel/Thread_policy.h>
 
 #include <functional>
 #include <memory>
@@ -31,13 +32,13 @@ public:
   virtual Density_moments_3 moments(int cell, const int* vertices, const Site* sites) = 0;
 
   // To be called when vertices have moved, up to that number; those beyond stay for ever.
-  virtual void update(const std::vector<Site>&, int /* number_of_movable_vertices */) {}
+  virtual void update(const std::vector<Site>&, int /* number_of_movable_vertices */, const Thread_policy&) {}
 
   // The same for a part of the mesh with some of its vertices, given by their numbers, which stay where they are. While the
   // values are those of the last update, parts may be made, and used, by several threads if the density permits.
   virtual std::unique_ptr<Density_quadrature_3> part(const std::vector<int>& vertices) const = 0;
 
-  // Remembers what update() changes, or goes back to it.
+  // Remembers what update() will change, or goes back to it.
   virtual void keep() {}
   virtual void restore() {}
 

@@ -9,6 +9,8 @@
 #include <CGAL/Global_odt_mesh_3/internal/density/Density_moments_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/density/Density_quadrature_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/geometry/Site.h>
+#include <CGAL/Global_odt_mesh_3/internal/parallel/Chunks.h>
+#include <CGAL/Global_odt_mesh_3/internal/parallel/Thread_policy.h>
 
 #include <CGAL/assertions.h>
 
@@ -27,8 +29,10 @@ class Linear_density_quadrature_3 final
   : public Density_quadrature_3
 {
 public:
-  Linear_density_quadrature_3(Density density, const std::vector<Site>& sites)
+  // The density may be asked for several vertices at once if it is safe for threads.
+  Linear_density_quadrature_3(Density density, const std::vector<Site>& sites, bool is_safe_for_threads = false)
     : density_(std::move(density))
+    , is_safe_for_threads_(is_safe_for_threads)
   {
     values_.reserve(sites.size());
     for(std::size_t v = 0; v < sites.size(); ++v)
@@ -65,11 +69,23 @@ public:
 
   Density_moments_3 moments(int cell, const int* v, const Site* s) override { return view().moments(cell, v, s); }
 
-  void update(const std::vector<Site>& sites, int number_of_movable_vertices) override
+  void update(const std::vector<Site>& sites, int number_of_movable_vertices, const Thread_policy& threads) override
   {
     CGAL_assertion(sites.size() == values_.size());
-    for(int v = 0; v < number_of_movable_vertices; ++v)
-      values_[v] = density_(v, sites[v]);
+    if(has_kept_values_)
+    {
+      // Of both, only values of movable vertices differ.
+      if(kept_values_.size() != values_.size())
+        kept_values_ = values_;
+      kept_values_.swap(values_);
+    }
+    has_kept_values_ = false;
+    const Chunks vertices(number_of_movable_vertices, least_vertices, most_chunks);
+    (is_safe_for_threads_ ? threads : Thread_policy()).for_each_chunk(vertices.number(), [&](int n)
+    {
+      for(int v = vertices.begin(n); v < vertices.end(n); ++v)
+        values_[v] = density_(v, sites[v]);
+    });
   }
 
   std::unique_ptr<Density_quadrature_3> part(const std::vector<int>& vertices) const override
@@ -80,14 +96,25 @@ public:
     return std::make_unique<Linear_density_quadrature_3>(renumbered(density_, vertices), std::move(values));
   }
 
-  void keep() override { kept_values_ = values_; }
-  void restore() override { values_ = kept_values_; }
+  void keep() override { has_kept_values_ = true; }
+
+  void restore() override
+  {
+    if(!has_kept_values_)
+      values_.swap(kept_values_);
+    has_kept_values_ = true;
+  }
 
   double energy_tolerance() const override { return tolerance_of_rough_moments; }
 
 private:
+  // A chunk is to be worth the trouble of a thread.
+  static constexpr int least_vertices = 1000, most_chunks = 16;
+
   Density density_;
+  bool is_safe_for_threads_;
   std::vector<double> values_, kept_values_;
+  bool has_kept_values_ = false;      // that is, the current ones are to be kept
 };
 
 } // namespace internal

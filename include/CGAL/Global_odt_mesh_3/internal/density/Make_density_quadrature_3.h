@@ -45,7 +45,8 @@ inline std::unique_ptr<Density_quadrature_3> make_density_quadrature_3(const Qua
     return std::make_unique<Density_moment_cache_3>(std::move(quadrature));
   if(rho.is_uniform())
     return nullptr;
-  return std::make_unique<Linear_density_quadrature_3>([&rho](int v, const Site& s) { return rho.in_volume(v, s); }, sites);
+  return std::make_unique<Linear_density_quadrature_3>([&rho](int v, const Site& s) { return rho.in_volume(v, s); }, sites,
+                                                       rho.is_safe_for_threads());
 }
 
 } // namespace internal

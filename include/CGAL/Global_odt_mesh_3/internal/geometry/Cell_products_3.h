@@ -12,6 +12,23 @@ namespace CGAL {
 namespace Global_odt_mesh_3 {
 namespace internal {
 
+// The sphere orthogonal to the sites of a cell, relative to the first one.
+struct Cell_sphere
+{
+  double determinant;           // six times the volume
+  double nx, ny, nz;
+
+  // Six times the volume times the power of `q` with respect to the sphere
+  // orthogonal to the four sites: negative iff `q` destroys the cell.
+  // `s0` is the cell's first vertex.
+  double power(const Site& s0, const Site& q) const
+  {
+    const double x = q.x - s0.x, y = q.y - s0.y, z = q.z - s0.z;
+    return determinant * (x * x + y * y + z * z - q.weight + s0.weight)
+           - (x * nx + y * ny + z * nz);
+  }
+};
+
 // The products of the edges of one cell from its first vertex, from which
 // energy, gradient, orientation and regularity all follow.
 //
@@ -21,11 +38,10 @@ namespace internal {
 // N and det are polynomials, so that flat cells need no care, and differences
 // only are squared, so that the distance to the origin does not matter.
 struct Cell_products
+  : public Cell_sphere
 {
   double ax, ay, az, bx, by, bz, cx, cy, cz;
   double aa, bb, cc;            // squared lengths
-  double determinant;           // six times the volume
-  double nx, ny, nz;
 
   Cell_products(const Site& s0, const Site& s1, const Site& s2, const Site& s3)
     : ax(s1.x - s0.x), ay(s1.y - s0.y), az(s1.z - s0.z)
@@ -45,16 +61,6 @@ struct Cell_products
     nx = ha * bcx + hb * cax + hc * abx;
     ny = ha * bcy + hb * cay + hc * aby;
     nz = ha * bcz + hb * caz + hc * abz;
-  }
-
-  // Six times the volume times the power of `q` with respect to the sphere
-  // orthogonal to the four sites: negative iff `q` destroys the cell.
-  // `s0` is the cell's first vertex.
-  double power(const Site& s0, const Site& q) const
-  {
-    const double x = q.x - s0.x, y = q.y - s0.y, z = q.z - s0.z;
-    return determinant * (x * x + y * y + z * z - q.weight + s0.weight)
-           - (x * nx + y * ny + z * nz);
   }
 };
 

@@ -18,10 +18,11 @@ namespace internal {
 
 // Random numbers and directions that a seed determines bit by bit: the standard prescribes
 // the output of its engines, but not that of its distributions.
-class Random_source
+template <class Engine>
+class Random_numbers
 {
 public:
-  explicit Random_source(unsigned int seed) : engine_(seed) {}
+  explicit Random_numbers(const Engine& engine) : engine_(engine) {}
 
   // In [0, 1).
   double uniform() { return static_cast<double>(engine_() >> 11) * 0x1p-53; }
@@ -49,7 +50,15 @@ private:
   // In (-1, 1), from 32 bits.
   static double half(std::uint64_t bits) { return (static_cast<double>(bits) + 0.5) * 0x1p-31 - 1; }
 
-  std::mt19937_64 engine_;
+  Engine engine_;
+};
+
+// One after the other.
+class Random_source
+  : public Random_numbers<std::mt19937_64>
+{
+public:
+  explicit Random_source(unsigned int seed) : Random_numbers(std::mt19937_64(seed)) {}
 };
 
 } // namespace internal

@@ -11,6 +11,7 @@
 #include <CGAL/Global_odt_mesh_3/internal/optimization/Metropolis_annealing.h>
 #include <CGAL/Global_odt_mesh_3/internal/optimization/Momentum_annealing.h>
 #include <CGAL/Global_odt_mesh_3/internal/optimization/Odt_objective_3.h>
+#include <CGAL/Global_odt_mesh_3/internal/parallel/Thread_policy.h>
 
 #include <optional>
 #include <utility>
@@ -25,13 +26,13 @@ class Global_search
 {
 public:
   Global_search(const Annealing_schedule& schedule, unsigned int seed,
-                const Limited_memory_bfgs_parameters& minimizer_parameters)
+                const Limited_memory_bfgs_parameters& minimizer_parameters, const Thread_policy& threads = Thread_policy())
     : schedule_(schedule)
     , momentum_(seed, is_metropolis() ? Momentum_annealing_schedule()
                                       : std::get<Momentum_annealing_schedule>(schedule))
     , metropolis_(seed, is_metropolis() ? std::get<Metropolis_annealing_schedule>(schedule)
                                         : Metropolis_annealing_schedule())
-    , minimizer_(minimizer_parameters)
+    , minimizer_(minimizer_parameters, threads)
   {}
 
   static int usual_rounds(const Annealing_schedule& schedule)

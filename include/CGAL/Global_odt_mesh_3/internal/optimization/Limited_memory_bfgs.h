@@ -6,12 +6,13 @@
 #ifndef CGAL_GLOBAL_ODT_MESH_3_INTERNAL_OPTIMIZATION_LIMITED_MEMORY_BFGS_H
 #define CGAL_GLOBAL_ODT_MESH_3_INTERNAL_OPTIMIZATION_LIMITED_MEMORY_BFGS_H
 
-#include <boost/circular_buffer.hpp>
+#include <CGAL/Global_odt_mesh_3/internal/optimization/Curvature_pairs.h>
+#include <CGAL/Global_odt_mesh_3/internal/optimization/Vector_loop.h>
+#include <CGAL/Global_odt_mesh_3/internal/parallel/Thread_policy.h>
 
 #include <Eigen/Core>
 
 #include <cmath>
-#include <utility>
 
 namespace CGAL {
 namespace Global_odt_mesh_3 {
@@ -25,8 +26,7 @@ struct Limited_memory_bfgs_parameters
   int max_halvings = 20;            // of the step length, before giving up
 };
 
-// The two-loop recursion of L-BFGS (Nocedal and Wright, Numerical Optimization,
-// Algorithm 7.4) whose initial matrix is gamma * D^{-1}, D being a diagonal that
+// L-BFGS, whose initial matrix is gamma * D^{-1}, D being a diagonal that
 // the function gives along with its gradient, and a backtracking line search
 // that ends on the approximate Wolfe condition (Hager and Zhang, 2005).
 //
@@ -43,10 +43,12 @@ class Limited_memory_bfgs
 public:
   enum Status { STEP_TAKEN, NO_STEP_FOUND };
 
-  explicit Limited_memory_bfgs(const Limited_memory_bfgs_parameters& parameters
-                                 = Limited_memory_bfgs_parameters())
+  // Where it goes does not depend on the threads.
+  explicit Limited_memory_bfgs(const Limited_memory_bfgs_parameters& parameters = Limited_memory_bfgs_parameters(),
+                               const Thread_policy& threads = Thread_policy())
     : parameters_(parameters)
-    , pairs_(parameters.memory)
+    , threads_(threads)
+    , pairs_(parameters.memory, threads)
   {}
 
   // Forgets the curvature seen so far, as needed when the function changes.
@@ -56,13 +58,17 @@ public:
   template <class Function>
   Status iterate(Function& f)
   {
-    x_ = f.point();
-    g_ = f.gradient();
+    x_.resize(f.point().size());
+    g_.resize(f.point().size());
+    loop().run([&](Eigen::Index n, Eigen::Index l)
+    {
+      x_.segment(n, l) = f.point().segment(n, l);
+      g_.segment(n, l) = f.gradient().segment(n, l);
+    });
     const double energy = f.value();
     for(;;)
     {
-      compute_direction(f.diagonal());
-      const double slope = direction_.dot(g_);
+      const double slope = pairs_.compute_direction(g_, f.diagonal(), direction_);
       // What the step may gain has to be more than rounding.
       if(slope < -1e-15 * std::abs(energy) && line_search(f, energy, slope))
         return STEP_TAKEN;
@@ -74,35 +80,23 @@ public:
   }
 
 private:
-  void compute_direction(const Eigen::VectorXd& diagonal)
-  {
-    direction_ = g_;
-    for(auto p = pairs_.rbegin(); p != pairs_.rend(); ++p)
-    {
-      p->alpha = p->s.dot(direction_) / p->sy;
-      direction_ -= p->alpha * p->y;
-    }
-    direction_.array() /= diagonal.array();
-    if(!pairs_.empty())
-      direction_ *= pairs_.back().gamma;
-    for(const Pair& p : pairs_)
-      direction_ += (p.alpha - p.y.dot(direction_) / p.sy) * p.s;
-    direction_ = -direction_;
-  }
-
   template <class Function>
   bool line_search(Function& f, double energy, double slope)
   {
     const double highest = energy + parameters_.energy_tolerance * std::abs(energy);
     double step = 1;
+    trial_.resize(x_.size());
     for(int n = 0; n < parameters_.max_halvings; ++n)
     {
-      trial_ = x_ + step * direction_;
-      const bool feasible = f.evaluate(trial_);
-      if(feasible && f.value() <= highest
-         && direction_.dot(f.gradient()) <= (1 - 2 * parameters_.delta) * -slope)
+      loop().run([&](Eigen::Index b, Eigen::Index l)
       {
-        update(f);
+        trial_.segment(b, l) = x_.segment(b, l) + step * direction_.segment(b, l);
+      });
+      const bool feasible = f.evaluate(trial_);
+      if(feasible && f.value() <= highest && slope_at(f.gradient()) <= (1 - 2 * parameters_.delta) * -slope)
+      {
+        // The step really taken, which the function may have shortened at some vertices.
+        pairs_.add(x_, g_, f.point(), f.gradient(), f.diagonal());
         f.accept();
         return true;
       }
@@ -112,38 +106,19 @@ private:
     return false;
   }
 
-  // The pair is made of the step really taken, which the function may have
-  // shortened at some vertices.
-  template <class Function>
-  void update(const Function& f)
+  double slope_at(const Eigen::VectorXd& gradient) const
   {
-    Pair& p = next_;
-    p.s = f.point() - x_;
-    p.y = f.gradient() - g_;
-    p.sy = p.s.dot(p.y);
-    // Negative curvature says nothing of use.
-    if(!(p.sy > 1e-10 * std::sqrt(p.s.squaredNorm() * p.y.squaredNorm())))
-      return;
-    p.gamma = p.sy / (p.y.array().square() / f.diagonal().array()).sum();
-    if(!pairs_.full())
+    return loop().sums(1, [&](Eigen::Index n, Eigen::Index l, auto& sum)
     {
-      pairs_.push_back(std::move(p));
-      return;
-    }
-    // The new pair takes the place of the oldest, whose memory serves the next.
-    std::swap(p, pairs_.front());
-    pairs_.rotate(pairs_.begin() + 1);
+      sum[0] += direction_.segment(n, l).dot(gradient.segment(n, l));
+    })[0];
   }
 
-  struct Pair
-  {
-    Eigen::VectorXd s, y;
-    double sy, gamma, alpha;
-  };
+  Vector_loop loop() const { return Vector_loop(threads_, x_.size()); }
 
   Limited_memory_bfgs_parameters parameters_;
-  boost::circular_buffer<Pair> pairs_;    // from the oldest to the newest
-  Pair next_;
+  Thread_policy threads_;
+  Curvature_pairs pairs_;
   Eigen::VectorXd x_, g_, direction_, trial_;
 };
 

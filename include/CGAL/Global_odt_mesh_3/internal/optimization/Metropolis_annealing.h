@@ -7,6 +7,7 @@
 #define CGAL_GLOBAL_ODT_MESH_3_INTERNAL_OPTIMIZATION_METROPOLIS_ANNEALING_H
 
 #include <CGAL/Annealing_schedules_3.h>
+#include <CGAL/Global_odt_mesh_3/internal/geometry/Random_source.h>
 #include <CGAL/Global_odt_mesh_3/internal/optimization/Odt_objective_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/optimization/Vertex_noise.h>
 
@@ -31,6 +32,7 @@ public:
                                 const Metropolis_annealing_schedule& schedule = Metropolis_annealing_schedule())
     : schedule_(schedule)
     , temperature_(schedule.temperature)
+    , random_(seed)
     , noise_(seed)
   {}
 
@@ -50,6 +52,7 @@ public:
   void perturb(Odt_objective_3& f)
   {
     noise_.measure_edges(f);
+    noise_.draw();
     start_ = f.point();
     perturbation_.resize(start_.size());
     for(int v = 0; v < f.number_of_vertices(); ++v)
@@ -72,7 +75,7 @@ public:
     if(energy_after <= energy_before)
       return true;
     const double rise = (energy_after - energy_before) / energy_before;
-    if(std::exp(-rise / temperature_) > noise_.random().uniform())
+    if(std::exp(-rise / temperature_) > random_.uniform())
       return true;
     temperature_ *= schedule_.cooling;
     return false;
@@ -84,6 +87,7 @@ private:
 
   Metropolis_annealing_schedule schedule_;
   double temperature_;
+  Random_source random_;
   Vertex_noise noise_;
   Eigen::VectorXd start_, perturbation_;
 };

@@ -8,7 +8,9 @@
 
 #include <CGAL/Annealing_schedules_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/optimization/Odt_objective_3.h>
+#include <CGAL/Global_odt_mesh_3/internal/optimization/Vector_loop.h>
 #include <CGAL/Global_odt_mesh_3/internal/optimization/Vertex_noise.h>
+#include <CGAL/Global_odt_mesh_3/internal/parallel/Chunks.h>
 
 #include <Eigen/Core>
 
@@ -55,37 +57,52 @@ public:
   {
     const double left = std::pow((std::max)(0., 1 - done), schedule_.decay);
     prepare_step(f, left * schedule_.interior_amplitude, left * schedule_.surface_amplitude);
+    const Vector_loop loop(f.threads(), start_.size());
     if(f.evaluate(trial_))
     {
       f.keep();
-      velocity_ = f.point() - start_;
+      loop.run([&](Eigen::Index n, Eigen::Index l)
+      {
+        velocity_.segment(n, l) = f.point().segment(n, l) - start_.segment(n, l);
+      });
     }
     else
     {
       f.reject();
-      velocity_ *= 0.5;
+      loop.run([&](Eigen::Index n, Eigen::Index l) { velocity_.segment(n, l) *= 0.5; });
     }
   }
 
 private:
-  // The noise goes into the point from which the step starts, so that it gives no momentum.
+  // Few vertices are not worth the trouble of a thread.
+  static constexpr int least_vertices = 2000, most_chunks = 16;
+
   void prepare_step(const Odt_objective_3& f, double interior_amplitude, double surface_amplitude)
   {
     start_.resize(f.point().size());
     trial_.resize(f.point().size());
-    for(int v = 0; v < f.number_of_vertices(); ++v)
+    noise_.draw();
+    const Chunks vertices(f.number_of_vertices(), least_vertices, most_chunks);
+    f.threads().for_each_chunk(vertices.number(), [&](int n)
     {
-      const int n = 3 * v;
-      Eigen::Vector3d step = schedule_.momentum * velocity_.segment<3>(n)
-                             - schedule_.step_length / f.diagonal()[n] * f.gradient().segment<3>(n);
-      const double longest = f.is_frozen(v) ? 0 : schedule_.longest_step * noise_.mean_edge_length(v);
-      const double squared_length = step.squaredNorm();
-      if(squared_length > longest * longest)
-        step *= longest / std::sqrt(squared_length);
-      start_.segment<3>(n) = f.point().segment<3>(n)
-                             + noise_.displacement(f, v, interior_amplitude, surface_amplitude);
-      trial_.segment<3>(n) = start_.segment<3>(n) + step;
-    }
+      for(int v = vertices.begin(n); v < vertices.end(n); ++v)
+        prepare_step(f, v, interior_amplitude, surface_amplitude);
+    });
+  }
+
+  // The noise goes into the point from which the step starts, so that it gives no momentum.
+  void prepare_step(const Odt_objective_3& f, int v, double interior_amplitude, double surface_amplitude)
+  {
+    const int n = 3 * v;
+    Eigen::Vector3d step = schedule_.momentum * velocity_.segment<3>(n)
+                           - schedule_.step_length / f.diagonal()[n] * f.gradient().segment<3>(n);
+    const double longest = f.is_frozen(v) ? 0 : schedule_.longest_step * noise_.mean_edge_length(v);
+    const double squared_length = step.squaredNorm();
+    if(squared_length > longest * longest)
+      step *= longest / std::sqrt(squared_length);
+    start_.segment<3>(n) = f.point().segment<3>(n)
+                           + noise_.displacement(f, v, interior_amplitude, surface_amplitude);
+    trial_.segment<3>(n) = start_.segment<3>(n) + step;
   }
 
   Momentum_annealing_schedule schedule_;

@@ -34,6 +34,7 @@ class Odt_objective_3
 {
 public:
   // What another energy adds for these sites; gradient and diagonal grow by its own.
+  // Those are of the vertices beyond the interior ones.
   typedef std::function<double(const std::vector<Site>&, Eigen::VectorXd& gradient, Eigen::VectorXd& diagonal)> Term;
 
   // `motions` are those of the vertices beyond the interior ones. Vertices whose
@@ -68,17 +69,14 @@ public:
   bool evaluate(const Eigen::VectorXd& x)
   {
     CGAL_assertion(x.size() == point().size() && !is_on_trial_);
-    for(int v = 0; v < mesh_.number_of_movable_vertices; ++v)
+    mesh_.move([&](int v, Site& s)
     {
       if(frozen_[v])
-        continue;
-      Site& s = mesh_.sites[v];
-      s.x = x[3 * v];
-      s.y = x[3 * v + 1];
-      s.z = x[3 * v + 2];
+        return;
+      s = { x[3 * v], x[3 * v + 1], x[3 * v + 2], s.weight };
       if(v >= mesh_.number_of_interior_vertices)
         motion(v)->hold_in_disk(s);
-    }
+    });
     if(!mesh_.evaluate())
       return false;
     std::swap(current_, other_);
@@ -117,6 +115,7 @@ public:
   // Makes it the current point again, whatever has become of it.
   void go_back(const State& s);
 
+  const Thread_policy& threads() const { return mesh_.threads(); }
   int number_of_vertices() const { return mesh_.number_of_movable_vertices; }
   void mean_edge_lengths(std::vector<double>& length) const { mesh_.mean_edge_lengths(length); }
 
@@ -155,22 +154,26 @@ private:
 
   void gather()
   {
-    const std::vector<Site_gradient>& g = mesh_.gradient();
     Eigen::VectorXd &point = current_.point, &gradient = current_.gradient, &diagonal = current_.diagonal;
     current_.value = mesh_.energy();
-    for(int v = 0; v < mesh_.number_of_movable_vertices; ++v)
+    mesh_.for_each_gradient([&](int v, const Site_gradient& g)
     {
+      if(v >= mesh_.number_of_movable_vertices)
+        return;
       const Site& s = mesh_.sites[v];
       point.segment<3>(3 * v) << s.x, s.y, s.z;
-      diagonal.segment<3>(3 * v).setConstant(g[v].diagonal);
-      gradient.segment<3>(3 * v) << g[v].x, g[v].y, g[v].z;
-    }
-    if(term_)
-      current_.value += term_(mesh_.sites, gradient, diagonal);
-    for(int v = 0; v < mesh_.number_of_movable_vertices; ++v)
+      diagonal.segment<3>(3 * v).setConstant(g.diagonal);
       if(frozen_[v])
         gradient.segment<3>(3 * v).setZero();
-      else if(v >= mesh_.number_of_interior_vertices)
+      else
+        gradient.segment<3>(3 * v) << g.x, g.y, g.z;
+    });
+    if(term_)
+      current_.value += term_(mesh_.sites, gradient, diagonal);
+    for(int v = mesh_.number_of_interior_vertices; v < mesh_.number_of_movable_vertices; ++v)
+      if(frozen_[v])
+        gradient.segment<3>(3 * v).setZero();
+      else
         gradient.segment<3>(3 * v) = motion(v)->tangential_part(gradient.segment<3>(3 * v));
   }
 

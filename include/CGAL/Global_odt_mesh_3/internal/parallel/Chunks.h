@@ -26,8 +26,6 @@ public:
   int number() const { return number_; }
   int begin(int chunk) const { return static_cast<int>(std::int64_t(size_) * chunk / number_); }
   int end(int chunk) const { return begin(chunk + 1); }
-  // Where n is.
-  int chunk(int n) const { return static_cast<int>(((std::int64_t(n) + 1) * number_ - 1) / (std::max)(1, size_)); }
 
 private:
   int size_, number_;

@@ -47,6 +47,7 @@ public:
   }
 
   bool is_uniform() const override { return is_uniform_; }
+  bool is_safe_for_threads() const override { return true; }
 
   // The wanted size where vertex v is now; vertices that stay have the one of the input.
   double size(int v, const Site& s)

@@ -219,7 +219,7 @@ private:
   double before_ = 0, after_ = 0;
   std::vector<int> touched_;
   std::vector<Slot> star_, irregular_;
-  std::size_t begin_ = 0;                   // of the trial, in the history since the mark
+  Flat_triangulation_3::Trial_length begin_ = {};   // of the trial, in the history since the mark
   bool has_mark_ = false;
   std::vector<std::pair<int, Site> > sites_since_mark_;         // and where they were
   std::vector<std::pair<int, double> > deficits_since_mark_;    // and what they were

@@ -6,7 +6,11 @@
 #ifndef CGAL_GLOBAL_ODT_MESH_3_INTERNAL_SURFACE_SURFACE_CVT_ENERGY_3_H
 #define CGAL_GLOBAL_ODT_MESH_3_INTERNAL_SURFACE_SURFACE_CVT_ENERGY_3_H
 
+#include <CGAL/Global_odt_mesh_3/internal/energy/Odt_energy_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/geometry/Site.h>
+#include <CGAL/Global_odt_mesh_3/internal/parallel/Chunked_sums.h>
+#include <CGAL/Global_odt_mesh_3/internal/parallel/Chunks.h>
+#include <CGAL/Global_odt_mesh_3/internal/parallel/Thread_policy.h>
 #include <CGAL/Global_odt_mesh_3/internal/surface/Surface_triangulation_3.h>
 
 #include <Eigen/Core>
@@ -14,6 +18,7 @@
 #include <algorithm>
 #include <array>
 #include <functional>
+#include <numeric>
 #include <vector>
 
 namespace CGAL {
@@ -130,36 +135,64 @@ inline std::vector<double> surface_densities(const Surface_triangulation_3& surf
   return densities;
 }
 
-// That of the facets, with gradient and diagonal, twice the masses, for the vertices from number `first` on, of which
-// there are as many as the vectors have room for. If there are no densities, they are one.
-inline double surface_cvt_energy(const Surface_triangulation_3& surface, const std::vector<Site>& sites,
-                                 const std::vector<double>& densities, int first,
-                                 Eigen::VectorXd& gradient, Eigen::VectorXd& diagonal)
+// The energy of all facets, as sums of chunks that do not depend on the number of threads.
+class Surface_cvt_energy_3
 {
-  double energy = 0;
-  gradient.setZero();
-  diagonal.setZero();
-  const int last = first + static_cast<int>(gradient.size() / 3);
-  for(int f = 0; f < surface.number_of_facets(); ++f)
+public:
+  explicit Surface_cvt_energy_3(const Thread_policy& threads = Thread_policy()) : threads_(threads) {}
+
+  // Gradient and diagonal, twice the masses, are those of the vertices from number `first` on, of which
+  // there are as many as the vectors have room for. If there are no densities, they are one.
+  double compute(const Surface_triangulation_3& surface, const std::vector<Site>& sites,
+                 const std::vector<double>& densities, int first, Eigen::VectorXd& gradient, Eigen::VectorXd& diagonal)
   {
-    const std::array<int, 3>& t = surface.vertices(f);
-    const bool has_weight = std::any_of(t.begin(), t.end(), [&](int v) { return sites[v].weight != 0; });
-    std::array<double, 3> density = {{ 1, 1, 1 }};
-    if(!densities.empty())
-      density = {{ densities[t[0]], densities[t[1]], densities[t[2]] }};
-    const bool is_plain = densities.empty() && !has_weight;
-    const Surface_cvt_contribution_3 c = is_plain ? Surface_cvt_contribution_3(t, sites)
-                                                  : Surface_cvt_contribution_3(t, sites, density);
-    energy += c.energy;
-    for(int k = 0; k < 3; ++k)
-      if(t[k] >= first && t[k] < last)
+    const int number = static_cast<int>(gradient.size() / 3);
+    const Chunks facets(surface.number_of_facets(), least_facets, most_chunks);
+    std::vector<double> energies(facets.number());
+    sums_.resize(number, facets.number());
+    threads_.for_each_chunk(facets.number(), [&](int n)
+    {
+      sums_.clear(n);
+      const Sums::Part part = sums_.part(n);
+      double energy = 0;
+      for(int f = facets.begin(n); f < facets.end(n); ++f)
       {
-        gradient.segment<3>(3 * (t[k] - first)) += c.gradient[k];
-        diagonal.segment<3>(3 * (t[k] - first)).array() += 2 * c.mass[k];
+        const std::array<int, 3>& t = surface.vertices(f);
+        const Surface_cvt_contribution_3 c = contribution(t, sites, densities);
+        energy += c.energy;
+        for(int k = 0; k < 3; ++k)
+          if(t[k] >= first && t[k] < first + number)
+            part.add(t[k] - first, { c.gradient[k].x(), c.gradient[k].y(), c.gradient[k].z(), 2 * c.mass[k] });
       }
+      energies[n] = energy;
+    });
+    sums_.for_each_sum(0, sums_.number_of_blocks(), [&](int n, const Site_gradient& g)
+    {
+      gradient.segment<3>(3 * n) << g.x, g.y, g.z;
+      diagonal.segment<3>(3 * n).setConstant(g.diagonal);
+    });
+    return std::accumulate(energies.begin(), energies.end(), 0.);
   }
-  return energy;
-}
+
+private:
+  typedef Chunked_sums<Site_gradient> Sums;
+
+  // A chunk is to be worth the trouble of a thread.
+  static constexpr int least_facets = 2000, most_chunks = 8;
+
+  static Surface_cvt_contribution_3 contribution(const std::array<int, 3>& t, const std::vector<Site>& sites,
+                                                 const std::vector<double>& densities)
+  {
+    if(!densities.empty())
+      return Surface_cvt_contribution_3(t, sites, {{ densities[t[0]], densities[t[1]], densities[t[2]] }});
+    if(std::any_of(t.begin(), t.end(), [&](int v) { return sites[v].weight != 0; }))
+      return Surface_cvt_contribution_3(t, sites, {{ 1, 1, 1 }});
+    return Surface_cvt_contribution_3(t, sites);
+  }
+
+  Thread_policy threads_;
+  Sums sums_;
+};
 
 } // namespace internal
 } // namespace Global_odt_mesh_3

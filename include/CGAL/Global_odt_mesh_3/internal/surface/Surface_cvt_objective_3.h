@@ -7,6 +7,7 @@
 #define CGAL_GLOBAL_ODT_MESH_3_INTERNAL_SURFACE_SURFACE_CVT_OBJECTIVE_3_H
 
 #include <CGAL/Global_odt_mesh_3/internal/optimization/Tangential_motion.h>
+#include <CGAL/Global_odt_mesh_3/internal/parallel/Thread_policy.h>
 #include <CGAL/Global_odt_mesh_3/internal/surface/Boundary_complex_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/surface/Surface_cvt_energy_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/surface/Surface_triangulation_3.h>
@@ -38,11 +39,14 @@ public:
 
   // `motions` are those of the vertices from number `first` on.
   Surface_cvt_objective_3(const Boundary_complex_3& boundary, std::vector<Site>& sites, int first,
-                          std::vector<Tangential_motion> motions, Density density = Density())
+                          std::vector<Tangential_motion> motions, Density density = Density(),
+                          const Thread_policy& threads = Thread_policy())
     : sites_(sites)
     , first_(first)
     , motions_(std::move(motions))
     , density_(std::move(density))
+    , threads_(threads)
+    , energy_(threads)
     , current_(boundary, motions_.size())
     , other_(current_)
   {
@@ -106,8 +110,8 @@ private:
   void compute()
   {
     Evaluation& e = current_;
-    e.surface.make_delaunay(sites_);
-    e.value = surface_cvt_energy(e.surface, sites_, densities_, first_, e.gradient, e.diagonal);
+    e.surface.make_delaunay(sites_, threads_);
+    e.value = energy_.compute(e.surface, sites_, densities_, first_, e.gradient, e.diagonal);
     for(std::size_t n = 0; n < motions_.size(); ++n)
     {
       const Site& s = sites_[first_ + n];
@@ -126,6 +130,8 @@ private:
   int first_;
   std::vector<Tangential_motion> motions_;
   Density density_;
+  Thread_policy threads_;
+  Surface_cvt_energy_3 energy_;
   std::vector<double> densities_;
   Evaluation current_, other_;    // that of the current point is the other one on trial
 };

@@ -6,6 +6,7 @@
 #ifndef CGAL_GLOBAL_ODT_MESH_3_INTERNAL_SURFACE_SURFACE_CVT_TERM_3_H
 #define CGAL_GLOBAL_ODT_MESH_3_INTERNAL_SURFACE_SURFACE_CVT_TERM_3_H
 
+#include <CGAL/Global_odt_mesh_3/internal/parallel/Thread_policy.h>
 #include <CGAL/Global_odt_mesh_3/internal/surface/Boundary_complex_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/surface/Surface_cvt_energy_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/surface/Surface_triangulation_3.h>
@@ -30,11 +31,14 @@ class Surface_cvt_term_3
 {
 public:
   // The vertices from number `first` on, `number` of them, move on the surfaces.
-  Surface_cvt_term_3(int first, int number, double weight, Surface_density density)
+  Surface_cvt_term_3(int first, int number, double weight, Surface_density density,
+                     const Thread_policy& threads = Thread_policy())
     : first_(first)
     , number_(number)
     , weight_(weight)
     , density_(std::move(density))
+    , threads_(threads)
+    , energy_(threads)
     , gradient_(3 * number)
     , diagonal_(3 * number)
   {}
@@ -78,8 +82,8 @@ public:
   double operator()(const std::vector<Site>& sites, Eigen::VectorXd& gradient, Eigen::VectorXd& diagonal)
   {
     update_densities(sites);
-    surface_.make_delaunay(sites);
-    const double energy = surface_cvt_energy(surface_, sites, densities_, first_, gradient_, diagonal_);
+    surface_.make_delaunay(sites, threads_);
+    const double energy = energy_.compute(surface_, sites, densities_, first_, gradient_, diagonal_);
     // Cells may be empty where weights are large.
     diagonal_ = diagonal_.cwiseMax(0);
     if(factor_ < 0)
@@ -99,6 +103,8 @@ private:
   int first_, number_;
   double weight_, factor_ = -1;     // not known yet
   Surface_density density_;
+  Thread_policy threads_;
+  Surface_cvt_energy_3 energy_;
   Surface_triangulation_3 surface_;
   std::vector<double> densities_;
   std::vector<int> corner_of_vertex_;

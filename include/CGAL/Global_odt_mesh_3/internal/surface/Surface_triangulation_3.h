@@ -7,6 +7,8 @@
 #define CGAL_GLOBAL_ODT_MESH_3_INTERNAL_SURFACE_SURFACE_TRIANGULATION_3_H
 
 #include <CGAL/Global_odt_mesh_3/internal/geometry/Site.h>
+#include <CGAL/Global_odt_mesh_3/internal/parallel/Chunks.h>
+#include <CGAL/Global_odt_mesh_3/internal/parallel/Thread_policy.h>
 #include <CGAL/Global_odt_mesh_3/internal/surface/Boundary_complex_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/surface/Boundary_geometry_3.h>
 
@@ -108,15 +110,11 @@ public:
 
   // Flips edges until the angles opposite to each sum up to at most a straight one:
   // the surface is then Delaunay, of which the circumcenters are in the order of the cells.
-  void make_delaunay(const std::vector<Site>& sites)
+  void make_delaunay(const std::vector<Site>& sites, const Thread_policy& threads = Thread_policy())
   {
-    std::vector<int> queue;
-    for(int c = 0; c < static_cast<int>(opposite_.size()); ++c)
-      if(opposite_[c] > c && is_flippable(c, sites))
-      {
-        queue.push_back(c);
-        is_queued_[c] = true;
-      }
+    std::vector<int> queue = flippable_corners(sites, threads);
+    for(int c : queue)
+      is_queued_[c] = true;
     std::size_t flips_left = 10 * vertices_.size();
     while(!queue.empty())
     {
@@ -141,6 +139,26 @@ public:
 private:
   // Angles have to differ from the straight one by more than rounding.
   static constexpr double least_sine = 1e-9;
+
+  // A chunk is to be worth the trouble of a thread.
+  static constexpr int least_corners = 4000, most_chunks = 16;
+
+  // One for each edge.
+  std::vector<int> flippable_corners(const std::vector<Site>& sites, const Thread_policy& threads) const
+  {
+    const Chunks corners(static_cast<int>(opposite_.size()), least_corners, most_chunks);
+    std::vector<std::vector<int> > found(corners.number());
+    threads.for_each_chunk(corners.number(), [&](int n)
+    {
+      for(int c = corners.begin(n); c < corners.end(n); ++c)
+        if(opposite_[c] > c && is_flippable(c, sites))
+          found[n].push_back(c);
+    });
+    std::vector<int> all;
+    for(const std::vector<int>& f : found)
+      all.insert(all.end(), f.begin(), f.end());
+    return all;
+  }
 
   static int next(int c) { return c % 3 == 2 ? c - 2 : c + 1; }
   static int previous(int c) { return c % 3 == 0 ? c + 2 : c - 1; }

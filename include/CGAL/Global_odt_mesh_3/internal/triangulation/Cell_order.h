@@ -15,7 +15,7 @@ namespace Global_odt_mesh_3 {
 namespace internal {
 
 // Flips scatter the cells over memory, which makes evaluations of large meshes slower. Lays
-// them out anew, at a current point, when there have been half as many flips as there are cells.
+// them out anew, at a current point, when there has been a flip for eight cells.
 class Cell_order
 {
 public:
@@ -24,10 +24,9 @@ public:
   void maintain(Moving_triangulation_3& mesh)
   {
     const std::size_t flips = mesh.statistics().flips;
-    if(flips - flips_ < static_cast<std::size_t>(mesh.topology.number_of_cells()) / 2)
+    if(flips - flips_ < static_cast<std::size_t>(mesh.topology.number_of_cells()) / 8)
       return;
-    mesh.topology.compact();
-    mesh.keep();
+    mesh.compact();
     flips_ = flips;
   }
 

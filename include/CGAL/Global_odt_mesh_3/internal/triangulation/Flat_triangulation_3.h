@@ -6,6 +6,8 @@
 #ifndef CGAL_GLOBAL_ODT_MESH_3_INTERNAL_TRIANGULATION_FLAT_TRIANGULATION_3_H
 #define CGAL_GLOBAL_ODT_MESH_3_INTERNAL_TRIANGULATION_FLAT_TRIANGULATION_3_H
 
+#include <CGAL/Global_odt_mesh_3/internal/parallel/Chunks.h>
+#include <CGAL/Global_odt_mesh_3/internal/parallel/Thread_policy.h>
 #include <CGAL/Global_odt_mesh_3/internal/triangulation/Slot.h>
 #include <CGAL/Global_odt_mesh_3/internal/triangulation/Undoable_arrays.h>
 
@@ -28,6 +30,8 @@ namespace internal {
 // and the vertex beyond the facet. Cells are positively oriented: det(v1-v0, v2-v0, v3-v0) > 0.
 class Flat_triangulation_3
 {
+  enum Array { CELL_VERTICES, NEIGHBORS, VERTEX_CELL, CONSTRAINED_SLOTS, FREE_CELLS, NUMBER_OF_ARRAYS };
+
 public:
   static constexpr int no_vertex = -1;
 
@@ -153,10 +157,11 @@ public:
   }
 
   // What changes on trial is undone as Undoable_arrays says.
+  typedef Undoable_arrays<NUMBER_OF_ARRAYS>::Trial_length Trial_length;
   void begin_trial() { arrays_.begin_trial(); }
   void end_trial() { arrays_.end_trial(); }
-  std::size_t trial_length() const { return arrays_.trial_length(); }
-  void undo_trial(std::size_t length = 0) { arrays_.undo_trial(length); }
+  Trial_length trial_length() const { return arrays_.trial_length(); }
+  void undo_trial(const Trial_length& length = Trial_length()) { arrays_.undo_trial(length); }
 
   // Gives vertex v the number place[v]. Ends a trial.
   void renumber_vertices(const std::vector<int>& place)
@@ -175,20 +180,22 @@ public:
 
   // Closes the gaps and lays the cells out in the order of their first vertices, which
   // are numbered along a space filling curve. Ends a trial.
-  void compact()
+  void compact(const Thread_policy& threads = Thread_policy())
   {
     end_trial();
     const std::vector<int> place = places_by_first_vertex();
     std::vector<int> vertices(4 * number_of_cells()), neighbors(vertices.size());
-    for(int s = 0; s < number_of_slots(); ++s)
+    const Chunks cells(number_of_cell_slots(), least_cells, most_chunks);
+    threads.for_each_chunk(cells.number(), [&](int n)
     {
-      const Slot from(s);
-      if(place[from.cell()] < 0)
-        continue;
-      const Slot to(place[from.cell()], from.index()), across = neighbor(from);
-      vertices[to.id()] = vertex(from);
-      neighbors[to.id()] = across.is_side() ? across.id() : Slot(place[across.cell()], across.index()).id();
-    }
+      for(int c = cells.begin(n); c < cells.end(n); ++c)
+        for(int i = 0; i < 4 && place[c] >= 0; ++i)
+        {
+          const Slot from(c, i), to(place[c], i), across = neighbor(from);
+          vertices[to.id()] = vertex(from);
+          neighbors[to.id()] = across.is_side() ? across.id() : Slot(place[across.cell()], across.index()).id();
+        }
+    });
     assign(std::move(vertices), std::move(neighbors), arrays_[VERTEX_CELL].size(), arrays_[CONSTRAINED_SLOTS].size());
   }
 
@@ -236,7 +243,8 @@ public:
   }
 
 private:
-  enum Array { CELL_VERTICES, NEIGHBORS, VERTEX_CELL, CONSTRAINED_SLOTS, FREE_CELLS, NUMBER_OF_ARRAYS };
+  // A chunk is to be worth the trouble of a thread.
+  static constexpr int least_cells = 10000, most_chunks = 16;
 
   // For one cell, which is free.
   void add_room()

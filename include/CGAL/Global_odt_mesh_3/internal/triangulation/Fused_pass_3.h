@@ -7,9 +7,9 @@
 #define CGAL_GLOBAL_ODT_MESH_3_INTERNAL_TRIANGULATION_FUSED_PASS_3_H
 
 #include <CGAL/Global_odt_mesh_3/internal/energy/Odt_energy_3.h>
-#include <CGAL/Global_odt_mesh_3/internal/energy/Partial_gradient.h>
 #include <CGAL/Global_odt_mesh_3/internal/geometry/Cell_products_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/geometry/Site.h>
+#include <CGAL/Global_odt_mesh_3/internal/parallel/Chunked_sums.h>
 #include <CGAL/Global_odt_mesh_3/internal/parallel/Chunks.h>
 #include <CGAL/Global_odt_mesh_3/internal/parallel/Thread_policy.h>
 #include <CGAL/Global_odt_mesh_3/internal/triangulation/Constrained_triangulation_3.h>
@@ -17,6 +17,7 @@
 #include <CGAL/Global_odt_mesh_3/internal/triangulation/Slot.h>
 
 #include <algorithm>
+#include <array>
 #include <cstddef>
 #include <type_traits>
 #include <vector>
@@ -27,15 +28,16 @@ namespace internal {
 
 // Energy, gradient, orientation of the cells and regularity of the facets of a whole mesh in one pass.
 //
-// For threads, chunks of cells have sums and lists of their own, which are put together in the order of the chunks:
-// the result is the same, bit for bit, for any number of threads. Where there are never more than one, the
-// cells are one chunk, as private sums take time; that may differ by rounding.
+// Chunks of cells have sums and lists of their own, which are put together in the order of the chunks:
+// the result is the same, bit for bit, for any number of threads.
 class Fused_pass_3
 {
 public:
+  typedef Chunked_sums<Site_gradient> Gradient;
+
   Fused_pass_3() {}
 
-  // A copy has no use for the sums of chunks, which are made anew each time.
+  // A copy has no use for the lists of chunks, which are made anew each time.
   Fused_pass_3(const Fused_pass_3&) {}
   Fused_pass_3& operator=(const Fused_pass_3&) { return *this; }
 
@@ -49,32 +51,20 @@ public:
       return odt_energy(t, s[v[0]], s[v[1]], s[v[2]], s[v[3]], quadrature->moments(cell, v, s));
   }
 
-  // Gives the energy.
+  // Gives the energy. The gradient has a part more than there are chunks, the last, with nothing in it.
   template <class Quadrature>
   double run(const Constrained_triangulation_3& mesh, Quadrature quadrature, const Thread_policy& threads,
-             std::vector<Site_gradient>& gradient)
+             Gradient& gradient)
   {
-    const Chunks cells(mesh.topology.number_of_cell_slots(), least_cells, threads.is_parallel() ? most_chunks : 1);
-    if(cells.number() == 1)
-      return run_in_one_piece(mesh, quadrature, gradient);
-    const Chunks pages(Partial_gradient::number_of_pages(mesh.sites.size()), least_pages, most_chunks);
+    const Chunks cells(mesh.topology.number_of_cell_slots(), least_cells, most_chunks);
+    gradient.resize(mesh.sites.size(), cells.number() + 1);
+    gradient.clear(cells.number());
     parts_.resize(cells.number());
-    gradient.resize(mesh.sites.size());
-    page_owners_.resize(Partial_gradient::number_of_pages(mesh.sites.size()));
-    const auto for_each = [&threads](const Chunks& chunks, const auto& f)
+    threads.for_each_chunk(cells.number(), [&](int n)
     {
-      threads.for_each_chunk(chunks.number(), [&](int n) { f(n, chunks.begin(n), chunks.end(n)); });
-    };
-    for_each(pages, [&](int, int first, int end) { prepare_pages(mesh.topology, cells, first, end, gradient); });
-    for_each(cells, [&](int n, int first, int end)
-    {
-      parts_[n].start(n, page_owners_, gradient);
-      parts_[n].energy = add_cells(mesh, quadrature, 4 * first, 4 * end, parts_[n].gradient, parts_[n]);
-    });
-    for_each(pages, [&](int, int first, int end)
-    {
-      for(const Part& p : parts_)
-        p.gradient.add_borrowed_pages(first, end, gradient);
+      gradient.clear(n);
+      parts_[n].clear();
+      parts_[n].energy = add_cells(mesh, quadrature, 4 * cells.begin(n), 4 * cells.end(n), gradient.part(n), parts_[n]);
     });
     double energy = 0;
     for(const Part& p : parts_)
@@ -98,24 +88,20 @@ public:
   }
 
 private:
-  // A chunk is to be worth the trouble of a thread.
-  static constexpr int least_cells = 10000, least_pages = 256, most_chunks = 16;
+  // A chunk is to be worth the trouble of a thread, and vertices between chunks have several sums.
+  static constexpr int least_cells = 12000, most_chunks = 16;
 
-  // What one chunk adds.
+  // Facets are tested after some cells.
+  static constexpr int slots_in_batch = 256;
+
+  // What one chunk finds.
   struct Part
   {
     double energy = 0;
-    Partial_gradient gradient;
     std::vector<int> inverted, intruders;
     std::vector<Slot> irregular;
 
-    void start(int chunk, const std::vector<int>& page_owners, std::vector<Site_gradient>& sum)
-    {
-      gradient.start(chunk, page_owners, sum);
-      clear_lists();
-    }
-
-    void clear_lists()
+    void clear()
     {
       inverted.clear();
       intruders.clear();
@@ -123,83 +109,91 @@ private:
     }
   };
 
-  // As Partial_gradient, where nobody else adds anything.
-  struct Whole_gradient
-  {
-    Site_gradient* gradient;
-    Site_gradient& at(int v) const { return gradient[v]; }
-  };
-
+  // The cells of these slots; gives their energy.
   template <class Quadrature>
-  double run_in_one_piece(const Constrained_triangulation_3& mesh, Quadrature quadrature, std::vector<Site_gradient>& gradient)
+  static double add_cells(const Constrained_triangulation_3& mesh, Quadrature quadrature, int first_slot, int end,
+                          const Gradient::Part& gradient, Part& part)
   {
-    gradient.assign(mesh.sites.size(), Site_gradient{ 0, 0, 0, 0 });
-    parts_.resize(1);
-    parts_[0].clear_lists();
-    Whole_gradient whole = { gradient.data() };
-    return add_cells(mesh, quadrature, 0, mesh.topology.number_of_slots(), whole, parts_[0]);
+    std::array<Cell_sphere, slots_in_batch / 4> spheres;
+    std::array<int, slots_in_batch> facets;
+    double energy = 0;
+    for(int begin = first_slot; begin < end; begin += slots_in_batch)
+    {
+      const int number_of_facets = add_batch(mesh, quadrature, begin, (std::min)(end, begin + slots_in_batch), gradient, part,
+                                             spheres.data(), facets.data(), energy);
+      test_facets(mesh, begin, spheres.data(), facets.data(), number_of_facets, part.irregular);
+    }
+    return energy;
   }
 
-  // The cells of these slots; gives their energy. Each facet is tested from its first slot.
-  template <class Quadrature, class Gradient>
-  static double add_cells(const Constrained_triangulation_3& mesh, Quadrature quadrature, int first_slot, int end,
-                          Gradient& sum, Part& part)
+  // Gives the number of the facets that are to be tested. Which ones is as good as random, so that
+  // branches on that would take longer than the tests.
+  template <class Quadrature>
+  static int add_batch(const Constrained_triangulation_3& mesh, Quadrature quadrature, int begin, int end,
+                       Gradient::Part gradient, Part& part, Cell_sphere* spheres, int* facets, double& energy)
   {
     const int* const vertices = mesh.topology.cell_vertices();
     const int* const neighbors = mesh.topology.neighbors();
     const Site* const s = mesh.sites.data();
-    double energy = 0;
-    for(int slot = first_slot; slot < end; slot += 4)
+    int number_of_facets = 0;
+    for(int slot = begin; slot < end; slot += 4)
     {
       const int* const v = vertices + slot;
       if(v[0] == Flat_triangulation_3::no_vertex)
         continue;
-      // Pages that are opened here do not interrupt what follows.
-      Site_gradient* const gradient[4] = { &sum.at(v[0]), &sum.at(v[1]), &sum.at(v[2]), &sum.at(v[3]) };
-      const Site& origin = s[v[0]];
-      const Cell_products t(origin, s[v[1]], s[v[2]], s[v[3]]);
+      const Cell_products t(s[v[0]], s[v[1]], s[v[2]], s[v[3]]);
       const Cell_energy e = cell_energy(t, slot / 4, v, s, quadrature);
       energy += e.energy;
       for(int i = 0; i < 4; ++i)
-        *gradient[i] += e.gradient[i];
+        gradient.add(v[i], e.gradient[i]);
       if(!(t.determinant > 0))
       {
         part.inverted.push_back(slot / 4);
         continue;
       }
+      spheres[(slot - begin) / 4] = t;
+      const int* const across = neighbors + slot;
+      // Each facet is tested from its first slot.
       for(int i = 0; i < 4; ++i)
       {
-        const int across = neighbors[slot + i];
-        if(across > slot + i)
-        {
-          const Site& q = s[vertices[across]];
-          const double power = t.power(origin, q);
-          if(power < 0 && mesh.is_irregular(power, mesh.squared_distance(origin, q)))
-            part.irregular.push_back(Slot(slot + i));
-        }
-        else if(across < 0 && v[i] < mesh.number_of_interior_vertices && mesh.is_beyond_surface(t, v, i, Slot(across)))
-          part.intruders.push_back(v[i]);
+        facets[number_of_facets] = slot + i;
+        number_of_facets += across[i] > slot + i;
       }
+      if((across[0] | across[1] | across[2] | across[3]) < 0)
+        find_intruders(mesh, t, slot, part.intruders);
     }
-    return energy;
+    return number_of_facets;
   }
 
-  // The owner of a page is the chunk of a cell of its first vertex. Nothing depends on it but how much is borrowed and
-  // the order of sums.
-  void prepare_pages(const Flat_triangulation_3& topology, const Chunks& cells, int first, int end,
-                     std::vector<Site_gradient>& gradient)
+  static void find_intruders(const Constrained_triangulation_3& mesh, const Cell_products& t, int slot,
+                             std::vector<int>& intruders)
   {
-    for(int p = first; p < end; ++p)
-      page_owners_[p] = cells.chunk((std::max)(0, topology.incident_cell(p * Partial_gradient::page_length)));
-    const auto begin = gradient.begin(), last = gradient.end();
-    const auto place = [&](int p)
+    const int* const v = mesh.topology.cell_vertices() + slot;
+    for(int i = 0; i < 4; ++i)
     {
-      return begin + (std::min)(last - begin, std::ptrdiff_t(p) * Partial_gradient::page_length);
-    };
-    std::fill(place(first), place(end), Site_gradient{ 0, 0, 0, 0 });
+      const Slot across(mesh.topology.neighbors()[slot + i]);
+      if(across.is_side() && v[i] < mesh.number_of_interior_vertices && mesh.is_beyond_surface(t, v, i, across))
+        intruders.push_back(v[i]);
+    }
   }
 
-  std::vector<int> page_owners_;
+  static void test_facets(const Constrained_triangulation_3& mesh, int begin, const Cell_sphere* spheres,
+                          const int* facets, int number_of_facets, std::vector<Slot>& irregular)
+  {
+    const int* const vertices = mesh.topology.cell_vertices();
+    const int* const neighbors = mesh.topology.neighbors();
+    const Site* const s = mesh.sites.data();
+    for(int n = 0; n < number_of_facets; ++n)
+    {
+      const int slot = facets[n];
+      const Site& origin = s[vertices[slot & ~3]];
+      const Site& q = s[vertices[neighbors[slot]]];
+      const double power = spheres[(slot - begin) / 4].power(origin, q);
+      if(power < 0 && mesh.is_irregular(power, mesh.squared_distance(origin, q)))
+        irregular.push_back(Slot(slot));
+    }
+  }
+
   std::vector<Part> parts_;
 };
 

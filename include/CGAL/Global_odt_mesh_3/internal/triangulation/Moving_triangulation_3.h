@@ -11,11 +11,13 @@
 #include <CGAL/Global_odt_mesh_3/internal/energy/Odt_energy_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/geometry/Cell_products_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/geometry/Site.h>
+#include <CGAL/Global_odt_mesh_3/internal/parallel/Chunks.h>
 #include <CGAL/Global_odt_mesh_3/internal/parallel/Thread_policy.h>
 #include <CGAL/Global_odt_mesh_3/internal/triangulation/Constrained_triangulation_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/triangulation/Flat_triangulation_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/triangulation/Flips_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/triangulation/Fused_pass_3.h>
+#include <CGAL/Global_odt_mesh_3/internal/triangulation/Kept_sites.h>
 #include <CGAL/Global_odt_mesh_3/internal/triangulation/Lawson_flips_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/triangulation/Position_control_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/triangulation/Slot.h>
@@ -37,7 +39,7 @@ namespace internal {
 
 // A constrained regular triangulation whose vertices move.
 //
-// evaluate() takes new positions, computes energy, gradient, orientation of the
+// evaluate() takes new positions, those of move(), computes energy, gradient, orientation of the
 // cells and regularity of the facets in one pass over the cells, and repairs by
 // flips what the motion broke. Constrained facets are never flipped. When that does not succeed,
 // restore() brings back the state of the last keep().
@@ -54,7 +56,7 @@ public:
 
   Density_quadrature_3* quadrature() const { return quadrature_; }
 
-  // One thread, unless this is called. How many there are then does not matter.
+  // One thread, unless this is called. What comes out does not depend on them.
   void set_threads(const Thread_policy& threads) { threads_ = threads; }
   const Thread_policy& threads() const { return threads_; }
 
@@ -64,28 +66,46 @@ public:
   };
 
   double energy() const { return energy_; }
-  const std::vector<Site_gradient>& gradient() const { return gradient_; }
   const Statistics& statistics() const { return statistics_; }
 
-  // Remembers the state for restore(): positions, density, topology, energy and gradient.
+  // Calls f(v, gradient) for all vertices, on threads, as they are after the last evaluation.
+  template <class F>
+  void for_each_gradient(const F& f) const
+  {
+    const Chunks blocks(gradient_.number_of_blocks(), least_blocks, most_chunks);
+    threads_.for_each_chunk(blocks.number(), [&](int n) { gradient_.for_each_sum(blocks.begin(n), blocks.end(n), f); });
+  }
+
+  // Remembers the state for restore(): positions, density, topology and energy. From then on, positions change by move()
+  // alone.
   void keep()
   {
-    kept_sites_ = sites;
+    kept_sites_.keep();
     kept_energy_ = energy_;
-    has_kept_gradient_ = true;
     if(quadrature_ != nullptr)
       quadrature_->keep();
     topology.begin_trial();
   }
 
+  // Lays the cells out anew, at a state that is to be kept.
+  void compact()
+  {
+    topology.compact(threads_);
+    keep();
+  }
+
+  // Calls place(v, site) for the movable vertices, on threads, which may change what is not the weight.
+  template <class Place>
+  void move(const Place& place)
+  {
+    kept_sites_.move(sites, number_of_movable_vertices, threads_, place);
+  }
+
+  // There is no gradient after that.
   void restore()
   {
-    CGAL_assertion(kept_sites_.size() == sites.size());
-    sites = kept_sites_;
+    kept_sites_.restore(sites);
     energy_ = kept_energy_;
-    if(!has_kept_gradient_)
-      gradient_.swap(kept_gradient_);
-    has_kept_gradient_ = true;
     if(quadrature_ != nullptr)
       quadrature_->restore();
     topology.undo_trial();
@@ -100,7 +120,7 @@ public:
     *this = before;
     statistics_ = statistics;
     if(quadrature_ != nullptr)
-      quadrature_->update(sites, number_of_movable_vertices);
+      quadrature_->update(sites, number_of_movable_vertices, threads_);
   }
 
   // Energy and gradient at the current positions after repairing the topology; false if some cells
@@ -109,21 +129,17 @@ public:
   bool evaluate()
   {
     ++statistics_.evaluations;
+    kept_sites_.prepare_changes(sites);
     retreated_.clear();
+    asked_for_sites_.clear();
     if(quadrature_ != nullptr)
-      quadrature_->update(sites, number_of_movable_vertices);
+      quadrature_->update(sites, number_of_movable_vertices, threads_);
     pass();
     const std::size_t number_of_inverted_cells = inverted_.size();
     if(number_of_inverted_cells > most_inverted_cells())
       return false;
-    if(number_of_inverted_cells > 0)
-    {
-      asked_for_sites_ = sites;
-      asked_for_gradient_ = gradient_;
-      asked_for_energy_ = energy_;
-      if(!untangle() && !Position_control(*this).hold_back(number_of_inverted_cells))
-        return false;
-    }
+    if(number_of_inverted_cells > 0 && !untangle() && !Position_control(*this).hold_back(number_of_inverted_cells))
+      return false;
     if(!make_regular())
       return false;
     retreat_from_surfaces();
@@ -153,17 +169,18 @@ private:
   // A step that inverts more is too long to be worth repairing.
   std::size_t most_inverted_cells() const { return 20 + static_cast<std::size_t>(topology.number_of_cells()) / 10; }
 
+  // A chunk is to be worth the trouble of a thread.
+  static constexpr int least_blocks = 64, most_chunks = 16;
+
   void pass()
   {
-    if(has_kept_gradient_)
-      gradient_.swap(kept_gradient_);
-    has_kept_gradient_ = false;
     if(quadrature_ == nullptr)
       energy_ = pass_.run(*this, nullptr, threads_, gradient_);
     else if(linear_quadrature_ != nullptr)
       energy_ = pass_.run(*this, linear_quadrature_->view(), threads_, gradient_);
     else                        // which may ask the user
       energy_ = pass_.run(*this, quadrature_, Thread_policy(), gradient_);
+    energy_of_pass_ = energy_;
     pass_.lists(inverted_, irregular_, intruders_);
   }
 
@@ -178,10 +195,11 @@ private:
       : linear_quadrature_ != nullptr ? Fused_pass_3::cell_energy(t, cell, v, s, linear_quadrature_->view())
                                       : Fused_pass_3::cell_energy(t, cell, v, s, quadrature_);
     energy_ += sign * e.energy;
+    const Fused_pass_3::Gradient::Part repairs = gradient_.part(gradient_.number_of_parts() - 1);
     for(int i = 0; i < 4; ++i)
     {
       const Site_gradient& c = e.gradient[i];
-      gradient_[v[i]] += { sign * c.x, sign * c.y, sign * c.z, sign * c.diagonal };
+      repairs.add(v[i], { sign * c.x, sign * c.y, sign * c.z, sign * c.diagonal });
     }
   }
 
@@ -221,17 +239,30 @@ private:
 
   const std::vector<int>& stuck_cells() const { return stuck_; }
   const Site& kept_site(int v) const { return kept_sites_[v]; }
-  const Site& site_asked_for(int v) const { return asked_for_sites_[v]; }
   void add_retreated(int v) { retreated_.push_back(v); }
+
+  const Site& site_asked_for(int v) const
+  {
+    const auto asked_for = asked_for_sites_.find(v);
+    return asked_for == asked_for_sites_.end() ? sites[v] : asked_for->second;
+  }
+
+  // In the course of repairs.
+  void replace(int v, const Site& s)
+  {
+    asked_for_sites_.emplace(v, sites[v]);    // unless it has been replaced before
+    sites[v] = s;
+  }
 
   // The same from the kept topology on, with other positions for some vertices, in whose stars alone things are
   // not as the pass has found them.
   bool untangle_anew(const std::map<int, Site>& others)
   {
     ++statistics_.holds;
-    sites = asked_for_sites_;
-    gradient_ = asked_for_gradient_;
-    energy_ = asked_for_energy_;
+    for(const auto& a : asked_for_sites_)
+      sites[a.first] = a.second;
+    gradient_.clear(gradient_.number_of_parts() - 1);
+    energy_ = energy_of_pass_;
     pass_.lists(inverted_, irregular_, intruders_);
     std::set<int> cells;
     for(const auto& o : others)
@@ -243,7 +274,7 @@ private:
     for(int c : cells)
       add_cell(c, -1);
     for(const auto& o : others)
-      sites[o.first] = o.second;
+      replace(o.first, o.second);
     inverted_.erase(std::remove_if(inverted_.begin(), inverted_.end(), [&](int c) { return cells.count(c) > 0; }),
                     inverted_.end());
     for(int c : cells)
@@ -271,7 +302,7 @@ private:
     const Site old = sites[v];
     for(Slot t : star)
       add_cell(t.cell(), -1);
-    sites[v] = s;
+    replace(v, s);
     const bool positive = std::all_of(star.begin(), star.end(), [this](Slot t)
                                       { return products(t.cell()).determinant > 0; });
     if(!positive)
@@ -298,15 +329,12 @@ private:
   Fused_pass_3 pass_;
   Density_quadrature_3* quadrature_ = nullptr;
   Linear_density_quadrature_3* linear_quadrature_ = nullptr;    // the same, if it is one
-  std::vector<Site_gradient> gradient_, kept_gradient_;
-  bool has_kept_gradient_ = false;    // whether the gradient is that of the kept state
-  double energy_ = 0, kept_energy_ = 0, asked_for_energy_ = 0;
+  Fused_pass_3::Gradient gradient_;   // the last part is what repairs add
+  double energy_ = 0, kept_energy_ = 0, energy_of_pass_ = 0;
   std::vector<int> inverted_, intruders_, stuck_, retreated_;
   std::vector<Slot> irregular_, star_;
-  std::vector<Site> kept_sites_;
-  // Where vertices are sent, and what the pass finds there, before any flip.
-  std::vector<Site> asked_for_sites_;
-  std::vector<Site_gradient> asked_for_gradient_;
+  Kept_sites kept_sites_;
+  std::map<int, Site> asked_for_sites_;   // of vertices that repairs have moved
   Statistics statistics_;
 };
 

@@ -29,7 +29,7 @@ public:
   // For changes that are not to be undone.
   std::vector<int>& unguarded(int array)
   {
-    CGAL_assertion(changes_.empty());
+    CGAL_assertion(changes_[array].empty());
     return arrays_[array];
   }
 
@@ -37,7 +37,7 @@ public:
   {
     int& entry = arrays_[array][place];
     if(is_on_trial_)
-      changes_.push_back({ array, place, entry });
+      changes_[array].push_back({ place, entry });
     entry = value;
   }
 
@@ -45,7 +45,7 @@ public:
   {
     arrays_[array].push_back(value);
     if(is_on_trial_)
-      changes_.push_back({ array, pushed, value });
+      changes_[array].push_back({ pushed, value });
   }
 
   int pop(int array)
@@ -53,7 +53,7 @@ public:
     const int value = arrays_[array].back();
     arrays_[array].pop_back();
     if(is_on_trial_)
-      changes_.push_back({ array, popped, value });
+      changes_[array].push_back({ popped, value });
     return value;
   }
 
@@ -62,44 +62,67 @@ public:
 
   void begin_trial()
   {
-    changes_.clear();
+    for(std::vector<Change>& c : changes_)
+    {
+      // The first steps change more than all others.
+      if(c.size() < c.capacity() / 8)
+        std::vector<Change>(c.capacity() / 2).swap(c);
+      c.clear();
+    }
     is_on_trial_ = true;
   }
 
   void end_trial()
   {
     is_on_trial_ = false;
-    changes_.clear();
+    for(std::vector<Change>& c : changes_)
+      c.clear();
   }
 
-  std::size_t trial_length() const { return changes_.size(); }
+  // How many changes there are, for each array.
+  typedef std::array<std::size_t, number_of_arrays> Trial_length;
 
-  void undo_trial(std::size_t length)
+  Trial_length trial_length() const
   {
-    CGAL_assertion(length <= changes_.size());
-    for( ; changes_.size() > length; changes_.pop_back())
-    {
-      const Change& c = changes_.back();
-      if(c.place == pushed)
-        arrays_[c.array].pop_back();
-      else if(c.place == popped)
-        arrays_[c.array].push_back(c.value);
-      else
-        arrays_[c.array][c.place] = c.value;
-    }
+    Trial_length length;
+    for(int a = 0; a < number_of_arrays; ++a)
+      length[a] = changes_[a].size();
+    return length;
+  }
+
+  // Takes back what has changed since the trial had that length.
+  void undo_trial(const Trial_length& length)
+  {
+    for(int a = 0; a < number_of_arrays; ++a)
+      undo(arrays_[a], changes_[a], length[a]);
   }
 
 private:
   // What was there before, or has been pushed at the end, or popped from there.
   struct Change
   {
-    int array, place, value;
+    int place, value;
   };
   static constexpr int pushed = -1, popped = -2;
 
+  static void undo(std::vector<int>& array, std::vector<Change>& changes, std::size_t length)
+  {
+    CGAL_assertion(length <= changes.size());
+    for( ; changes.size() > length; changes.pop_back())
+    {
+      const Change& c = changes.back();
+      if(c.place == pushed)
+        array.pop_back();
+      else if(c.place == popped)
+        array.push_back(c.value);
+      else
+        array[c.place] = c.value;
+    }
+  }
+
   std::array<std::vector<int>, number_of_arrays> arrays_;
   bool is_on_trial_ = false;
-  std::vector<Change> changes_;
+  std::array<std::vector<Change>, number_of_arrays> changes_;
 };
 
 } // namespace internal
