@@ -101,9 +101,10 @@ static void sums()
 }
 
 // All that a mesh ends with, in numbers.
-static std::vector<double> contents(const Moving_triangulation_3& mesh)
+static std::vector<double> contents(Moving_triangulation_3& mesh)
 {
   std::vector<double> c = { mesh.energy() };
+  mesh.is_regular();
   for(const Site& s : mesh.sites)
     c.insert(c.end(), { s.x, s.y, s.z });
   for(const Site_gradient& g : gradient_of(mesh))
@@ -142,8 +143,9 @@ static std::vector<double> result(const Moving_triangulation_3& cube, Grading gr
   if(grading != Grading::NONE)
     mesh.set_quadrature(grading == Grading::OF_THREADS ? &shared : &jealous);
   method(mesh);
+  const std::vector<double> all = contents(mesh);
   mesh.set_quadrature(nullptr);
-  return contents(mesh);
+  return all;
 }
 
 // The same for all numbers of threads, and where there never are any.

@@ -59,6 +59,11 @@ public:
     keep();
   }
 
+  // The mesh is left with no room for gradients.
+  ~Odt_objective_3() { mesh_.release_gradient(); }
+  Odt_objective_3(const Odt_objective_3&) = delete;
+  Odt_objective_3& operator=(const Odt_objective_3&) = delete;
+
   // Whether the triangulation could be made regular where it was.
   bool is_feasible() const { return is_feasible_; }
   double value() const { return current_.value; }

@@ -76,6 +76,9 @@ public:
     threads_.for_each_chunk(blocks.number(), [&](int n) { gradient_.for_each_sum(blocks.begin(n), blocks.end(n), f); });
   }
 
+  // Frees the memory for gradients until the next evaluation.
+  void release_gradient() { gradient_.resize(0, 0); }
+
   // Remembers the state for restore(): positions, density, topology and energy. From then on, positions change by move()
   // alone.
   void keep()
