@@ -10,6 +10,7 @@
 #include <CGAL/Global_odt_mesh_3/internal/blocks/Mesh_blocks_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/blocks/Mesh_partition_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/density/Density_quadrature_3.h>
+#include <CGAL/Global_odt_mesh_3/internal/energy/Odt_energy_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/geometry/Random_source.h>
 #include <CGAL/Global_odt_mesh_3/internal/optimization/Momentum_annealing.h>
 #include <CGAL/Global_odt_mesh_3/internal/optimization/Odt_objective_3.h>
@@ -65,6 +66,9 @@ public:
     term_ = term;
     velocity_ = Eigen::VectorXd::Zero(3 * mesh_.number_of_movable_vertices);
     mesh_.mean_edge_lengths(edge_length_);
+    mesh_.is_regular();
+    gradient_.resize(mesh_.sites.size());
+    mesh_.for_each_gradient([this](int v, const Site_gradient& g) { gradient_[v] = g; });
   }
 
   // One step for each fraction of all steps in `done`. No block is begun once may_go_on(), which is asked in the
@@ -81,6 +85,7 @@ public:
     std::vector<unsigned int> seeds(number_of_blocks_);
     for(unsigned int& seed : seeds)
       seed = random_.seed();
+    std::vector<std::vector<Site_gradient> > gradient_at_seams(number_of_blocks_);
     const std::thread::id caller = std::this_thread::get_id();
     std::atomic<bool> stops(false);
     threads_.for_each_chunk(number_of_blocks_, [&](int n)
@@ -89,19 +94,21 @@ public:
         stops = true;
       Moving_triangulation_3 part;
       blocks.load(n, part);
-      if(!stops && !anneal(part, blocks, n, seeds[n], done))
-        blocks.load(n, part);
+      if(!stops)
+        anneal(part, blocks, n, seeds[n], done, gradient_at_seams[n]);
       blocks.store(n, part);
     });
+    if(!stops)
+      add_gradients(blocks, gradient_at_seams);
     blocks.assemble();
   }
 
 private:
   static constexpr int vertices_of_block = 20000;
 
-  // False if the block cannot be made regular as it is, whereupon it has to be loaded again.
-  bool anneal(Moving_triangulation_3& part, const Mesh_blocks_3& blocks, int n, unsigned int seed,
-              const std::vector<double>& done)
+  // What the block adds to the gradients of vertices that it does not own goes into `at_seams`.
+  void anneal(Moving_triangulation_3& part, const Mesh_blocks_3& blocks, int n, unsigned int seed,
+              const std::vector<double>& done, std::vector<Site_gradient>& at_seams)
   {
     const std::vector<int>& vertices = blocks.vertices(n);
     const int movable = part.number_of_movable_vertices, interior = part.number_of_interior_vertices;
@@ -115,9 +122,8 @@ private:
     std::optional<Surface_cvt_term_3> term;
     if(term_ != nullptr)
       term.emplace(term_->part(vertices, interior, movable - interior, [&](int v) { return blocks.number(n, v); }));
-    Odt_objective_3 objective(part, std::move(motions), term ? Odt_objective_3::Term(std::ref(*term)) : Odt_objective_3::Term());
-    if(!objective.is_feasible())
-      return false;
+    Odt_objective_3 objective(part, std::move(motions), term ? Odt_objective_3::Term(std::ref(*term)) : Odt_objective_3::Term(),
+                              [&](int v) { return gradient_[vertices[v]]; });
     Eigen::VectorXd velocity(3 * movable);
     std::vector<double> lengths;
     for(int v = 0; v < movable; ++v)
@@ -127,12 +133,32 @@ private:
     }
     Momentum_annealing annealing(seed, schedule_);
     annealing.start(std::move(velocity), std::move(lengths));
+    bool is_taken = false;
     for(double fraction : done)
-      annealing.iterate(objective, fraction);
+      is_taken = annealing.iterate(objective, fraction);
+    if(!is_taken)           // the gradient is lost
+      part.is_regular();
     for(int v = 0; v < movable; ++v)
       velocity_.segment<3>(3 * vertices[v]) = annealing.velocity().segment<3>(3 * v);
+    at_seams.resize(vertices.size() - blocks.number_of_own_vertices(n));
+    part.for_each_gradient([&](int v, const Site_gradient& g)
+    {
+      (v < blocks.number_of_own_vertices(n) ? gradient_[vertices[v]] : at_seams[v - blocks.number_of_own_vertices(n)]) = g;
+    });
     part.set_quadrature(nullptr);
-    return true;
+  }
+
+  // Of the vertices that no block owns.
+  void add_gradients(const Mesh_blocks_3& blocks, const std::vector<std::vector<Site_gradient> >& at_seams)
+  {
+    const auto for_each = [&](const auto& f)
+    {
+      for(int n = 0; n < number_of_blocks_; ++n)
+        for(std::size_t k = 0; k < at_seams[n].size(); ++k)
+          f(gradient_[blocks.vertices(n)[blocks.number_of_own_vertices(n) + k]], at_seams[n][k]);
+    };
+    for_each([](Site_gradient& sum, const Site_gradient&) { sum = Site_gradient{ 0, 0, 0, 0 }; });
+    for_each([](Site_gradient& sum, const Site_gradient& g) { sum += g; });
   }
 
   Moving_triangulation_3& mesh_;
@@ -143,6 +169,7 @@ private:
   std::vector<Tangential_motion> motions_;
   Surface_cvt_term_3* term_ = nullptr;
   Eigen::VectorXd velocity_;
+  std::vector<Site_gradient> gradient_;     // where the block begins, up to facets at seams that are not regular
   std::vector<double> edge_length_;
 };
 

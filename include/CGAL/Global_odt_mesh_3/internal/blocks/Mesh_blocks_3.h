@@ -44,6 +44,8 @@ public:
   // Those of the mesh, in the order of the block: its own ones first.
   const std::vector<int>& vertices(int block) const { return blocks_[block].vertices; }
 
+  int number_of_own_vertices(int block) const { return partition_.vertices().size(block); }
+
   // The place of a vertex of the block there.
   int number(int block, int v) const
   {

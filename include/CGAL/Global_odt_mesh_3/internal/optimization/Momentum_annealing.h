@@ -52,13 +52,14 @@ public:
 
   const Eigen::VectorXd& velocity() const { return velocity_; }
 
-  // One step when the fraction `done` of all steps is behind.
-  void iterate(Odt_objective_3& f, double done)
+  // One step when the fraction `done` of all steps is behind; false if it cannot be taken.
+  bool iterate(Odt_objective_3& f, double done)
   {
     const double left = std::pow((std::max)(0., 1 - done), schedule_.decay);
     prepare_step(f, left * schedule_.interior_amplitude, left * schedule_.surface_amplitude);
     const Vector_loop loop(f.threads(), start_.size());
-    if(f.evaluate(trial_))
+    const bool is_taken = f.evaluate(trial_);
+    if(is_taken)
     {
       f.keep();
       loop.run([&](Eigen::Index n, Eigen::Index l)
@@ -71,6 +72,7 @@ public:
       f.reject();
       loop.run([&](Eigen::Index n, Eigen::Index l) { velocity_.segment(n, l) *= 0.5; });
     }
+    return is_taken;
   }
 
 private:

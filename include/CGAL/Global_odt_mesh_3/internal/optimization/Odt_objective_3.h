@@ -42,27 +42,27 @@ public:
   explicit Odt_objective_3(Moving_triangulation_3& mesh,
                            std::vector<Tangential_motion> motions = std::vector<Tangential_motion>(),
                            Term term = Term())
-    : mesh_(mesh)
-    , motions_(std::move(motions))
-    , term_(std::move(term))
-    , frozen_(mesh.number_of_movable_vertices, false)
-    , retreats_(mesh.number_of_movable_vertices, 0)
-    , current_(mesh.number_of_movable_vertices)
-    , other_(mesh.number_of_movable_vertices)
+    : Odt_objective_3(mesh, std::move(motions), std::move(term), Without_evaluation())
   {
-    for(int v = mesh.number_of_interior_vertices; v < mesh.number_of_movable_vertices; ++v)
-      if(motion(v) == nullptr || motion(v)->is_at_rest())
-        freeze(v);
     mesh_.keep();
     is_feasible_ = mesh_.evaluate();
     gather();
     keep();
   }
 
-  // The mesh is left with no room for gradients.
-  ~Odt_objective_3() { mesh_.release_gradient(); }
-  Odt_objective_3(const Odt_objective_3&) = delete;
-  Odt_objective_3& operator=(const Odt_objective_3&) = delete;
+  // The same without evaluation, for a mesh of which gradient(v) is known. The value is not.
+  template <class Gradient>
+  Odt_objective_3(Moving_triangulation_3& mesh, std::vector<Tangential_motion> motions, Term term, const Gradient& gradient)
+    : Odt_objective_3(mesh, std::move(motions), std::move(term), Without_evaluation())
+  {
+    is_feasible_ = true;
+    gather([&](const auto& f)
+    {
+      for(int v = 0; v < mesh_.number_of_movable_vertices; ++v)
+        f(v, gradient(v));
+    });
+    keep();
+  }
 
   // Whether the triangulation could be made regular where it was.
   bool is_feasible() const { return is_feasible_; }
@@ -143,6 +143,22 @@ public:
 private:
   static constexpr int most_retreats = 3;
 
+  struct Without_evaluation {};
+
+  Odt_objective_3(Moving_triangulation_3& mesh, std::vector<Tangential_motion> motions, Term term, Without_evaluation)
+    : mesh_(mesh)
+    , motions_(std::move(motions))
+    , term_(std::move(term))
+    , frozen_(mesh.number_of_movable_vertices, false)
+    , retreats_(mesh.number_of_movable_vertices, 0)
+    , current_(mesh.number_of_movable_vertices)
+    , other_(mesh.number_of_movable_vertices)
+  {
+    for(int v = mesh.number_of_interior_vertices; v < mesh.number_of_movable_vertices; ++v)
+      if(motion(v) == nullptr || motion(v)->is_at_rest())
+        freeze(v);
+  }
+
   struct Evaluation
   {
     double value = 0;
@@ -157,11 +173,14 @@ private:
     return n < motions_.size() ? &motions_[n] : nullptr;
   }
 
-  void gather()
+  void gather() { gather([this](const auto& f) { mesh_.for_each_gradient(f); }); }
+
+  template <class For_each_gradient>
+  void gather(const For_each_gradient& for_each_gradient)
   {
     Eigen::VectorXd &point = current_.point, &gradient = current_.gradient, &diagonal = current_.diagonal;
     current_.value = mesh_.energy();
-    mesh_.for_each_gradient([&](int v, const Site_gradient& g)
+    for_each_gradient([&](int v, const Site_gradient& g)
     {
       if(v >= mesh_.number_of_movable_vertices)
         return;
