@@ -157,7 +157,10 @@ private:
     raise(step, most_tries);
     // The last step is not the limit if as much is wanted as can be had.
     const int next = step + 1;
-    const auto below = [&removal](int s) { return removal.number_of_slivers(Sliver_steps::angles[s]); };
+    const auto below = [&](int s)
+    {
+      return s <= step ? removal.number_of_slivers(Sliver_steps::angles[s]) : trial.slivers(Sliver_steps::angles[s]).size();
+    };
     if(next < Sliver_steps::number && !is_worthwhile(next, below))
       raise(next, most_tries / tries_for_one_beyond);
     number_of_tries_ += tries_for_an_exact_one * removal.number_of_tries();
