@@ -112,26 +112,18 @@ public:
   // How often candidates have been checked.
   std::size_t number_of_checks() const { return number_of_checks_; }
 
+  // How often most of a candidate's cells were those of a mesh.
+  std::size_t number_of_takeovers() const { return number_of_takeovers_; }
+
   // Goes to new positions of the movable vertices, as far as possible, and gives the state that is replaced, or
   // nothing if nothing could be done.
   // In a final state, all vertices are on their surfaces and all boundary facets have surface centers.
-  std::optional<State> advance(const std::vector<Site>& target, bool is_final)
+  std::optional<State> advance(const std::vector<Site>& target, bool is_final) { return advance(target, nullptr, is_final); }
+
+  // The same for positions of a mesh that is regular as far as its constraints permit, which is faster.
+  std::optional<State> advance(const Moving_triangulation_3& mesh, bool is_final)
   {
-    Candidate candidate(state_, target, motion_, is_final);
-    Surface_projection_3<Domain> projection(candidate, domain_);
-    if(candidate.boundary_moves())
-      projection.project_all();
-    candidate.build();
-    for(int attempt = 0; attempt < most_attempts; ++attempt)
-    {
-      const bool wants_good_facets = (is_final || !has_long_ways_) && attempt < attempts_at_good_facets;
-      const Report report = check(candidate, wants_good_facets);
-      if(report.is_clean())
-        return std::exchange(state_, candidate.finish(domain_));
-      if(report.is_beyond_repair() || !apply(report, candidate, projection, attempt))
-        return std::nullopt;
-    }
-    return std::nullopt;
+    return advance(mesh.sites, &mesh, is_final);
   }
 
   // Goes back to a state that has been replaced.
@@ -150,6 +142,25 @@ private:
   static constexpr int halfway_returns = 2, halfway_returns_on_surface = 1;
   // If more vertices go back, a new triangulation is faster than moving them.
   static constexpr double most_moved_one_by_one = 1 / 20.;
+
+  std::optional<State> advance(const std::vector<Site>& target, const Moving_triangulation_3* mesh, bool is_final)
+  {
+    Candidate candidate(state_, target, motion_, is_final);
+    Surface_projection_3<Domain> projection(candidate, domain_);
+    if(candidate.boundary_moves())
+      projection.project_all();
+    number_of_takeovers_ += candidate.build(mesh);
+    for(int attempt = 0; attempt < most_attempts; ++attempt)
+    {
+      const bool wants_good_facets = (is_final || !has_long_ways_) && attempt < attempts_at_good_facets;
+      const Report report = check(candidate, wants_good_facets);
+      if(report.is_clean())
+        return std::exchange(state_, candidate.finish(domain_));
+      if(report.is_beyond_repair() || !apply(report, candidate, projection, attempt))
+        return std::nullopt;
+    }
+    return std::nullopt;
+  }
 
   // Completes the candidate until something is found wrong. Facets that are too thin may be found good enough.
   Report check(Candidate& candidate, bool wants_good_facets)
@@ -212,7 +223,7 @@ private:
         candidate.move(v);
     }
     if(rebuilds)
-      candidate.build();
+      candidate.build(nullptr);
     else
       for(const auto& p : report.pushes())
         candidate.move(p.first);
@@ -258,7 +269,7 @@ private:
   Fidelity_check_3<Domain> fidelity_;
   Facet_shape_check_3 shapes_;
   State state_;
-  std::size_t number_of_checks_ = 0;
+  std::size_t number_of_checks_ = 0, number_of_takeovers_ = 0;
 };
 
 } // namespace internal

@@ -56,6 +56,7 @@ public:
 
   // One thread, unless this is called. How many there are then does not matter.
   void set_threads(const Thread_policy& threads) { threads_ = threads; }
+  const Thread_policy& threads() const { return threads_; }
 
   struct Statistics
   {
