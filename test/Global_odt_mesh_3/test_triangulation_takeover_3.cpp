@@ -17,10 +17,10 @@
 
 #include <CGAL/Exact_predicates_exact_constructions_kernel.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
-#include <functional>
 #include <iostream>
 #include <set>
 #include <string>
@@ -163,7 +163,7 @@ struct Setting
 };
 
 // A mesh of a domain after small and large motions, with a surface that moves, so that facets of it change, with wrong
-// flips, and with vertices that inverted cells were made of: all of it is taken over, with more insertions.
+// flips, and with vertices that have left their stars: all of it is taken over, with more insertions.
 template <class C3t3, class Domain>
 void domain_meshes(const std::string& name, const C3t3& c3t3, const Domain& domain, Outcome expected)
 {
@@ -175,7 +175,7 @@ void domain_meshes(const std::string& name, const C3t3& c3t3, const Domain& doma
   const int fewest = take_over<Triangulation>(name + ", moved", mesh, mesh.sites, expected);
   for(double length : { 0.01, 0.1, 0.3 })
     take_over<Triangulation>(name + ", surface moved by " + std::to_string(length), mesh,
-                             with_moved_surface(mesh, length, 2), length < 0.1 ? expected : ANY);
+                             with_moved_surface(mesh, length, 2), length < 0.2 ? expected : ANY);
   {
     Moving_triangulation_3 flipped = mesh;
     check::that(flip_at_random(flipped, 0.001, 3) > 0, name, ": nothing is flipped");
@@ -248,8 +248,7 @@ static void lattices()
   }
 }
 
-// A mesh of a lattice that is distorted, with a border of its own.
-static Moving_triangulation_3 distorted_lattice()
+static Moving_triangulation_3 random_points()
 {
   Random_source random(7);
   Labeled_triangulation tr;
@@ -261,11 +260,11 @@ static Moving_triangulation_3 distorted_lattice()
   return load_triangulation_3(tr);
 }
 
-// Vertices that get hidden are not taken over as if they were visible: by fixed ones, by those that are left out, and
-// where a vertex goes to the place of another.
+// Where vertices get hidden, by those that are inserted or by those that are left out, or two are in one place, that is
+// noticed.
 static void hidden_vertices()
 {
-  const Moving_triangulation_3 mesh = distorted_lattice();
+  const Moving_triangulation_3 mesh = random_points();
   const int inside = mesh.number_of_interior_vertices / 2, fixed = mesh.number_of_interior_vertices;
   take_over<Labeled_triangulation>("random points", mesh, mesh.sites, TAKEN_OVER);
   for(int v : { inside, fixed })
@@ -282,10 +281,10 @@ static void hidden_vertices()
   take_over<Labeled_triangulation>("random points, two in one place", mesh, sites, NOT_TAKEN_OVER);
 }
 
-// Small weights change cells, and are taken over as far as they do not.
+// Weights that change some cells: the others are taken over.
 static void weighted_vertices()
 {
-  const Moving_triangulation_3 mesh = distorted_lattice();
+  const Moving_triangulation_3 mesh = random_points();
   std::vector<Site> sites = mesh.sites;
   Random_source random(8);
   for(int v = 0; v < mesh.number_of_movable_vertices; v += 40)
@@ -330,7 +329,7 @@ static void filter()
 
 int main()
 {
-  std::cout << "seeds: 1 to 12" << std::endl;
+  std::cout << "seeds: 1 to 9, 10 to 12" << std::endl;
   filter();
   lattices();
   hidden_vertices();
@@ -357,14 +356,19 @@ int main()
   }
   {
     const Labeled_domain domain = domains::torus();
-    domain_meshes("torus", domains::mesh(domain, 0.1), domain, ANY);
-    domain_meshes("thin plate", domains::mesh(domains::thin_plate(), 0.15), domains::thin_plate(), NOT_TAKEN_OVER);
+    domain_meshes("torus", domains::mesh(domain, 0.1), domain, TAKEN_OVER);
+  }
+  {
+    // Nearly all vertices are on the surface.
+    const Labeled_domain domain = domains::thin_plate();
+    const Setting<Labeled_c3t3, Labeled_domain> plate(domains::mesh(domain, 0.15), domain);
+    take_over<Labeled_triangulation>("thin plate", plate.mesh, plate.mesh.sites, NOT_TAKEN_OVER);
   }
   {
     Polyhedral_domain domain(domains::notched_box());
     domain.detect_features();
     const Polyhedral_c3t3 c3t3 = domains::mesh(domain, 0.15, true);
-    domain_meshes("box with features", c3t3, domain, ANY);
+    domain_meshes("box with features", c3t3, domain, TAKEN_OVER);
     complexes("box with features", c3t3, domain, true);
   }
   return check::result();

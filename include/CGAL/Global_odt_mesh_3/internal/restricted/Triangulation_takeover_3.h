@@ -50,7 +50,8 @@ public:
     , numbered_(numbered)
     , tr_(numbered.triangulation())
     , tests_(points, sites, tr_.geom_traits())
-    , taken_(mesh.topology, mesh.number_of_interior_vertices, static_cast<int>(points.size()))
+    , taken_(mesh.topology, mesh.number_of_interior_vertices,
+             static_cast<int>(points.size()))
   {}
 
   // False if that does not pay or cannot be done, and then nothing is built that is of any use.
