@@ -84,7 +84,7 @@ void compare(const char* name, const C3t3& input, const Domain& domain)
       Complex complex(domain, odt::Boundary_motion::NONE);
       odt::Moving_triangulation_3 mesh;
       complex.start(odt::C3t3_reader_3<C3t3, typename Complex::Domain>(copy, complex.domain()).read(mesh, false));
-      if(complex.advance(mesh.sites, true))
+      if(complex.advance(mesh, true))
         odt::C3t3_writer_3<C3t3, typename Complex::Domain>(complex.take_state(), complex.domain()).write(copy);
     }));
   }

@@ -149,7 +149,7 @@ private:
   // round that leads to no valid complex is lost.
   void store_round()
   {
-    complex_.advance(mesh_.sites, false);
+    complex_.advance(mesh_, false);
     complex_.flatten(mesh_);
   }
 
@@ -166,7 +166,7 @@ private:
       return false;
     if(!control_.goes_on())
       code_ = control_.code();
-    return removes_slivers() ? remove_slivers() : is_untouched() || complex_.advance(mesh_.sites, true).has_value();
+    return removes_slivers() ? remove_slivers() : is_untouched() || complex_.advance(mesh_, true).has_value();
   }
 
   // Also if the iterations are used up, but not if the time is.

@@ -7,6 +7,7 @@
 #define CGAL_GLOBAL_ODT_MESH_3_INTERNAL_RESTRICTED_BOUNDARY_PEELING_3_H
 
 #include <CGAL/Global_odt_mesh_3/internal/geometry/Cell_shape_3.h>
+#include <CGAL/Global_odt_mesh_3/internal/geometry/Vertex_tuples.h>
 #include <CGAL/Global_odt_mesh_3/internal/restricted/Boundary_extraction_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/restricted/Cell_knowledge.h>
 #include <CGAL/Global_odt_mesh_3/internal/restricted/Facet_shape_check_3.h>
@@ -76,21 +77,26 @@ private:
   static constexpr double sliver_angle = 20, flat_angle = 35; // degrees
   static constexpr int no_subdomain = Candidate::State::no_subdomain;
 
-  // Cells to be peeled that have no vertices in common.
+  // Cells to be peeled that have no vertices in common: the first ones by the numbers of their vertices, since the order
+  // of cells depends on how the triangulation has been made.
   Peeled_cells flat_cells() const
   {
-    Peeled_cells cells;
-    std::set<int> used;
+    std::map<Quadruple, typename Peeled_cells::value_type> flat;
     for(const auto& c : candidate_.boundary_cells)
     {
       const int label = refused_.count(c.first) > 0 ? int(no_subdomain) : label_after_peeling(c.first, c.second);
-      if(label == no_subdomain)
-        continue;
-      const Quadruple q = candidate_.numbers(c.first);
+      if(label != no_subdomain)
+        flat.emplace(sorted(candidate_.numbers(c.first)), std::make_pair(c.first, std::make_pair(c.second, label)));
+    }
+    Peeled_cells cells;
+    std::set<int> used;
+    for(const auto& f : flat)
+    {
+      const Quadruple& q = f.first;
       if(std::any_of(q.begin(), q.end(), [&](int v) { return used.count(v) > 0; }))
         continue;
       used.insert(q.begin(), q.end());
-      cells.emplace(c.first, std::make_pair(c.second, label));
+      cells.insert(f.second);
     }
     return cells;
   }

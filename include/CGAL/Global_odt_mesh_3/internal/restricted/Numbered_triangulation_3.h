@@ -14,6 +14,7 @@
 #include <algorithm>
 #include <cstddef>
 #include <iterator>
+#include <numeric>
 #include <set>
 #include <vector>
 
@@ -41,17 +42,42 @@ public:
   std::size_t number_of_vertices() const { return vertices_.size(); }
   static int number(Vertex_handle h) { return static_cast<int>(h->meshing_info()); }
 
-  // Weighted points come first, so that those that they would hide are noticed
-  // when they are inserted.
   void build(const std::vector<Weighted_point>& points, const std::vector<Site>& sites)
   {
+    clear(points.size());
+    std::vector<int> all(points.size());
+    std::iota(all.begin(), all.end(), 0);
+    insert(all, points, sites);
+  }
+
+  // Without any vertices, but with room for them.
+  void clear(std::size_t number_of_vertices)
+  {
     tr_.clear();
-    vertices_.assign(points.size(), Vertex_handle());
-    std::vector<std::size_t> order = insertion_order(sites);
-    std::stable_partition(order.begin(), order.end(), [&](std::size_t v) { return sites[v].weight != 0; });
+    vertices_.assign(number_of_vertices, Vertex_handle());
+  }
+
+  // Weighted points come first, so that those that they would hide are noticed
+  // when they are inserted.
+  void insert(const std::vector<int>& numbers, const std::vector<Weighted_point>& points, const std::vector<Site>& sites)
+  {
+    std::vector<Site> inserted;
+    inserted.reserve(numbers.size());
+    for(int v : numbers)
+      inserted.push_back(sites[v]);
+    std::vector<std::size_t> order = insertion_order(inserted);
+    std::stable_partition(order.begin(), order.end(), [&](std::size_t n) { return inserted[n].weight != 0; });
     Cell_handle hint;
-    for(std::size_t v : order)
-      insert(static_cast<int>(v), points[v], hint);
+    for(std::size_t n : order)
+      insert(numbers[n], points[numbers[n]], hint);
+  }
+
+  // A vertex that has no cell yet.
+  void create_vertex(int v, const Weighted_point& p)
+  {
+    vertices_[v] = tr_.tds().create_vertex();
+    vertices_[v]->set_point(p);
+    vertices_[v]->set_meshing_info(v);
   }
 
   // Whether each number has a vertex of its own.

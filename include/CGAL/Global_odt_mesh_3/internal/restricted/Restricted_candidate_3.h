@@ -12,8 +12,10 @@
 #include <CGAL/Global_odt_mesh_3/internal/restricted/Cell_knowledge.h>
 #include <CGAL/Global_odt_mesh_3/internal/restricted/Numbered_triangulation_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/restricted/Restricted_state_3.h>
+#include <CGAL/Global_odt_mesh_3/internal/restricted/Triangulation_takeover_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/surface/Boundary_complex_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/surface/Boundary_geometry_3.h>
+#include <CGAL/Global_odt_mesh_3/internal/triangulation/Moving_triangulation_3.h>
 
 #include <CGAL/assertions.h>
 
@@ -110,13 +112,17 @@ struct Restricted_candidate_3
     measured_boundary = boundary_moves() ? state.boundary.at(sites) : state.boundary;
   }
 
-  void build()
+  // From the cells of a mesh that has been at about the positions, if there is one and that can be done; whether it was.
+  bool build(const Moving_triangulation_3* mesh)
   {
     std::vector<Weighted_point> points;
     points.reserve(sites.size());
     for(int v = 0; v < numbering.number_of_vertices(); ++v)
       points.push_back(point(v));
+    if(mesh != nullptr && Triangulation_takeover_3<Triangulation>(*mesh, points, sites, mesh->threads(), *numbered).run())
+      return true;
     numbered->build(points, sites);
+    return false;
   }
 
   // Moves the vertex in the triangulation to where its site is.

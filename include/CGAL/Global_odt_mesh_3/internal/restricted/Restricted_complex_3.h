@@ -120,27 +120,18 @@ public:
   // How often candidates have been checked.
   std::size_t number_of_checks() const { return number_of_checks_; }
 
+  // How often most of a candidate's cells were those of a mesh.
+  std::size_t number_of_takeovers() const { return number_of_takeovers_; }
+
   // Goes to new positions of the movable vertices, as far as possible, and gives the state that is replaced, or
   // nothing if nothing could be done.
   // In a final state, all vertices are on their surfaces and all boundary facets have surface centers.
-  std::optional<State> advance(const std::vector<Site>& target, bool is_final)
+  std::optional<State> advance(const std::vector<Site>& target, bool is_final) { return advance(target, nullptr, is_final); }
+
+  // The same for positions of a mesh that is regular as far as its constraints permit, which is faster.
+  std::optional<State> advance(const Moving_triangulation_3& mesh, bool is_final)
   {
-    const Stage_clock::In_stage in_stage(threads_.clock(), Stage_clock::CHECK);
-    Candidate candidate(state_, target, motion_, is_final);
-    Surface_projection_3<Domain> projection(candidate, domain_);
-    if(candidate.boundary_moves())
-      projection.project_all();
-    build(candidate);
-    for(int attempt = 0; attempt < most_attempts; ++attempt)
-    {
-      const bool wants_good_facets = (is_final || !has_long_ways_) && attempt < attempts_at_good_facets;
-      const Report report = check(candidate, wants_good_facets);
-      if(report.is_clean())
-        return std::exchange(state_, candidate.finish(domain_));
-      if(report.is_beyond_repair() || !apply(report, candidate, projection, attempt))
-        return std::nullopt;
-    }
-    return std::nullopt;
+    return advance(mesh.sites, &mesh, is_final);
   }
 
   // Goes back to a state that has been replaced.
@@ -160,10 +151,31 @@ private:
   // If more vertices go back, a new triangulation is faster than moving them.
   static constexpr double most_moved_one_by_one = 1 / 20.;
 
-  void build(Candidate& candidate) const
+  // Nothing is taken over from no mesh.
+  void build(Candidate& candidate, const Moving_triangulation_3* mesh)
   {
     const Stage_clock::In_stage in_stage(threads_.clock(), Stage_clock::TRIANGULATE);
-    candidate.build();
+    number_of_takeovers_ += candidate.build(mesh);
+  }
+
+  std::optional<State> advance(const std::vector<Site>& target, const Moving_triangulation_3* mesh, bool is_final)
+  {
+    const Stage_clock::In_stage in_stage(threads_.clock(), Stage_clock::CHECK);
+    Candidate candidate(state_, target, motion_, is_final);
+    Surface_projection_3<Domain> projection(candidate, domain_);
+    if(candidate.boundary_moves())
+      projection.project_all();
+    build(candidate, mesh);
+    for(int attempt = 0; attempt < most_attempts; ++attempt)
+    {
+      const bool wants_good_facets = (is_final || !has_long_ways_) && attempt < attempts_at_good_facets;
+      const Report report = check(candidate, wants_good_facets);
+      if(report.is_clean())
+        return std::exchange(state_, candidate.finish(domain_));
+      if(report.is_beyond_repair() || !apply(report, candidate, projection, attempt))
+        return std::nullopt;
+    }
+    return std::nullopt;
   }
 
   // Completes the candidate until something is found wrong. Facets that are too thin may be found good enough.
@@ -227,7 +239,7 @@ private:
         candidate.move(v);
     }
     if(rebuilds)
-      build(candidate);
+      build(candidate, nullptr);
     else
       for(const auto& p : report.pushes())
         candidate.move(p.first);
@@ -274,7 +286,7 @@ private:
   Fidelity_check_3<Domain> fidelity_;
   Facet_shape_check_3 shapes_;
   State state_;
-  std::size_t number_of_checks_ = 0;
+  std::size_t number_of_checks_ = 0, number_of_takeovers_ = 0;
 };
 
 } // namespace internal

@@ -51,7 +51,7 @@ public:
   {
     remove_from_mesh(first_step, has_time);
     const bool is_stored = complex_.state().has_positions(mesh_.sites);
-    if((!is_stored || !complex_.state().is_input()) && !complex_.advance(mesh_.sites, true))
+    if((!is_stored || !complex_.state().is_input()) && !complex_.advance(mesh_, true))
       return false;
     complex_.flatten(mesh_);
     reached_ = Cell_angles(mesh_, mesh_.threads());
@@ -104,7 +104,7 @@ private:
       return true;
     if(!remove_from_mesh(step, has_time))
       return climb_in_complex(step, has_time);
-    std::optional<State> replaced = complex_.advance(mesh_.sites, true);
+    std::optional<State> replaced = complex_.advance(mesh_, true);
     if(climb_in_complex(step, has_time))
       return true;
     if(replaced)

@@ -6,11 +6,10 @@
 #ifndef CGAL_GLOBAL_ODT_MESH_3_INTERNAL_TRIANGULATION_FLATTEN_TRIANGULATION_3_H
 #define CGAL_GLOBAL_ODT_MESH_3_INTERNAL_TRIANGULATION_FLATTEN_TRIANGULATION_3_H
 
+#include <CGAL/Global_odt_mesh_3/internal/triangulation/Cell_numbers.h>
 #include <CGAL/Global_odt_mesh_3/internal/triangulation/Flat_triangulation_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/triangulation/Slot.h>
 
-#include <CGAL/Time_stamper.h>
-#include <CGAL/Unique_hash_map.h>
 #include <CGAL/assertions.h>
 
 #include <array>
@@ -41,7 +40,7 @@ public:
     , is_inside_(is_inside)
     , is_constrained_(is_constrained)
     , flat_(flat)
-    , cell_number_(-1, 2 * tr.number_of_vertices())
+    , cell_number_(tr.number_of_cells())
   {}
 
   std::vector<Constrained_facet<Triangulation> > operator()()
@@ -68,8 +67,8 @@ private:
   // CGAL orders the vertices of a cell as we do.
   void add_cell(Cell_handle c)
   {
-    cell_number_[c] = flat_.add_cell(number_(c->vertex(0)), number_(c->vertex(1)), number_(c->vertex(2)),
-                                     number_(c->vertex(3)));
+    cell_number_.set(c, flat_.add_cell(number_(c->vertex(0)), number_(c->vertex(1)), number_(c->vertex(2)),
+                                       number_(c->vertex(3))));
     cells_.push_back(c);
   }
 
@@ -90,12 +89,12 @@ private:
 
   void set_neighbors(Slot s)
   {
+    if(!flat_.neighbor(s).is_none())
+      return;
     const Cell_handle c = cells_[s.cell()], d = c->neighbor(s.index());
     const int beyond = cell_number_[d];
     const bool has_mirror = beyond >= 0;
     const Slot mirror = has_mirror ? Slot(beyond, d->index(c)) : Slot();
-    if(has_mirror && mirror < s)
-      return;
     const Facet facet(c, s.index());
     if(has_mirror && !is_constrained_(facet))
       return flat_.set_neighbors(s, mirror);
@@ -111,7 +110,7 @@ private:
   const Is_inside& is_inside_;
   const Is_constrained& is_constrained_;
   Flat_triangulation_3& flat_;
-  CGAL::Unique_hash_map<Cell_handle, int, CGAL::Hash_handles_with_or_without_timestamps> cell_number_;
+  Cell_numbers<Cell_handle> cell_number_;
   std::vector<Cell_handle> cells_;
   std::vector<Constrained_facet<Triangulation> > facets_, outside_facets_;
 };

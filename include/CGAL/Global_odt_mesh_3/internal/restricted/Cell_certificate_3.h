@@ -1,0 +1,67 @@
+// Copyright (c) 2026 The Global_odt_mesh_3 authors.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_GLOBAL_ODT_MESH_3_INTERNAL_RESTRICTED_CELL_CERTIFICATE_3_H
+#define CGAL_GLOBAL_ODT_MESH_3_INTERNAL_RESTRICTED_CELL_CERTIFICATE_3_H
+
+#include <CGAL/Global_odt_mesh_3/internal/parallel/Chunks.h>
+#include <CGAL/Global_odt_mesh_3/internal/parallel/Thread_policy.h>
+#include <CGAL/Global_odt_mesh_3/internal/restricted/Exact_regularity_3.h>
+#include <CGAL/Global_odt_mesh_3/internal/restricted/Taken_cells_3.h>
+#include <CGAL/Global_odt_mesh_3/internal/triangulation/Slot.h>
+
+#include <vector>
+
+namespace CGAL {
+namespace Global_odt_mesh_3 {
+namespace internal {
+
+// What f(n, found) adds to `found` for the numbers n below `size`, in their order.
+template <class F>
+std::vector<int> collect_in_chunks(int size, const Thread_policy& threads, const F& f)
+{
+  constexpr int least_length = 1000, most_chunks = 256;
+  const Chunks chunks(size, least_length, most_chunks);
+  std::vector<std::vector<int> > found(chunks.number());
+  threads.for_each_chunk(chunks.number(), [&](int n)
+  {
+    for(int k = chunks.begin(n); k < chunks.end(n); ++k)
+      f(k, found[n]);
+  });
+  std::vector<int> all;
+  for(const std::vector<int>& some : found)
+    all.insert(all.end(), some.begin(), some.end());
+  return all;
+}
+
+// Rejects the cells that are not positive, and those on both sides of facets that are not strictly locally
+// regular. Where spheres pass through five vertices, insertion is to decide.
+template <class Triangulation>
+void certify_cells(Taken_cells_3& taken, const Exact_regularity_3<Triangulation>& tests, const Thread_policy& threads)
+{
+  const std::vector<int>& cells = taken.cells();
+  const auto find_wrong_cells = [&](int n, std::vector<int>& wrong)
+  {
+    const int c = cells[n];
+    const typename Exact_regularity_3<Triangulation>::Cell cell(tests, taken.flat().vertices(c));
+    if(!cell.is_positive())
+      return wrong.push_back(c);
+    for(int i = 0; i < 4; ++i)
+    {
+      const Slot s(c, i), across = taken.mate(s);
+      if(s < across && taken.is_taken(across.cell()) && !cell.is_outside(taken.flat().vertex(across)))
+        wrong.insert(wrong.end(), { c, across.cell() });
+    }
+  };
+  for(int c : collect_in_chunks(static_cast<int>(cells.size()), threads, find_wrong_cells))
+    taken.reject(c);
+  taken.update();
+}
+
+} // namespace internal
+} // namespace Global_odt_mesh_3
+} // namespace CGAL
+
+#endif // CGAL_GLOBAL_ODT_MESH_3_INTERNAL_RESTRICTED_CELL_CERTIFICATE_3_H

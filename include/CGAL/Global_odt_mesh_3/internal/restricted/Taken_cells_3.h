@@ -1,0 +1,123 @@
+// Copyright (c) 2026 The Global_odt_mesh_3 authors.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_GLOBAL_ODT_MESH_3_INTERNAL_RESTRICTED_TAKEN_CELLS_3_H
+#define CGAL_GLOBAL_ODT_MESH_3_INTERNAL_RESTRICTED_TAKEN_CELLS_3_H
+
+#include <CGAL/Global_odt_mesh_3/internal/triangulation/Flat_triangulation_3.h>
+#include <CGAL/Global_odt_mesh_3/internal/triangulation/Slot.h>
+
+#include <algorithm>
+#include <vector>
+
+namespace CGAL {
+namespace Global_odt_mesh_3 {
+namespace internal {
+
+// The cells of a flat triangulation that are taken over into an exact one: those around vertices that are left
+// out when the others are inserted. Insertion gives all cells that have no such vertex.
+class Taken_cells_3
+{
+public:
+  // At first, nearly all vertices of the interior are left out.
+  Taken_cells_3(const Flat_triangulation_3& flat, int number_of_interior_vertices, int number_of_vertices)
+    : flat_(flat)
+    , is_left_out_(number_of_vertices, false)
+    , is_taken_(flat.number_of_cell_slots(), false)
+  {
+    for(int v = 0; v < number_of_vertices; ++v)
+    {
+      is_left_out_[v] = v < number_of_interior_vertices && v % one_inserted_of != 0 && flat.incident_cell(v) >= 0;
+      if(!is_left_out_[v])
+        news_.push_back(v);
+    }
+    for(int c = 0; c < flat.number_of_cell_slots(); ++c)
+      if(flat.is_alive(c))
+        cells_.push_back(c);
+    number_of_inserted_vertices_ = static_cast<int>(news_.size());
+    update();
+  }
+
+  const Flat_triangulation_3& flat() const { return flat_; }
+  const std::vector<int>& cells() const { return cells_; }
+  bool is_taken(int cell) const { return is_taken_[cell]; }
+  bool is_left_out(int v) const { return is_left_out_[v]; }
+  int number_of_inserted_vertices() const { return number_of_inserted_vertices_; }
+
+  // The slot across the facet, also if the facet is constrained, or none.
+  Slot mate(Slot s) const
+  {
+    const Slot across = flat_.neighbor(s);
+    return across.is_side() && !across.is_none() ? flat_.constrained_slot(across.other_side()) : across;
+  }
+
+  // Whether cells that are not taken over follow across the facet.
+  bool is_border(Slot s) const
+  {
+    const Slot across = mate(s);
+    return across.is_none() || !is_taken(across.cell());
+  }
+
+  // Of cells that are taken over.
+  std::vector<Slot> border() const
+  {
+    std::vector<Slot> slots;
+    for(int c : cells_)
+      for(int i = 0; i < 4; ++i)
+        if(is_border(Slot(c, i)))
+          slots.push_back(Slot(c, i));
+    return slots;
+  }
+
+  // The cell is not taken over: its vertices are inserted. The cells that this concerns are
+  // known after update().
+  void reject(int cell)
+  {
+    for(int i = 0; i < 4; ++i)
+    {
+      const int v = flat_.vertices(cell)[i];
+      if(!is_left_out_[v])
+        continue;
+      is_left_out_[v] = false;
+      news_.push_back(v);
+      ++number_of_inserted_vertices_;
+    }
+  }
+
+  void update()
+  {
+    const auto has_left_out = [this](int c)
+    {
+      return std::any_of(flat_.vertices(c), flat_.vertices(c) + 4, [this](int v) { return is_left_out_[v]; });
+    };
+    cells_.erase(std::remove_if(cells_.begin(), cells_.end(), [&](int c)
+                                { return !(is_taken_[c] = has_left_out(c)); }), cells_.end());
+  }
+
+  // The vertices that are not left out any more since this was called last.
+  std::vector<int> take_news()
+  {
+    std::vector<int> news;
+    news.swap(news_);
+    return news;
+  }
+
+private:
+  // Of the interior. Vertices of a round surface alone are on one sphere up to rounding, and to triangulate them takes
+  // exact numbers; a few points inside of it keep them apart.
+  static constexpr int one_inserted_of = 128;
+
+  const Flat_triangulation_3& flat_;
+  std::vector<char> is_left_out_;     // of vertices
+  std::vector<char> is_taken_;        // of cells
+  std::vector<int> cells_, news_;
+  int number_of_inserted_vertices_ = 0;
+};
+
+} // namespace internal
+} // namespace Global_odt_mesh_3
+} // namespace CGAL
+
+#endif // CGAL_GLOBAL_ODT_MESH_3_INTERNAL_RESTRICTED_TAKEN_CELLS_3_H

@@ -1,0 +1,251 @@
+// Copyright (c) 2026 The Global_odt_mesh_3 authors.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_GLOBAL_ODT_MESH_3_INTERNAL_RESTRICTED_TRIANGULATION_TAKEOVER_3_H
+#define CGAL_GLOBAL_ODT_MESH_3_INTERNAL_RESTRICTED_TRIANGULATION_TAKEOVER_3_H
+
+#include <CGAL/Global_odt_mesh_3/internal/geometry/Site.h>
+#include <CGAL/Global_odt_mesh_3/internal/parallel/Thread_policy.h>
+#include <CGAL/Global_odt_mesh_3/internal/restricted/Cell_certificate_3.h>
+#include <CGAL/Global_odt_mesh_3/internal/restricted/Exact_regularity_3.h>
+#include <CGAL/Global_odt_mesh_3/internal/restricted/Facet_table_3.h>
+#include <CGAL/Global_odt_mesh_3/internal/restricted/Numbered_triangulation_3.h>
+#include <CGAL/Global_odt_mesh_3/internal/restricted/Taken_cells_3.h>
+#include <CGAL/Global_odt_mesh_3/internal/triangulation/Constrained_triangulation_3.h>
+#include <CGAL/Global_odt_mesh_3/internal/triangulation/Slot.h>
+
+#include <CGAL/assertions.h>
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <vector>
+
+namespace CGAL {
+namespace Global_odt_mesh_3 {
+namespace internal {
+
+// Builds the exact regular triangulation of points without inserting all of them: most cells of a flat
+// triangulation that is nearly it are cells of it.
+//
+// Those cells are certified, and the other vertices inserted; the border of the cells that are taken over is then found
+// among the facets of that triangulation, and what is inside of it gives way. As the border of
+// a part of the triangulation bounds that part, cells that are positive cover all once; and where all
+// facets are locally regular, the whole is regular. So the result is what insertion of all gives.
+template <class Triangulation>
+class Triangulation_takeover_3
+{
+public:
+  typedef Numbered_triangulation_3<Triangulation> Numbered_triangulation;
+  typedef typename Triangulation::Weighted_point Weighted_point;
+
+  // The flat mesh may be at other positions.
+  Triangulation_takeover_3(const Constrained_triangulation_3& mesh, const std::vector<Weighted_point>& points,
+                           const std::vector<Site>& sites, const Thread_policy& threads, Numbered_triangulation& numbered)
+    : points_(points)
+    , sites_(sites)
+    , threads_(threads)
+    , numbered_(numbered)
+    , tr_(numbered.triangulation())
+    , tests_(points, sites, tr_.geom_traits())
+    , taken_(mesh.topology, mesh.number_of_interior_vertices,
+             static_cast<int>(points.size()))
+  {}
+
+  // False if that does not pay or cannot be done, and then nothing is built that is of any use.
+  bool run()
+  {
+    if(!pays())
+      return false;
+    certify_cells(taken_, tests_, threads_);
+    numbered_.clear(points_.size());
+    for(int round = 0; round < most_rounds && pays(); ++round)
+    {
+      if(!insert_news())
+        return false;
+      if(match_border())
+        return find_inside() && all_vertices_stay() && (transplant(), true);
+    }
+    return false;
+  }
+
+  int number_of_inserted_vertices() const { return taken_.number_of_inserted_vertices(); }
+
+private:
+  typedef typename Triangulation::Vertex_handle Vertex_handle;
+  typedef typename Triangulation::Cell_handle Cell_handle;
+  typedef typename Triangulation::Facet Facet;
+  typedef typename Exact_regularity_3<Triangulation>::Cell Tested_cell;
+
+  static constexpr int most_rounds = 5;
+  static constexpr double most_inserted = 0.7;    // of the vertices
+
+  bool pays() const
+  {
+    return !taken_.cells().empty() && taken_.number_of_inserted_vertices() <= most_inserted * double(points_.size());
+  }
+
+  // False if vertices get hidden.
+  bool insert_news()
+  {
+    numbered_.insert(taken_.take_news(), points_, sites_);
+    return tr_.dimension() == 3
+           && tr_.number_of_vertices() == static_cast<std::size_t>(taken_.number_of_inserted_vertices());
+  }
+
+  // Finds the border of the cells that are taken over among the facets of the triangulation, as seen from those cells.
+  // Where that cannot be done or the facet is not strictly regular, the cell is rejected and the answer is false.
+  bool match_border()
+  {
+    border_ = taken_.border();
+    inner_.assign(border_.size(), Facet());
+    const Facet_table_3 table(taken_.flat(), border_, points_.size());
+    for(auto c = tr_.all_cells_begin(); c != tr_.all_cells_end(); ++c)
+    {
+      const std::array<int, 4> v = numbers(c);
+      for(int i = 0; i < 4; ++i)
+      {
+        const std::array<int, 3>& f = facet_indices(i);
+        const int n = table.find({{ v[f[0]], v[f[1]], v[f[2]] }});
+        if(n != Facet_table_3::none)
+          inner_[n] = Facet(c, i);
+      }
+    }
+    const auto find_wrong_facets = [this](int n, std::vector<int>& wrong)
+    {
+      if(!is_border_regular(n))
+        wrong.push_back(n);
+    };
+    const std::vector<int> wrong = collect_in_chunks(static_cast<int>(border_.size()), threads_, find_wrong_facets);
+    for(int n : wrong)
+      taken_.reject(border_[n].cell());
+    taken_.update();
+    return wrong.empty();
+  }
+
+  std::array<int, 4> numbers(Cell_handle c) const
+  {
+    std::array<int, 4> v;
+    for(int i = 0; i < 4; ++i)
+      v[i] = tr_.is_infinite(c->vertex(i)) ? -1 : numbered_.number(c->vertex(i));
+    return v;
+  }
+
+  bool is_border_regular(int n) const
+  {
+    if(inner_[n].first == Cell_handle())
+      return false;
+    const Facet outer = tr_.mirror_facet(inner_[n]);
+    const Vertex_handle beyond = outer.first->vertex(outer.second);
+    return tr_.is_infinite(beyond)
+           || Tested_cell(tests_, taken_.flat().vertices(border_[n].cell())).is_outside(numbered_.number(beyond));
+  }
+
+  // Finds the cells that give way, and marks them; false if the border does not bound them.
+  bool find_inside()
+  {
+    for(const Facet& f : inner_)
+    {
+      if(f.first->is_facet_visited(f.second))
+        return false;
+      f.first->set_facet_visited(f.second);
+    }
+    for(const Facet& f : inner_)
+      add_inside(f.first);
+    for(std::size_t n = 0; n < inside_.size(); ++n)
+    {
+      if(tr_.is_infinite(inside_[n]))
+        return false;
+      for(int i = 0; i < 4; ++i)
+        if(!inside_[n]->is_facet_visited(i))
+          add_inside(inside_[n]->neighbor(i));
+    }
+    return std::none_of(inner_.begin(), inner_.end(), [](const Facet& f)
+                        { return f.first->neighbor(f.second)->tds_data().is_in_conflict(); });
+  }
+
+  void add_inside(Cell_handle c)
+  {
+    if(c->tds_data().is_in_conflict())
+      return;
+    c->tds_data().mark_in_conflict();
+    inside_.push_back(c);
+  }
+
+  // Whether all vertices of cells that give way are vertices of cells that are taken over.
+  bool all_vertices_stay() const
+  {
+    std::vector<char> stays(points_.size(), false);
+    for(int c : taken_.cells())
+      for(int v : taken_.flat().cell(c))
+        stays[v] = true;
+    return std::all_of(inside_.begin(), inside_.end(), [&](Cell_handle c)
+    {
+      const std::array<int, 4> v = numbers(c);
+      return std::all_of(v.begin(), v.end(), [&stays](int w) { return stays[w]; });
+    });
+  }
+
+  // Puts the cells that are taken over in the place of those that give way.
+  void transplant()
+  {
+    for(std::size_t v = 0; v < points_.size(); ++v)
+      if(taken_.is_left_out(static_cast<int>(v)))
+        numbered_.create_vertex(static_cast<int>(v), points_[v]);
+    std::vector<Cell_handle> cells(taken_.flat().number_of_cell_slots());
+    for(int c : taken_.cells())
+    {
+      cells[c] = create_cell(c);
+      for(int i = 0; i < 4; ++i)
+      {
+        const Slot across = taken_.mate(Slot(c, i));
+        if(!across.is_none() && cells[across.cell()] != Cell_handle())
+          set_neighbors(Facet(cells[c], i), Facet(cells[across.cell()], across.index()));
+      }
+    }
+    for(std::size_t n = 0; n < border_.size(); ++n)
+    {
+      const Facet outer = tr_.mirror_facet(inner_[n]);
+      outer.first->reset_visited(outer.second);
+      set_neighbors(Facet(cells[border_[n].cell()], border_[n].index()), outer);
+    }
+    for(Cell_handle c : inside_)
+      tr_.tds().delete_cell(c);
+    CGAL_expensive_assertion(tr_.is_valid());
+  }
+
+  Cell_handle create_cell(int c)
+  {
+    const std::array<int, 4> v = taken_.flat().cell(c);
+    const Cell_handle h = tr_.tds().create_cell(numbered_.vertex(v[0]), numbered_.vertex(v[1]), numbered_.vertex(v[2]),
+                                                numbered_.vertex(v[3]));
+    for(int i = 0; i < 4; ++i)
+      h->vertex(i)->set_cell(h);
+    return h;
+  }
+
+  static void set_neighbors(const Facet& f, const Facet& g)
+  {
+    f.first->set_neighbor(f.second, g.first);
+    g.first->set_neighbor(g.second, f.first);
+  }
+
+  const std::vector<Weighted_point>& points_;
+  const std::vector<Site>& sites_;
+  const Thread_policy threads_;
+  Numbered_triangulation& numbered_;
+  Triangulation& tr_;
+  Exact_regularity_3<Triangulation> tests_;
+  Taken_cells_3 taken_;
+  std::vector<Slot> border_;            // facets of cells that are taken over,
+  std::vector<Facet> inner_;            // and where they are in the triangulation, on the side that gives way
+  std::vector<Cell_handle> inside_;     // the cells that give way
+};
+
+} // namespace internal
+} // namespace Global_odt_mesh_3
+} // namespace CGAL
+
+#endif // CGAL_GLOBAL_ODT_MESH_3_INTERNAL_RESTRICTED_TRIANGULATION_TAKEOVER_3_H

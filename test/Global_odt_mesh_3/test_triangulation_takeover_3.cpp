@@ -1,0 +1,375 @@
+// Copyright (c) 2026 The Global_odt_mesh_3 authors.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "check.h"
+#include "load_triangulation_3.h"
+#include "mesh_domains.h"
+
+#include <CGAL/Global_odt_mesh_3/internal/geometry/Random_source.h>
+#include <CGAL/Global_odt_mesh_3/internal/geometry/Regularity_filter_3.h>
+#include <CGAL/Global_odt_mesh_3/internal/geometry/Vertex_tuples.h>
+#include <CGAL/Global_odt_mesh_3/internal/restricted/C3t3_reader_3.h>
+#include <CGAL/Global_odt_mesh_3/internal/restricted/Restricted_complex_3.h>
+#include <CGAL/Global_odt_mesh_3/internal/restricted/Triangulation_takeover_3.h>
+#include <CGAL/Global_odt_mesh_3/internal/triangulation/Flips_3.h>
+
+#include <CGAL/Exact_predicates_exact_constructions_kernel.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <iostream>
+#include <set>
+#include <string>
+#include <utility>
+#include <vector>
+
+using namespace CGAL::Global_odt_mesh_3::internal;
+using domains::Labeled_c3t3;
+using domains::Labeled_domain;
+using domains::Labeled_triangulation;
+using domains::Polyhedral_c3t3;
+using domains::Polyhedral_domain;
+
+enum Outcome { TAKEN_OVER, NOT_TAKEN_OVER, ANY };
+
+// The cells by the numbers of their vertices, -1 for the infinite one.
+template <class Triangulation>
+static std::set<std::array<int, 4> > cells(const Numbered_triangulation_3<Triangulation>& numbered)
+{
+  const Triangulation& tr = numbered.triangulation();
+  std::set<std::array<int, 4> > all;
+  for(auto c : tr.all_cell_handles())
+  {
+    std::array<int, 4> q;
+    for(int i = 0; i < 4; ++i)
+      q[i] = tr.is_infinite(c->vertex(i)) ? -1 : numbered.number(c->vertex(i));
+    all.insert(sorted(q));
+  }
+  check::that(all.size() == tr.number_of_cells(), "two cells have the same vertices");
+  return all;
+}
+
+// Whether nothing is left of marks that were made on the way, and each number has its vertex at its point.
+template <class Triangulation, class Points>
+static bool is_tidy(const Numbered_triangulation_3<Triangulation>& numbered, const Points& points)
+{
+  const Triangulation& tr = numbered.triangulation();
+  for(auto c : tr.all_cell_handles())
+    for(int i = 0; i < 4; ++i)
+      if(c->is_facet_visited(i) || c->tds_data().is_in_conflict())
+        return false;
+  for(int v = 0; v < static_cast<int>(points.size()); ++v)
+    if(!numbered.is_visible(v) || tr.point(numbered.vertex(v)) != points[v])
+      return false;
+  return numbered.is_complete();
+}
+
+// What is taken over from the mesh for positions that may be others is what insertion gives; how many vertices
+// were inserted for it, or -1 if it was not taken over.
+template <class Triangulation>
+int take_over(const std::string& name, const Moving_triangulation_3& mesh, const std::vector<Site>& sites, Outcome expected)
+{
+  typedef typename Triangulation::Weighted_point Weighted_point;
+  std::vector<Weighted_point> points;
+  for(const Site& s : sites)
+    points.emplace_back(typename Triangulation::Bare_point(s.x, s.y, s.z), s.weight);
+  Numbered_triangulation_3<Triangulation> inserted, taken;
+  inserted.build(points, sites);
+  Triangulation_takeover_3<Triangulation> takeover(mesh, points, sites, Thread_policy(), taken);
+  const bool is_taken = takeover.run();
+  std::cout << name << ": " << (is_taken ? "" : "not ") << "taken over, " << takeover.number_of_inserted_vertices()
+            << " of " << sites.size() << " vertices inserted" << std::endl;
+  check::that(expected == ANY || is_taken == (expected == TAKEN_OVER), name, ": ", is_taken ? "" : "not ", "taken over");
+  if(!is_taken)
+    return -1;
+  check::that(inserted.is_complete(), name, ": hidden vertices are overlooked");
+  check::that(cells(taken) == cells(inserted), name, ": not the cells that insertion gives");
+  check::that(taken.triangulation().is_valid(), name, ": the triangulation is not valid");
+  check::that(is_tidy(taken, points), name, ": marks are left, or vertices are not what they were");
+  // Vertices can be moved afterwards.
+  for(int v = 0; v < static_cast<int>(points.size()); v += 97)
+    for(auto* numbered : { &taken, &inserted })
+      numbered->move(v, points[v]);
+  check::that(cells(taken) == cells(inserted) && taken.triangulation().is_valid(), name, ": vertices cannot be moved");
+  return takeover.number_of_inserted_vertices();
+}
+
+// Moves vertices of a mesh, which stays regular.
+static void move(Moving_triangulation_3& mesh, double length, unsigned int seed)
+{
+  Random_source random(seed);
+  mesh.evaluate();
+  std::vector<double> edges;
+  mesh.shortest_edges(edges);
+  for(int n = 0; n < 3; ++n)
+  {
+    mesh.keep();
+    for(int v = 0; v < mesh.number_of_interior_vertices; ++v)
+      mesh.sites[v] = site_at(position(mesh.sites[v]) + length * edges[v] * random.direction(), mesh.sites[v].weight);
+    if(!mesh.evaluate())
+      mesh.restore();
+  }
+}
+
+// Surface vertices elsewhere than in the mesh, as after their projection.
+static std::vector<Site> with_moved_surface(const Moving_triangulation_3& mesh, double length, unsigned int seed)
+{
+  Random_source random(seed);
+  std::vector<double> edges;
+  mesh.shortest_edges(edges);
+  std::vector<Site> sites = mesh.sites;
+  for(int v = mesh.number_of_interior_vertices; v < mesh.number_of_movable_vertices; ++v)
+    sites[v] = site_at(position(sites[v]) + length * edges[v] * random.direction(), sites[v].weight);
+  return sites;
+}
+
+// Flips a share of the facets where that leads to positive cells.
+static int flip_at_random(Moving_triangulation_3& mesh, double share, unsigned int seed)
+{
+  Random_source random(seed);
+  int flips = 0;
+  for(int n = 0, end = mesh.topology.number_of_slots(); n < end; ++n)
+  {
+    const Slot s(n);
+    if(random.uniform() > share || !mesh.topology.is_alive(s.cell()) || mesh.topology.neighbor(s).is_side())
+      continue;
+    const std::array<double, 3> volumes = mesh.volumes_after_2_3(s);
+    if(!(volumes[0] > 0 && volumes[1] > 0 && volumes[2] > 0))
+      continue;
+    flip_2_3(mesh.topology, s);
+    ++flips;
+  }
+  return flips;
+}
+
+template <class C3t3, class Domain>
+struct Setting
+{
+  typedef typename C3t3::Triangulation Triangulation;
+  typedef Restricted_complex_3<Triangulation, Domain> Complex;
+
+  Complex complex;
+  Moving_triangulation_3 mesh;
+
+  Setting(const C3t3& c3t3, const Domain& domain)
+    : complex(domain, Boundary_motion::BY_NORMALS)
+  {
+    complex.start(C3t3_reader_3<C3t3, typename Complex::Domain>(c3t3, complex.domain()).read(mesh, true));
+  }
+};
+
+// A mesh of a domain after small and large motions, with a surface that moves, so that facets of it change, with wrong
+// flips, and with vertices that have left their stars: all of it is taken over, with more insertions.
+template <class C3t3, class Domain>
+void domain_meshes(const std::string& name, const C3t3& c3t3, const Domain& domain, Outcome expected)
+{
+  typedef typename C3t3::Triangulation Triangulation;
+  const Setting<C3t3, Domain> setting(c3t3, domain);
+  Moving_triangulation_3 mesh = setting.mesh;
+  take_over<Triangulation>(name + ", as read", mesh, mesh.sites, expected);
+  move(mesh, 0.2, 1);
+  const int fewest = take_over<Triangulation>(name + ", moved", mesh, mesh.sites, expected);
+  for(double length : { 0.01, 0.1, 0.3 })
+    take_over<Triangulation>(name + ", surface moved by " + std::to_string(length), mesh,
+                             with_moved_surface(mesh, length, 2), length < 0.2 ? expected : ANY);
+  {
+    Moving_triangulation_3 flipped = mesh;
+    check::that(flip_at_random(flipped, 0.001, 3) > 0, name, ": nothing is flipped");
+    const int n = take_over<Triangulation>(name + ", with wrong flips", flipped, flipped.sites, expected);
+    check::that(n < 0 || n > fewest, name, ": no wrong flip is noticed");
+  }
+  {
+    std::vector<Site> sites = mesh.sites;
+    std::vector<double> edges;
+    mesh.mean_edge_lengths(edges);
+    Random_source random(4);
+    for(int v = 0; v < mesh.number_of_interior_vertices; v += 300)
+      sites[v] = site_at(position(sites[v]) + 0.7 * edges[v] * random.direction(), sites[v].weight);
+    take_over<Triangulation>(name + ", with inverted cells", mesh, sites, expected);
+  }
+  flip_at_random(mesh, 1, 5);
+  take_over<Triangulation>(name + ", with many wrong flips", mesh, mesh.sites, ANY);
+}
+
+// A complex gets where it gets by insertion of all vertices.
+template <class C3t3, class Domain>
+void complexes(const std::string& name, const C3t3& c3t3, const Domain& domain, bool is_final)
+{
+  Setting<C3t3, Domain> with(c3t3, domain), without(c3t3, domain);
+  for(unsigned int n = 0; n < 3; ++n)
+  {
+    move(with.mesh, 0.1, 10 + n);
+    const bool done = with.complex.advance(with.mesh, is_final).has_value();
+    check::that(without.complex.advance(with.mesh.sites, is_final).has_value() == done, name, ": only one way succeeds");
+    if(!done)
+      continue;
+    const auto &a = with.complex.state(), &b = without.complex.state();
+    check::that(cells(*a.own) == cells(*b.own), name, ": the complexes have other cells");
+    check::that(a.has_positions(b.sites) && a.boundary_cells == b.boundary_cells, name, ": the complexes differ");
+    std::set<std::array<int, 3> > facets[2];
+    for(const Boundary_facet& f : a.boundary.complex().facets())
+      facets[0].insert(sorted(f.vertices));
+    for(const Boundary_facet& f : b.boundary.complex().facets())
+      facets[1].insert(sorted(f.vertices));
+    check::that(facets[0] == facets[1], name, ": the complexes have other facets");
+    with.complex.flatten(with.mesh);
+  }
+  std::cout << name << ": " << with.complex.number_of_takeovers() << " takeovers" << std::endl;
+  check::that(with.complex.number_of_takeovers() == 3, name, ": ", with.complex.number_of_takeovers(), " takeovers");
+  check::that(without.complex.number_of_takeovers() == 0, name, ": taken over without a mesh");
+}
+
+// Points of a lattice, some of them elsewhere: where spheres pass through more than four, the result is that of insertion.
+static void lattices()
+{
+  const int n = 16;
+  for(double left_in_place : { 1., 0.5, 0.1, 0. })
+  {
+    Random_source random(6);
+    Labeled_triangulation tr;
+    for(int i = 0; i <= n; ++i)
+      for(int j = 0; j <= n; ++j)
+        for(int k = 0; k <= n; ++k)
+        {
+          Eigen::Vector3d p(i, j, k);
+          const bool is_inside = 0 < (std::min)({ i, j, k }) && (std::max)({ i, j, k }) < n;
+          const Eigen::Vector3d by = 0.3 * random.direction();
+          if(is_inside && i > left_in_place * n)
+            p += by;
+          tr.insert(Labeled_triangulation::Weighted_point(Labeled_triangulation::Bare_point(p.x(), p.y(), p.z()), 0));
+        }
+    const Moving_triangulation_3 mesh = load_triangulation_3(tr);
+    take_over<Labeled_triangulation>("lattice of which " + std::to_string(left_in_place) + " is in place", mesh, mesh.sites,
+                                     left_in_place == 1 ? NOT_TAKEN_OVER : left_in_place > 0.3 ? ANY : TAKEN_OVER);
+  }
+}
+
+static Moving_triangulation_3 random_points()
+{
+  Random_source random(7);
+  Labeled_triangulation tr;
+  for(int i = 0; i < 4000; ++i)
+  {
+    const double x = random.uniform(), y = random.uniform(), z = random.uniform();
+    tr.insert(Labeled_triangulation::Weighted_point(Labeled_triangulation::Bare_point(x, y, z), 0));
+  }
+  return load_triangulation_3(tr);
+}
+
+// Where vertices get hidden, by those that are inserted or by those that are left out, or two are in one place, that is
+// noticed.
+static void hidden_vertices()
+{
+  const Moving_triangulation_3 mesh = random_points();
+  const int inside = mesh.number_of_interior_vertices / 2, fixed = mesh.number_of_interior_vertices;
+  take_over<Labeled_triangulation>("random points", mesh, mesh.sites, TAKEN_OVER);
+  for(int v : { inside, fixed })
+  {
+    std::vector<Site> sites = mesh.sites;
+    sites[v].weight = 0.03;
+    take_over<Labeled_triangulation>("random points, one with a large weight", mesh, sites, NOT_TAKEN_OVER);
+    sites[v].weight = -0.1;
+    take_over<Labeled_triangulation>("random points, one with a negative weight", mesh, sites,
+                                     v == inside ? NOT_TAKEN_OVER : ANY);
+  }
+  std::vector<Site> sites = mesh.sites;
+  sites[inside] = sites[inside + 1];
+  take_over<Labeled_triangulation>("random points, two in one place", mesh, sites, NOT_TAKEN_OVER);
+}
+
+// Weights that change some cells: the others are taken over.
+static void weighted_vertices()
+{
+  const Moving_triangulation_3 mesh = random_points();
+  std::vector<Site> sites = mesh.sites;
+  Random_source random(8);
+  for(int v = 0; v < mesh.number_of_movable_vertices; v += 40)
+    sites[v].weight = 1e-4 * random.uniform();
+  take_over<Labeled_triangulation>("random points with weights", mesh, sites, TAKEN_OVER);
+}
+
+// What the filter proves is so, for cells that are nearly flat and points that are nearly on their spheres; and it
+// proves something.
+static void filter()
+{
+  typedef CGAL::Exact_predicates_exact_constructions_kernel Exact;
+  Random_source random(9);
+  int proven = 0, near = 0;
+  for(int n = 0; n < 20000; ++n)
+  {
+    const double epsilon = std::pow(10., -18 * random.uniform()), far = n % 3 == 0 ? 1000 : 0;
+    const auto noise = [&] { return Eigen::Vector3d(epsilon * random.direction()); };
+    std::array<Site, 5> s;
+    for(Site& t : s)
+    {
+      Eigen::Vector3d p = random.direction();
+      if(n % 2 == 1)
+        p.z() = 0;
+      p += noise() + Eigen::Vector3d(far, far, far);
+      t = site_at(p, 0);
+    }
+    const auto exact = [&s](int i) { return Exact::Point_3(s[i].x, s[i].y, s[i].z); };
+    const Regularity_filter_3 filter(s[0], s[1], s[2], s[3]);
+    const auto orientation = CGAL::orientation(exact(0), exact(1), exact(2), exact(3));
+    check::that(!filter.is_positive() || orientation == CGAL::POSITIVE, "the filter errs about an orientation");
+    proven += filter.is_positive();
+    if(orientation != CGAL::POSITIVE || !filter.is_outside(s[4]))
+      continue;
+    ++near;
+    check::that(CGAL::side_of_oriented_sphere(exact(0), exact(1), exact(2), exact(3), exact(4)) == CGAL::ON_NEGATIVE_SIDE,
+                "the filter errs about a sphere");
+  }
+  std::cout << "filter: " << proven << " orientations, " << near << " spheres proven" << std::endl;
+  check::that(proven > 4000 && near > 1000, "the filter proves nothing");
+}
+
+int main()
+{
+  std::cout << "seeds: 1 to 9, 10 to 12" << std::endl;
+  filter();
+  lattices();
+  hidden_vertices();
+  weighted_vertices();
+  {
+    const Labeled_domain domain = domains::sphere();
+    const Labeled_c3t3 c3t3 = domains::mesh(domain, 0.11);
+    domain_meshes("sphere", c3t3, domain, TAKEN_OVER);
+    complexes("sphere", c3t3, domain, false);
+    complexes("sphere, final", c3t3, domain, true);
+  }
+  {
+    const Labeled_domain domain = domains::three_subdomains();
+    const Labeled_c3t3 c3t3 = domains::mesh(domain, 0.1);
+    domain_meshes("three subdomains", c3t3, domain, TAKEN_OVER);
+    complexes("three subdomains", c3t3, domain, true);
+  }
+  {
+    const Labeled_domain domain = domains::labeled([](const domains::Point_3& p)
+      { return domains::squared(p) < 1 && domains::squared(p) > 0.2 ? 1 : 0; });
+    const Labeled_c3t3 c3t3 = domains::mesh(domain, 0.1);
+    domain_meshes("cavity", c3t3, domain, TAKEN_OVER);
+    complexes("cavity", c3t3, domain, true);
+  }
+  {
+    const Labeled_domain domain = domains::torus();
+    domain_meshes("torus", domains::mesh(domain, 0.1), domain, TAKEN_OVER);
+  }
+  {
+    // Nearly all vertices are on the surface.
+    const Labeled_domain domain = domains::thin_plate();
+    const Setting<Labeled_c3t3, Labeled_domain> plate(domains::mesh(domain, 0.15), domain);
+    take_over<Labeled_triangulation>("thin plate", plate.mesh, plate.mesh.sites, NOT_TAKEN_OVER);
+  }
+  {
+    Polyhedral_domain domain(domains::notched_box());
+    domain.detect_features();
+    const Polyhedral_c3t3 c3t3 = domains::mesh(domain, 0.15, true);
+    domain_meshes("box with features", c3t3, domain, TAKEN_OVER);
+    complexes("box with features", c3t3, domain, true);
+  }
+  return check::result();
+}
