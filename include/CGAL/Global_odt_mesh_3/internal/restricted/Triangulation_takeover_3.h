@@ -50,8 +50,7 @@ public:
     , numbered_(numbered)
     , tr_(numbered.triangulation())
     , tests_(points, sites, tr_.geom_traits())
-    , taken_(mesh.topology, mesh.number_of_interior_vertices,
-             static_cast<int>(points.size()))
+    , taken_(mesh.topology, mesh.number_of_interior_vertices, static_cast<int>(points.size()))
   {}
 
   // False if that does not pay or cannot be done, and then nothing is built that is of any use.
@@ -65,8 +64,12 @@ public:
     {
       if(!insert_news())
         return false;
-      if(match_border())
-        return find_inside() && all_vertices_stay() && (transplant(), true);
+      if(!match_border())
+        continue;
+      if(!find_inside() || !all_vertices_stay())
+        return false;
+      transplant();
+      return true;
     }
     return false;
   }
@@ -208,7 +211,6 @@ private:
     for(std::size_t n = 0; n < border_.size(); ++n)
     {
       const Facet outer = tr_.mirror_facet(inner_[n]);
-      outer.first->reset_visited(outer.second);
       set_neighbors(Facet(cells[border_[n].cell()], border_[n].index()), outer);
     }
     for(Cell_handle c : inside_)
