@@ -159,12 +159,13 @@ If the domain, a field or the callback throws, `c3t3` is as it was before the ca
 `random_seed` the result is the same, bit for bit, unless `time_limit` shortens the schedule. Handles to vertices and
 cells of `c3t3` become invalid.
 
-If `C3T3::Triangulation::Concurrency_tag` is convertible to `CGAL::Parallel_tag` and the program links TBB, the energy
-\f$ E^\rho_{ODT} \f$ and its gradient are evaluated on several threads, within the limits of the caller's
-`tbb::global_control` and `tbb::task_arena`, unless that takes values of a density inside of cells; all else runs on one.
-The result is the same, bit for bit, for any number of threads; that of the same mesh with `CGAL::Sequential_tag` may
-differ from it by rounding. The domain, fields, the callback and the visitor are only called from the thread that calls
-this function.
+If `C3T3::Triangulation::Concurrency_tag` is convertible to `CGAL::Parallel_tag` and the program links TBB, search and
+minimization run on several threads, within the limits of the caller's `tbb::global_control` and `tbb::task_arena`: meshes
+of more than 40,000 vertices are searched in blocks, for which the threads need not wait for each other, unless the fields
+of the user are asked. Surfaces are restricted to the domain, and slivers removed, on one thread.
+The result is the same, bit for bit, for any number of threads, and for the same mesh with `CGAL::Sequential_tag`.
+The domain, fields, the callback and the visitor are only called from the thread that calls this function; in a search
+in blocks, the visitor is told of ten iterations at once.
 
 Meshes in periodic triangulations are handed over to `CGAL::Mesh_3::Mesh_global_optimizer`, which
 knows of the first five parameters only. As with the function of Mesh_3, a program that uses them must not link TBB.

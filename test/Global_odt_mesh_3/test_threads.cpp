@@ -3,12 +3,14 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// A mesh that is made for threads: the result does not depend on how many there are, and what the user gives is
-// called from one only. What it throws comes out, and leaves the mesh.
+// A mesh that is made for threads: the result does not depend on how many there are, nor on whether there are any, and
+// what the user gives is called from one only. What it throws comes out, and leaves the mesh.
 
 #include "check.h"
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+#include <CGAL/Global_odt_mesh_3/internal/blocks/Block_annealing_3.h>
+#include <CGAL/IO/File_binary_mesh_3.h>
 #include <CGAL/Labeled_mesh_domain_3.h>
 #include <CGAL/Mesh_complex_3_in_triangulation_3.h>
 #include <CGAL/Mesh_criteria_3.h>
@@ -19,32 +21,53 @@
 
 #include <tbb/global_control.h>
 
+#include <algorithm>
+#include <array>
 #include <cstddef>
 #include <iostream>
+#include <sstream>
 #include <stdexcept>
+#include <string>
 #include <thread>
 #include <vector>
 
 typedef CGAL::Exact_predicates_inexact_constructions_kernel Kernel;
 typedef Kernel::Point_3 Point_3;
 typedef CGAL::Labeled_mesh_domain_3<Kernel> Domain;
-typedef CGAL::Mesh_triangulation_3<Domain, CGAL::Default, CGAL::Parallel_tag>::type Triangulation;
-typedef CGAL::Mesh_complex_3_in_triangulation_3<Triangulation> C3t3;
+template <class Concurrency_tag>
+using C3t3_for = CGAL::Mesh_complex_3_in_triangulation_3<
+  typename CGAL::Mesh_triangulation_3<Domain, CGAL::Default, Concurrency_tag>::type>;
+typedef C3t3_for<CGAL::Parallel_tag> C3t3;
+typedef C3t3::Triangulation Triangulation;
 typedef CGAL::Mesh_criteria_3<Triangulation> Criteria;
 namespace params = CGAL::parameters;
 
 static double squared(const Point_3& p) { return (p - CGAL::ORIGIN).squared_length(); }
 
-static std::vector<double> coordinates(const C3t3& c3t3)
+typedef std::vector<std::array<double, 3> > Coordinates;
+
+// In an order that does not depend on the containers.
+template <class C3t3>
+Coordinates coordinates(const C3t3& c3t3)
 {
-  std::vector<double> c;
-  const Triangulation& tr = c3t3.triangulation();
+  Coordinates c;
+  const auto& tr = c3t3.triangulation();
   for(auto v = tr.finite_vertices_begin(); v != tr.finite_vertices_end(); ++v)
   {
     const Point_3& p = tr.point(v).point();
-    c.insert(c.end(), { p.x(), p.y(), p.z() });
+    c.push_back({{ p.x(), p.y(), p.z() }});
   }
+  std::sort(c.begin(), c.end());
   return c;
+}
+
+template <class C3t3>
+C3t3 read(const std::string& mesh)
+{
+  C3t3 c3t3;
+  std::istringstream stream(mesh);
+  check::that(CGAL::IO::load_binary_file(stream, c3t3), "the mesh cannot be read");
+  return c3t3;
 }
 
 // The thread that may call, and whether another one does.
@@ -72,20 +95,27 @@ struct Density
   }
 };
 
-static void same_for_all_threads(const C3t3& input, const Domain& domain)
+// The whole call, with rounds and slivers.
+template <class C3t3>
+Coordinates optimized(const std::string& mesh, const Domain& domain, std::size_t threads)
 {
-  std::vector<double> expected;
-  for(std::size_t threads : { 1, 2, 3, 8 })
-  {
-    tbb::global_control control(tbb::global_control::max_allowed_parallelism, threads);
-    C3t3 c3t3 = input;
-    CGAL::odt_optimize_mesh_3(c3t3, domain, params::number_of_rounds = 1);
-    const std::vector<double> result = coordinates(c3t3);
-    if(expected.empty())
-      expected = result;
-    check::that(result != coordinates(input), "nothing has moved");
-    check::that(result == expected, threads, " threads lead elsewhere than one");
-  }
+  tbb::global_control control(tbb::global_control::max_allowed_parallelism, threads);
+  C3t3 c3t3 = read<C3t3>(mesh);
+  const Coordinates before = coordinates(c3t3);
+  CGAL::odt_optimize_mesh_3(c3t3, domain, params::number_of_rounds = 1);
+  check::that(c3t3.triangulation().is_valid(), "the triangulation is not valid");
+  const Coordinates after = coordinates(c3t3);
+  check::that(after.size() == before.size() && after != before, "vertices are lost, or nothing has moved");
+  return after;
+}
+
+static void same_for_all_threads(const std::string& mesh, const Domain& domain, const std::vector<std::size_t>& numbers)
+{
+  const Coordinates expected = optimized<C3t3>(mesh, domain, 1);
+  for(std::size_t threads : numbers)
+    check::that(optimized<C3t3>(mesh, domain, threads) == expected, threads, " threads lead elsewhere than one");
+  check::that(optimized<C3t3_for<CGAL::Sequential_tag> >(mesh, domain, 1) == expected,
+              "a mesh that is not made for threads leads elsewhere");
 }
 
 static void users_are_called_from_one_thread(const C3t3& input, const Domain& domain, Caller& caller)
@@ -112,7 +142,7 @@ static void users_are_called_from_one_thread(const C3t3& input, const Domain& do
     const long needed = 1000000000 - calls;
     calls = needed / 2;
     c3t3 = input;
-    const std::vector<double> before = coordinates(c3t3);
+    const Coordinates before = coordinates(c3t3);
     bool has_thrown = false;
     try { optimize(); }
     catch(const std::runtime_error&) { has_thrown = true; }
@@ -132,14 +162,29 @@ int main()
     return squared(p) < 1 ? 1 : 0;
   };
   const Domain domain(label, Kernel::Sphere_3(CGAL::ORIGIN, 4.));
-  const Criteria criteria(params::facet_angle = 25, params::facet_size = 0.1, params::facet_distance = 0.01,
-                          params::cell_radius_edge_ratio = 2, params::cell_size = 0.09);
-  const C3t3 c3t3 = CGAL::make_mesh_3<C3t3>(domain, criteria, params::no_perturb(), params::no_exude());
-  is_meshing = false;
-  const std::size_t cells = c3t3.number_of_cells_in_complex();
-  std::cout << cells << " cells" << std::endl;
-  check::that(cells > 20000, "too few cells for several threads to have something to do");
-  same_for_all_threads(c3t3, domain);
+  const auto mesh_with = [&](double size)
+  {
+    const Criteria criteria(params::facet_angle = 25, params::facet_size = size, params::facet_distance = size / 10,
+                            params::cell_radius_edge_ratio = 2, params::cell_size = size);
+    is_meshing = true;
+    const C3t3 c3t3 = CGAL::make_mesh_3<C3t3>(domain, criteria, params::no_perturb(), params::no_exude());
+    is_meshing = false;
+    std::cout << c3t3.triangulation().number_of_vertices() << " vertices, " << c3t3.number_of_cells_in_complex() << " cells"
+              << std::endl;
+    return c3t3;
+  };
+  const auto stored = [](const C3t3& c3t3)
+  {
+    std::ostringstream stream;
+    CGAL::IO::save_binary_file(stream, c3t3);
+    return stream.str();
+  };
+  const C3t3 c3t3 = mesh_with(0.09), large = mesh_with(0.041);
+  check::that(c3t3.number_of_cells_in_complex() > 24000, "too few cells for several threads to have something to do");
+  check::that(CGAL::Global_odt_mesh_3::internal::Block_annealing_3::usual_number_of_blocks(
+                large.triangulation().number_of_vertices()) > 1, "too few vertices for a search in blocks");
+  same_for_all_threads(stored(c3t3), domain, { 2, 3, 8 });
+  same_for_all_threads(stored(large), domain, { 3 });
   users_are_called_from_one_thread(c3t3, domain, caller);
   return check::result();
 }

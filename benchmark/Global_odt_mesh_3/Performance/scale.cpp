@@ -28,7 +28,6 @@
 
 #include <boost/functional/hash.hpp>
 
-#include <array>
 #include <cmath>
 #include <cstddef>
 #include <cstdio>

@@ -7,6 +7,8 @@
 #define CGAL_GLOBAL_ODT_MESH_3_INTERNAL_GEOMETRY_VERTEX_TUPLES_H
 
 #include <algorithm>
+#include <array>
+#include <utility>
 
 namespace CGAL {
 namespace Global_odt_mesh_3 {
@@ -19,6 +21,29 @@ Tuple sorted(Tuple t)
 {
   std::sort(t.begin(), t.end());
   return t;
+}
+
+// The same oriented facet, from its lowest vertex on.
+template <class Triple>
+Triple rotated(Triple t)
+{
+  std::rotate(t.begin(), std::min_element(t.begin(), t.end()), t.end());
+  return t;
+}
+
+// The vertices of an oriented cell in ascending order, but for the last two where orientation asks for it.
+inline std::array<int, 4> in_canonical_order(std::array<int, 4> v)
+{
+  bool is_odd = false;
+  for(int i = 1; i < 4; ++i)
+    for(int j = i; j > 0 && v[j] < v[j - 1]; --j)
+    {
+      std::swap(v[j], v[j - 1]);
+      is_odd = !is_odd;
+    }
+  if(is_odd)
+    std::swap(v[2], v[3]);
+  return v;
 }
 
 } // namespace internal

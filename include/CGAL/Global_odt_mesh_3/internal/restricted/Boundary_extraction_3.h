@@ -7,6 +7,7 @@
 #define CGAL_GLOBAL_ODT_MESH_3_INTERNAL_RESTRICTED_BOUNDARY_EXTRACTION_3_H
 
 #include <CGAL/Global_odt_mesh_3/internal/geometry/Facet_dual_3.h>
+#include <CGAL/Global_odt_mesh_3/internal/geometry/Vertex_tuples.h>
 #include <CGAL/Global_odt_mesh_3/internal/restricted/Cell_knowledge.h>
 #include <CGAL/Global_odt_mesh_3/internal/restricted/Restricted_candidate_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/surface/Boundary_complex_3.h>
@@ -14,6 +15,7 @@
 
 #include <Eigen/Core>
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <memory>
@@ -39,13 +41,18 @@ public:
     , domain_(domain)
   {
     const auto& tr = candidate.triangulation();
-    for(auto f = tr.all_facets_begin(); f != tr.all_facets_end(); ++f)
-    {
-      const Cell_handle c = f->first, d = c->neighbor(f->second);
-      if((candidate.state.has_unseparating_facets || c->subdomain_index() != d->subdomain_index()
-          || knows(c, IS_BOUNDARY_CELL) || knows(d, IS_BOUNDARY_CELL)) && !tr.is_infinite(*f))
-        possible_facets_.push_back(*f);
-    }
+    std::vector<std::pair<Triple, Facet> > found;
+    for(auto c = tr.finite_cells_begin(); c != tr.finite_cells_end(); ++c)
+      for(int i = 0; i < 4; ++i)
+      {
+        const Cell_handle d = c->neighbor(i);
+        if((candidate.state.has_unseparating_facets || c->subdomain_index() != d->subdomain_index()
+            || knows(Cell_handle(c), IS_BOUNDARY_CELL) || knows(d, IS_BOUNDARY_CELL)) && is_first_side(c, i))
+          found.emplace_back(sorted(vertices(Facet(c, i))), Facet(c, i));
+      }
+    std::sort(found.begin(), found.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
+    for(const auto& f : found)
+      possible_facets_.push_back(f.second);
   }
 
   // Collects the boundary facets among them, for the labels that cells have now.
@@ -61,10 +68,8 @@ public:
       const bool separates = c->subdomain_index() != d->subdomain_index();
       if(!separates && !candidate_.state.has_unseparating_facets)
         continue;
-      const std::array<int, 3>& k = facet_indices(f.second);
       Boundary_facet b;
-      for(std::size_t i = 0; i < 3; ++i)
-        b.vertices[i] = candidate_.numbered->number(c->vertex(k[i]));
+      b.vertices = vertices(f);
       const int old = candidate_.state.facet_number(b.vertices);
       if(!separates && (old < 0 || old_facets[old].labels[0] != old_facets[old].labels[1]))
         continue;
@@ -80,6 +85,25 @@ public:
 private:
   typedef typename Candidate::Cell_handle Cell_handle;
   typedef typename Candidate::Facet Facet;
+  typedef typename Candidate::Triple Triple;
+
+  // In an order that does not depend on that of the cells.
+  Triple vertices(const Facet& f) const
+  {
+    const std::array<int, 3>& k = facet_indices(f.second);
+    Triple t;
+    for(std::size_t i = 0; i < 3; ++i)
+      t[i] = candidate_.numbered->number(f.first->vertex(k[i]));
+    return rotated(t);
+  }
+
+  // Whether the facet is looked at from this cell, and not from the other.
+  bool is_first_side(Cell_handle c, int i) const
+  {
+    const auto beyond = candidate_.triangulation().mirror_vertex(c, i);
+    return candidate_.triangulation().is_infinite(beyond)
+           || candidate_.numbered->number(beyond) < candidate_.numbered->number(c->vertex(i));
+  }
 
   // The patch on which all vertices agree.
   int patch_of_new_facet(const Boundary_facet& f)

@@ -9,6 +9,7 @@
 #include <CGAL/Global_odt_mesh_3/internal/geometry/Point_coordinates.h>
 #include <CGAL/Global_odt_mesh_3/internal/geometry/Site.h>
 #include <CGAL/Global_odt_mesh_3/internal/geometry/Spatial_order.h>
+#include <CGAL/Global_odt_mesh_3/internal/geometry/Vertex_tuples.h>
 #include <CGAL/Global_odt_mesh_3/internal/parallel/Thread_policy.h>
 #include <CGAL/Global_odt_mesh_3/internal/restricted/Estimated_surface_center_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/restricted/Flatten_state_3.h>
@@ -66,13 +67,19 @@ public:
     const std::vector<int> place = sort_vertices(boundary(facets), mesh.topology, boundary_moves);
     mesh.topology.renumber_vertices(place);
     for(Constrained_facet<Triangulation>& f : facets)
+    {
       for(int& v : f.vertices)
         v = place[v];
-    state_.boundary = Boundary_geometry_3(std::make_shared<const Boundary_complex_3>(boundary(facets)), state_.sites);
+      f.vertices = rotated(f.vertices);
+    }
+    Constrained_facets<Triangulation> in_order = facets;
+    std::sort(in_order.begin(), in_order.end(), [](const auto& a, const auto& b)
+              { return sorted(a.vertices) < sorted(b.vertices); });
+    state_.boundary = Boundary_geometry_3(std::make_shared<const Boundary_complex_3>(boundary(in_order)), state_.sites);
     for(int v = numbering_->number_of_interior_vertices; v < numbering_->number_of_movable_vertices; ++v)
       state_.surface_positions.push_back({ true, 0, state_.sites[v] });
     state_.number_facets();
-    read_surface_centers(facets);
+    read_surface_centers(in_order);
     read_labels();
     load_positions(state_, facets, mesh);
     return std::move(state_);
@@ -142,8 +149,9 @@ private:
     return place;
   }
 
-  // A complex that was not made by the mesher may lack surface centers; then a
-  // point of the dual line stands in, without being told to anybody.
+  // A complex that was not made by the mesher, or comes from a file, may lack surface centers, which is seen from their
+  // indices: the points are then not even numbers that are the same each time. A point of the dual line stands in,
+  // without being told to anybody.
   void read_surface_centers(const Constrained_facets<Triangulation>& facets)
   {
     constexpr double most_spread = 1e-4;      // of the powers of the center with respect to the vertices
@@ -158,7 +166,9 @@ private:
         const Site& s = state_.sites[f.vertices[k]];
         power[k] = squared_distance(s, point) - s.weight;
       }
-      if(!(power.maxCoeff() - power.minCoeff() <= most_spread * std::abs(power[0])))
+      if(!c->is_facet_on_surface(i)
+         || !domain_.is_on_patch(c->get_facet_surface_center_index(i), domain_.patch_number(c->surface_patch_index(i)))
+         || !(power.maxCoeff() - power.minCoeff() <= most_spread * std::abs(power[0])))
         point = estimated_surface_center(f.vertices, state_.boundary, state_.sites);
       state_.facets.push_back(f.facet);
       state_.centers.push_back({ point, p, c->get_facet_surface_center_index(i), true, true });

@@ -102,6 +102,7 @@ public:
     return s ? Subdomain_index(*s) : Subdomain_index();
   }
 
+  Index index(const Surface_patch_index& patch) const { return domain_.index_from_surface_patch_index(patch); }
   Surface_patch_index surface_patch(const Index& index) const { return domain_.surface_patch_index(index); }
 
   // Moves `p` to the surface patch, by the closest point or along the normal, at

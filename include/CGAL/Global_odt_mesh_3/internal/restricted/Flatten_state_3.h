@@ -7,6 +7,7 @@
 #define CGAL_GLOBAL_ODT_MESH_3_INTERNAL_RESTRICTED_FLATTEN_STATE_3_H
 
 #include <CGAL/Global_odt_mesh_3/internal/restricted/Restricted_state_3.h>
+#include <CGAL/Global_odt_mesh_3/internal/triangulation/Canonical_order.h>
 #include <CGAL/Global_odt_mesh_3/internal/triangulation/Flat_triangulation_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/triangulation/Flatten_triangulation_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/triangulation/Moving_triangulation_3.h>
@@ -51,7 +52,7 @@ void load_positions(const Restricted_state_3<Triangulation>& state, const Constr
   mesh.surface_heights.clear();
   for(const Constrained_facet<Triangulation>& f : facets)
     mesh.surface_heights.push_back(state.height(f.vertices));
-  mesh.topology.compact();
+  Canonical_order(mesh.topology).apply(mesh.topology);
 }
 
 // Loads the state into a mesh.

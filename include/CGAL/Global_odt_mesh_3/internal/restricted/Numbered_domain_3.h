@@ -44,6 +44,9 @@ public:
   // The label of the subdomain in which the point lies.
   int label_at(const Bare_point& p) { return label(oracle_.subdomain(p)); }
 
+  // Whether that is the index of points on the patch.
+  bool is_on_patch(const Index& index, int patch_number) const { return index == oracle_.index(patch(patch_number)); }
+
   // The patch of a point that intersect() has found.
   int patch_at(const Index& index) { return patch_number(oracle_.surface_patch(index)); }
 

@@ -71,7 +71,13 @@ public:
     return false;
   }
 
-  void push(int v, const Vector& by) { pushes_.emplace(v, by); }
+  // Of several pushes, the longest.
+  void push(int v, const Vector& by)
+  {
+    const auto p = pushes_.emplace(v, by);
+    if(!p.second && by.squaredNorm() > p.first->second.squaredNorm())
+      p.first->second = by;
+  }
 
   void give_up() { is_beyond_repair_ = true; }
 

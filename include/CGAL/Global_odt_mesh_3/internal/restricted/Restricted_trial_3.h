@@ -29,6 +29,7 @@
 #include <cstddef>
 #include <iterator>
 #include <limits>
+#include <numeric>
 #include <utility>
 #include <vector>
 
@@ -254,15 +255,21 @@ private:
     const std::vector<Site>& sites = complex_.sites;
     std::vector<Vertex_handle> neighbors;
     complex_.triangulation().finite_adjacent_vertices(complex_.numbered.vertex(v), std::back_inserter(neighbors));
-    mean_edge_ = 0;
+    // Sums are rounded the same way whatever the order of cells.
+    std::vector<double> lengths;
     for(Vertex_handle w : neighbors)
-      mean_edge_ += (position(sites[complex_.numbered.number(w)]) - position(sites[v])).norm() / double(neighbors.size());
+      lengths.push_back((position(sites[complex_.numbered.number(w)]) - position(sites[v])).norm());
+    std::sort(lengths.begin(), lengths.end());
+    mean_edge_ = std::accumulate(lengths.begin(), lengths.end(), 0.) / double(lengths.size());
     normal_ = Eigen::Vector3d::Zero();
     shortest_edge_ = infinity;
     const int own_patch = complex_.numbering.is_on_boundary(v) ? patch(v) : Boundary_facet::no_patch;
+    std::vector<Exchangeable_boundary_3::Facet> around;
     for(int n : complex_.boundary.around(v))
+      around.push_back(complex_.boundary.facet(n));
+    std::sort(around.begin(), around.end(), [](const auto& a, const auto& b) { return a.vertices < b.vertices; });
+    for(const Exchangeable_boundary_3::Facet& facet : around)
     {
-      const Exchangeable_boundary_3::Facet& facet = complex_.boundary.facet(n);
       const std::array<int, 3>& t = facet.vertices;
       const Eigen::Vector3d origin = position(sites[t[0]]);
       const Eigen::Vector3d area = (position(sites[t[1]]) - origin).cross(position(sites[t[2]]) - origin);
@@ -303,7 +310,8 @@ private:
     star_.clear();
     for(Cell_handle c : cells)
       if(is_inside(complex_.label(c)))
-        star_.push_back(complex_.numbers(c));
+        star_.push_back(in_canonical_order(complex_.numbers(c)));
+    std::sort(star_.begin(), star_.end());
   }
 
   // Infinite if a cell is turned over.

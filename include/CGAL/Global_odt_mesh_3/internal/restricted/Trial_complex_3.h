@@ -95,7 +95,7 @@ struct Trial_complex_3
   // Hands over triangulation and boundary to a candidate with the sites.
   void give(Candidate& candidate)
   {
-    std::vector<Boundary_facet> found;
+    std::vector<Found_facet> found;
     Triangulation& tr = numbered.triangulation();
     for(auto c = tr.all_cells_begin(); c != tr.all_cells_end(); ++c)
     {
@@ -111,21 +111,36 @@ struct Trial_complex_3
         continue;
       for(int i = 0; i < 4; ++i)
         if(off_boundary == 0 || is_off_boundary(q[i]))
-          give_facet(Facet(c, i), q, candidate, found);
+          find_facet(Facet(c, i), q, found);
       if(off_boundary > 0)
         continue;
       note(Cell_handle(c), IS_BOUNDARY_CELL);
       candidate.boundary_cells.emplace_back(c, label(c));
     }
-    candidate.boundary_complex = std::make_shared<const Boundary_complex_3>(std::move(found), sites.size());
+    std::sort(found.begin(), found.end(), [](const Found_facet& a, const Found_facet& b) { return a.key < b.key; });
+    std::vector<Boundary_facet> facets;
+    for(const Found_facet& f : found)
+    {
+      facets.push_back(f.of_boundary);
+      candidate.facets.push_back(f.facet);
+      candidate.old_facets.push_back(state.facet_number(f.key));
+    }
+    candidate.boundary_complex = std::make_shared<const Boundary_complex_3>(std::move(facets), sites.size());
     candidate.numbered->swap(numbered);
   }
 
 private:
   typedef typename Triangulation::Facet Facet;
 
+  struct Found_facet
+  {
+    std::array<int, 3> key;         // its vertices, sorted
+    Boundary_facet of_boundary;
+    Facet facet;
+  };
+
   // If it is on the boundary, seen from the cell whose other vertex has the higher number.
-  void give_facet(const Facet& f, const Quadruple& q, Candidate& candidate, std::vector<Boundary_facet>& found) const
+  void find_facet(const Facet& f, const Quadruple& q, std::vector<Found_facet>& found) const
   {
     const Cell_handle c = f.first, d = c->neighbor(f.second);
     const auto beyond = triangulation().mirror_vertex(c, f.second);
@@ -133,15 +148,14 @@ private:
       return;
     const std::array<int, 3>& k = facet_indices(f.second);
     Boundary_facet b;
-    b.vertices = {{ q[k[0]], q[k[1]], q[k[2]] }};
-    const int n = boundary.find(sorted(b.vertices));
+    b.vertices = rotated(std::array<int, 3>{{ q[k[0]], q[k[1]], q[k[2]] }});
+    const std::array<int, 3> key = sorted(b.vertices);
+    const int n = boundary.find(key);
     if(n < 0)
       return;
     b.labels = {{ label(c), label(d) }};
     b.patch = boundary.facet(n).patch;
-    found.push_back(b);
-    candidate.facets.push_back(f);
-    candidate.old_facets.push_back(state.facet_number(b.vertices));
+    found.push_back({ key, b, f });
   }
 };
 

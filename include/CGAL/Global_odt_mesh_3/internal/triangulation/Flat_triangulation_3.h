@@ -41,6 +41,7 @@ public:
   Slot constrained_slot(int facet, int side) const { return constrained_slot(Slot::side(facet, side)); }
   Slot constrained_slot(Slot side) const { return Slot(arrays_[CONSTRAINED_SLOTS][side.side_id()]); }
 
+  int number_of_vertices() const { return static_cast<int>(arrays_[VERTEX_CELL].size()); }
   int number_of_slots() const { return static_cast<int>(arrays_[CELL_VERTICES].size()); }
   int number_of_cell_slots() const { return number_of_slots() / 4; }
   int number_of_cells() const { return number_of_cell_slots() - static_cast<int>(arrays_[FREE_CELLS].size()); }

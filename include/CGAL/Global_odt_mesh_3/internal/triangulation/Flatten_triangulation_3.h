@@ -78,7 +78,7 @@ private:
     for(int i = 0; i < 4; ++i)
     {
       const Cell_handle d = c->neighbor(i);
-      const bool second_visit = !tr_.is_infinite(d) && d < c;
+      const bool second_visit = !tr_.is_infinite(d) && number_(tr_.mirror_vertex(c, i)) > number_(c->vertex(i));
       if(second_visit || (!tr_.is_infinite(d) && is_inside_(d)) || !is_constrained_(Facet(c, i)))
         continue;
       const std::array<int, 3>& f = facet_indices(i);
