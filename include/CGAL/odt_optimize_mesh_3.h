@@ -28,6 +28,7 @@ is defined by `<CGAL/odt_optimize_mesh_3.h>` of this package, and not by the hea
 #include <CGAL/Global_odt_mesh_3/internal/Odt_parameters.h>
 #include <CGAL/Global_odt_mesh_3/internal/Parameter_check.h>
 #include <CGAL/Global_odt_mesh_3/internal/User_fields_3.h>
+#include <CGAL/Global_odt_mesh_3/internal/triangulation/Flat_triangulation_3.h>
 #include <CGAL/Mesh_3/Mesh_global_optimizer.h>
 #include <CGAL/Mesh_3/Mesh_sizing_field.h>
 #include <CGAL/Mesh_3/Null_global_optimizer_visitor.h>
@@ -101,6 +102,8 @@ optimize(C3T3& c3t3, const MeshDomain& domain, Odt_task task, const Odt_paramete
   fields.check();
   CGAL_GLOBAL_ODT_MESH_3_CHECK_PARAMETER(!Mesh_3::internal::has_non_protecting_weights(c3t3.triangulation(), domain),
                                          "c3t3 must not have weights on vertices off the features");
+  CGAL_GLOBAL_ODT_MESH_3_CHECK_PARAMETER(c3t3.triangulation().number_of_cells() <= Flat_triangulation_3::most_cells,
+                                         "c3t3 must not have more than 268,435,456 cells");
   if constexpr (is_periodic<C3T3>)
     return optimize_periodic(c3t3, domain, p);
   else
@@ -321,6 +324,7 @@ version of %CGAL in use knows: `parameters::time_limit = 10, parameters::do_free
   along the gradient, lowers the energy, or when no valid mesh can be made, in which case `c3t3` is as before.
 
 \pre No vertex but those on features carries a weight, that is, `exude_mesh_3()` has not been called before.
+\pre The triangulation has at most \f$ 2^{28} \f$ cells.
 */
 template <class C3T3, class MeshDomain, class... NamedParameters>
 Mesh_optimization_return_code

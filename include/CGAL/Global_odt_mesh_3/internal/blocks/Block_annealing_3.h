@@ -49,8 +49,8 @@ public:
     return (std::max)(1, static_cast<int>(number_of_vertices / vertices_of_block));
   }
 
-  Block_annealing_3(Moving_triangulation_3& mesh, int number_of_blocks, unsigned int seed, const Momentum_annealing_schedule& schedule,
-                    const Thread_policy& threads)
+  Block_annealing_3(Moving_triangulation_3& mesh, int number_of_blocks, unsigned int seed,
+                    const Momentum_annealing_schedule& schedule, const Thread_policy& threads)
     : mesh_(mesh)
     , number_of_blocks_(number_of_blocks)
     , random_(seed)
@@ -66,6 +66,8 @@ public:
     term_ = term;
     velocity_ = Eigen::VectorXd::Zero(3 * mesh_.number_of_movable_vertices);
     mesh_.mean_edge_lengths(edge_length_);
+    if(mesh_.quadrature() != nullptr)
+      mesh_.quadrature()->update(mesh_.sites, mesh_.number_of_movable_vertices, threads_);
     mesh_.is_regular();
     gradient_.resize(mesh_.sites.size());
     mesh_.for_each_gradient([this](int v, const Site_gradient& g) { gradient_[v] = g; });

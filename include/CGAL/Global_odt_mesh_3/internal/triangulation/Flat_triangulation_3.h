@@ -34,6 +34,8 @@ class Flat_triangulation_3
 
 public:
   static constexpr int no_vertex = -1;
+  // With room for those that flips make, their slots have numbers of type int.
+  static constexpr std::size_t most_cells = std::size_t(1) << 28;
 
   int number_of_constrained_facets() const { return static_cast<int>(arrays_[CONSTRAINED_SLOTS].size() / 2); }
   int number_of_sides() const { return static_cast<int>(arrays_[CONSTRAINED_SLOTS].size()); }
