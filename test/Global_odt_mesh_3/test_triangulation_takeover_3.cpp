@@ -108,8 +108,11 @@ static void move(Moving_triangulation_3& mesh, double length, unsigned int seed)
   for(int n = 0; n < 3; ++n)
   {
     mesh.keep();
-    for(int v = 0; v < mesh.number_of_interior_vertices; ++v)
-      mesh.sites[v] = site_at(position(mesh.sites[v]) + length * edges[v] * random.direction(), mesh.sites[v].weight);
+    mesh.move([&](int v, Site& s)
+    {
+      if(v < mesh.number_of_interior_vertices)
+        s = site_at(position(s) + length * edges[v] * random.direction(), s.weight);
+    });
     if(!mesh.evaluate())
       mesh.restore();
   }
