@@ -71,6 +71,7 @@ public:
     mesh_.is_regular();
     gradient_.resize(mesh_.sites.size());
     mesh_.for_each_gradient([this](int v, const Site_gradient& g) { gradient_[v] = g; });
+    mesh_.release_gradient();
   }
 
   // One step for each fraction of all steps in `done`. No block is begun once may_go_on(), which is asked in the

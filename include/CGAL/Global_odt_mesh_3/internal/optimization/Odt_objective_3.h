@@ -71,6 +71,11 @@ public:
   const Eigen::VectorXd& gradient() const { return current_.gradient; }
   const Eigen::VectorXd& diagonal() const { return current_.diagonal; }
 
+  // The mesh is left with no room for gradients.
+  ~Odt_objective_3() { mesh_.release_gradient(); }
+  Odt_objective_3(const Odt_objective_3&) = delete;
+  Odt_objective_3& operator=(const Odt_objective_3&) = delete;
+
   bool evaluate(const Eigen::VectorXd& x)
   {
     CGAL_assertion(x.size() == point().size() && !is_on_trial_);
