@@ -18,6 +18,7 @@
 #include <CGAL/Global_odt_mesh_3/internal/density/Density_moment_cache_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/density/Linear_density_quadrature_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/density/Point_rule_quadrature_3.h>
+#include <CGAL/Global_odt_mesh_3/internal/geometry/Vertex_tuples.h>
 #include <CGAL/Global_odt_mesh_3/internal/optimization/Odt_objective_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/surface/Surface_cvt_term_3.h>
 #include <CGAL/Regular_triangulation_3.h>
@@ -158,8 +159,7 @@ static std::vector<std::array<int, 3> > constrained_facets(const Moving_triangul
       std::array<int, 3> f = {{ -1, -1, -1 }};
       if(!s.is_none())
         f = mesh.topology.facet(s);
-      std::rotate(f.begin(), std::min_element(f.begin(), f.end()), f.end());
-      facets.push_back(f);
+      facets.push_back(rotated(f));
     }
   return facets;
 }

@@ -58,7 +58,7 @@ public:
     const auto in_stage = during(Stage_clock::DENSITY);
     density_.prepare(mesh_, fields, parameters_.quadrature, vertex);
     minimizer_parameters_ = minimizer_parameters(mesh_.quadrature());
-    surface_term_ = std::make_unique<Surface_cvt_term_3>(mesh_.number_of_interior_vertices, number_of_surface_vertices(),
+    surface_term_ = std::make_unique<Surface_cvt_term_3>(mesh_.number_of_interior_vertices, mesh_.number_of_surface_vertices(),
                                                          parameters_.surface_weight, density_.on_surface(), threads_);
     search_ = std::make_unique<Global_search>(parameters_.annealing_schedule, parameters_.random_seed, minimizer_parameters_,
                                               threads_);
@@ -131,11 +131,6 @@ private:
   {
     return stage == Round_plan::REMESH ? Stage_clock::REMESH
          : stage == Round_plan::SEARCH ? Stage_clock::SEARCH : Stage_clock::MINIMIZE;
-  }
-
-  int number_of_surface_vertices() const
-  {
-    return mesh_.number_of_movable_vertices - mesh_.number_of_interior_vertices;
   }
 
   // The fraction of the search that is behind at iteration n of the round.
@@ -220,7 +215,7 @@ private:
 
   Odt_objective_3::Term surface_term()
   {
-    if(number_of_surface_vertices() == 0 || !(parameters_.surface_weight > 0))
+    if(mesh_.number_of_surface_vertices() == 0 || !(parameters_.surface_weight > 0))
       return Odt_objective_3::Term();
     surface_term_->follow(boundary_->complex(), mesh_.sites);
     return std::ref(*surface_term_);

@@ -91,10 +91,7 @@ public:
   Mesh_optimization_return_code code() const { return code_; }
   std::size_t number_of_slivers() const { return number_of_slivers_; }
   const Oracle_statistics& oracle_statistics() const { return complex_.domain().statistics(); }
-  int number_of_surface_vertices() const
-  {
-    return mesh_.number_of_movable_vertices - mesh_.number_of_interior_vertices;
-  }
+  int number_of_surface_vertices() const { return mesh_.number_of_surface_vertices(); }
 
 private:
   typedef typename C3t3::Triangulation Triangulation;

@@ -11,7 +11,6 @@
 #include <CGAL/Global_odt_mesh_3/internal/restricted/Cell_knowledge.h>
 #include <CGAL/Global_odt_mesh_3/internal/restricted/Restricted_candidate_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/surface/Boundary_complex_3.h>
-#include <CGAL/Global_odt_mesh_3/internal/triangulation/Slot.h>
 
 #include <Eigen/Core>
 
@@ -47,8 +46,8 @@ public:
       {
         const Cell_handle d = c->neighbor(i);
         if((candidate.state.has_unseparating_facets || c->subdomain_index() != d->subdomain_index()
-            || knows(Cell_handle(c), IS_BOUNDARY_CELL) || knows(d, IS_BOUNDARY_CELL)) && is_first_side(c, i))
-          found.emplace_back(sorted(vertices(Facet(c, i))), Facet(c, i));
+            || knows(Cell_handle(c), IS_BOUNDARY_CELL) || knows(d, IS_BOUNDARY_CELL)) && candidate.numbered->is_first_side(Facet(c, i)))
+          found.emplace_back(sorted(candidate.numbered->vertices(Facet(c, i))), Facet(c, i));
       }
     std::sort(found.begin(), found.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
     for(const auto& f : found)
@@ -69,7 +68,7 @@ public:
       if(!separates && !candidate_.state.has_unseparating_facets)
         continue;
       Boundary_facet b;
-      b.vertices = vertices(f);
+      b.vertices = candidate_.numbered->vertices(f);
       const int old = candidate_.state.facet_number(b.vertices);
       if(!separates && (old < 0 || old_facets[old].labels[0] != old_facets[old].labels[1]))
         continue;
@@ -86,24 +85,6 @@ private:
   typedef typename Candidate::Cell_handle Cell_handle;
   typedef typename Candidate::Facet Facet;
   typedef typename Candidate::Triple Triple;
-
-  // In an order that does not depend on that of the cells.
-  Triple vertices(const Facet& f) const
-  {
-    const std::array<int, 3>& k = facet_indices(f.second);
-    Triple t;
-    for(std::size_t i = 0; i < 3; ++i)
-      t[i] = candidate_.numbered->number(f.first->vertex(k[i]));
-    return rotated(t);
-  }
-
-  // Whether the facet is looked at from this cell, and not from the other.
-  bool is_first_side(Cell_handle c, int i) const
-  {
-    const auto beyond = candidate_.triangulation().mirror_vertex(c, i);
-    return candidate_.triangulation().is_infinite(beyond)
-           || candidate_.numbered->number(beyond) < candidate_.numbered->number(c->vertex(i));
-  }
 
   // The patch on which all vertices agree.
   int patch_of_new_facet(const Boundary_facet& f)

@@ -6,7 +6,7 @@
 #ifndef CGAL_GLOBAL_ODT_MESH_3_INTERNAL_RESTRICTED_CELL_CERTIFICATE_3_H
 #define CGAL_GLOBAL_ODT_MESH_3_INTERNAL_RESTRICTED_CELL_CERTIFICATE_3_H
 
-#include <CGAL/Global_odt_mesh_3/internal/parallel/Chunks.h>
+#include <CGAL/Global_odt_mesh_3/internal/parallel/Collect_in_chunks.h>
 #include <CGAL/Global_odt_mesh_3/internal/parallel/Thread_policy.h>
 #include <CGAL/Global_odt_mesh_3/internal/restricted/Exact_regularity_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/restricted/Taken_cells_3.h>
@@ -17,24 +17,6 @@
 namespace CGAL {
 namespace Global_odt_mesh_3 {
 namespace internal {
-
-// What f(n, found) adds to `found` for the numbers n below `size`, in their order.
-template <class F>
-std::vector<int> collect_in_chunks(int size, const Thread_policy& threads, const F& f)
-{
-  constexpr int least_length = 1000, most_chunks = 256;
-  const Chunks chunks(size, least_length, most_chunks);
-  std::vector<std::vector<int> > found(chunks.number());
-  threads.for_each_chunk(chunks.number(), [&](int n)
-  {
-    for(int k = chunks.begin(n); k < chunks.end(n); ++k)
-      f(k, found[n]);
-  });
-  std::vector<int> all;
-  for(const std::vector<int>& some : found)
-    all.insert(all.end(), some.begin(), some.end());
-  return all;
-}
 
 // Rejects the cells that are not positive, and those on both sides of facets that are not strictly locally
 // regular. Where spheres pass through five vertices, insertion is to decide.

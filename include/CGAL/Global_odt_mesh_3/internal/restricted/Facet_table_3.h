@@ -49,20 +49,12 @@ public:
       if(v < 0 || !has_facets_[v])
         return none;
     for(std::size_t p = first_place(facet); places_[p] != none; p = next_place(p))
-      if(is_same(facets_[places_[p]], facet))
+      if(rotated(facets_[places_[p]]) == rotated(facet))
         return places_[p];
     return none;
   }
 
 private:
-  static bool is_same(const std::array<int, 3>& f, const std::array<int, 3>& g)
-  {
-    for(int k = 0; k < 3; ++k)
-      if(f[0] == g[k] && f[1] == g[(k + 1) % 3] && f[2] == g[(k + 2) % 3])
-        return true;
-    return false;
-  }
-
   std::size_t first_place(const std::array<int, 3>& facet) const
   {
     std::uint64_t hash = 0;

@@ -7,11 +7,14 @@
 #define CGAL_GLOBAL_ODT_MESH_3_INTERNAL_RESTRICTED_NUMBERED_TRIANGULATION_3_H
 
 #include <CGAL/Global_odt_mesh_3/internal/geometry/Spatial_order.h>
+#include <CGAL/Global_odt_mesh_3/internal/geometry/Vertex_tuples.h>
+#include <CGAL/Global_odt_mesh_3/internal/triangulation/Slot.h>
 
 #include <CGAL/assertions.h>
 #include <CGAL/number_utils.h>
 
 #include <algorithm>
+#include <array>
 #include <cstddef>
 #include <iterator>
 #include <numeric>
@@ -30,6 +33,7 @@ class Numbered_triangulation_3
 public:
   typedef typename Triangulation::Vertex_handle Vertex_handle;
   typedef typename Triangulation::Cell_handle Cell_handle;
+  typedef typename Triangulation::Facet Facet;
   typedef typename Triangulation::Weighted_point Weighted_point;
 
   const Triangulation& triangulation() const { return tr_; }
@@ -41,6 +45,22 @@ public:
   }
   std::size_t number_of_vertices() const { return vertices_.size(); }
   static int number(Vertex_handle h) { return static_cast<int>(h->meshing_info()); }
+
+  // The vertices of a finite facet, clockwise seen from its cell, from the lowest on: in an order that does not depend on
+  // that of the cell.
+  static std::array<int, 3> vertices(const Facet& f)
+  {
+    const std::array<int, 3>& k = facet_indices(f.second);
+    return rotated(std::array<int, 3>{{ number(f.first->vertex(k[0])), number(f.first->vertex(k[1])),
+                                        number(f.first->vertex(k[2])) }});
+  }
+
+  // Whether a facet is looked at from this cell, and not from the other: the one whose other vertex has the higher number.
+  bool is_first_side(const Facet& f) const
+  {
+    const Vertex_handle here = f.first->vertex(f.second), beyond = tr_.mirror_vertex(f.first, f.second);
+    return !tr_.is_infinite(here) && (tr_.is_infinite(beyond) || number(beyond) < number(here));
+  }
 
   void build(const std::vector<Weighted_point>& points, const std::vector<Site>& sites)
   {

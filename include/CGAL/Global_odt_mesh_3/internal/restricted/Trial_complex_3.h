@@ -14,7 +14,6 @@
 #include <CGAL/Global_odt_mesh_3/internal/restricted/Restricted_state_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/surface/Boundary_complex_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/surface/Exchangeable_boundary_3.h>
-#include <CGAL/Global_odt_mesh_3/internal/triangulation/Slot.h>
 
 #include <Eigen/Core>
 
@@ -77,11 +76,6 @@ struct Trial_complex_3
     return q;
   }
 
-  bool is_on_boundary(const Quadruple& q) const
-  {
-    return std::all_of(q.begin(), q.end(), [this](int v) { return v >= 0 && numbering.is_on_boundary(v); });
-  }
-
   // As exact as that of the state where that has one.
   Weighted_point point(int v) const
   {
@@ -111,7 +105,7 @@ struct Trial_complex_3
         continue;
       for(int i = 0; i < 4; ++i)
         if(off_boundary == 0 || is_off_boundary(q[i]))
-          find_facet(Facet(c, i), q, found);
+          find_facet(Facet(c, i), found);
       if(off_boundary > 0)
         continue;
       note(Cell_handle(c), IS_BOUNDARY_CELL);
@@ -139,21 +133,18 @@ private:
     Facet facet;
   };
 
-  // If it is on the boundary, seen from the cell whose other vertex has the higher number.
-  void find_facet(const Facet& f, const Quadruple& q, std::vector<Found_facet>& found) const
+  // If it is on the boundary, and this is its first side.
+  void find_facet(const Facet& f, std::vector<Found_facet>& found) const
   {
-    const Cell_handle c = f.first, d = c->neighbor(f.second);
-    const auto beyond = triangulation().mirror_vertex(c, f.second);
-    if(!triangulation().is_infinite(beyond) && numbered.number(beyond) > q[f.second])
+    if(!numbered.is_first_side(f))
       return;
-    const std::array<int, 3>& k = facet_indices(f.second);
     Boundary_facet b;
-    b.vertices = rotated(std::array<int, 3>{{ q[k[0]], q[k[1]], q[k[2]] }});
+    b.vertices = numbered.vertices(f);
     const std::array<int, 3> key = sorted(b.vertices);
     const int n = boundary.find(key);
     if(n < 0)
       return;
-    b.labels = {{ label(c), label(d) }};
+    b.labels = {{ label(f.first), label(f.first->neighbor(f.second)) }};
     b.patch = boundary.facet(n).patch;
     found.push_back({ key, b, f });
   }

@@ -7,7 +7,7 @@
 #define CGAL_GLOBAL_ODT_MESH_3_INTERNAL_SURFACE_SURFACE_TRIANGULATION_3_H
 
 #include <CGAL/Global_odt_mesh_3/internal/geometry/Site.h>
-#include <CGAL/Global_odt_mesh_3/internal/parallel/Chunks.h>
+#include <CGAL/Global_odt_mesh_3/internal/parallel/Collect_in_chunks.h>
 #include <CGAL/Global_odt_mesh_3/internal/parallel/Thread_policy.h>
 #include <CGAL/Global_odt_mesh_3/internal/surface/Boundary_complex_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/surface/Boundary_geometry_3.h>
@@ -140,24 +140,14 @@ private:
   // Angles have to differ from the straight one by more than rounding.
   static constexpr double least_sine = 1e-9;
 
-  // A chunk is to be worth the trouble of a thread.
-  static constexpr int least_corners = 4000, most_chunks = 16;
-
   // One for each edge.
   std::vector<int> flippable_corners(const std::vector<Site>& sites, const Thread_policy& threads) const
   {
-    const Chunks corners(static_cast<int>(opposite_.size()), least_corners, most_chunks);
-    std::vector<std::vector<int> > found(corners.number());
-    threads.for_each_chunk(corners.number(), [&](int n)
+    return collect_in_chunks(static_cast<int>(opposite_.size()), threads, [&](int c, std::vector<int>& found)
     {
-      for(int c = corners.begin(n); c < corners.end(n); ++c)
-        if(opposite_[c] > c && is_flippable(c, sites))
-          found[n].push_back(c);
+      if(opposite_[c] > c && is_flippable(c, sites))
+        found.push_back(c);
     });
-    std::vector<int> all;
-    for(const std::vector<int>& f : found)
-      all.insert(all.end(), f.begin(), f.end());
-    return all;
   }
 
   static int next(int c) { return c % 3 == 2 ? c - 2 : c + 1; }

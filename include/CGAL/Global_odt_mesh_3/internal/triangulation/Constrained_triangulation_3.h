@@ -41,6 +41,8 @@ struct Constrained_triangulation_3
   int number_of_interior_vertices = 0;
   int number_of_movable_vertices = 0;
 
+  int number_of_surface_vertices() const { return number_of_movable_vertices - number_of_interior_vertices; }
+
   Cell_products products(int cell) const
   {
     CGAL_assertion(topology.is_alive(cell));

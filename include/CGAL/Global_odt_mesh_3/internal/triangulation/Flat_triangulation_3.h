@@ -6,6 +6,7 @@
 #ifndef CGAL_GLOBAL_ODT_MESH_3_INTERNAL_TRIANGULATION_FLAT_TRIANGULATION_3_H
 #define CGAL_GLOBAL_ODT_MESH_3_INTERNAL_TRIANGULATION_FLAT_TRIANGULATION_3_H
 
+#include <CGAL/Global_odt_mesh_3/internal/geometry/Vertex_tuples.h>
 #include <CGAL/Global_odt_mesh_3/internal/parallel/Chunks.h>
 #include <CGAL/Global_odt_mesh_3/internal/parallel/Thread_policy.h>
 #include <CGAL/Global_odt_mesh_3/internal/triangulation/Slot.h>
@@ -280,11 +281,10 @@ private:
       return !across.is_none() && constrained_slot(across) == s;
     if(across.id() >= number_of_slots() || !is_alive(across.cell()) || neighbor(across) != s)
       return false;
-    std::array<int, 3> f = facet(s), g = facet(across);
+    const std::array<int, 3> f = facet(s);
+    std::array<int, 3> g = facet(across);
     std::reverse(g.begin(), g.end());
-    std::rotate(f.begin(), std::min_element(f.begin(), f.end()), f.end());
-    std::rotate(g.begin(), std::min_element(g.begin(), g.end()), g.end());
-    return f == g;
+    return rotated(f) == rotated(g);
   }
 
   Undoable_arrays<NUMBER_OF_ARRAYS> arrays_;
