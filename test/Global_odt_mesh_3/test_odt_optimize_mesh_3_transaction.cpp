@@ -11,15 +11,23 @@
 
 #include <CGAL/Global_odt_mesh_3/internal/Iteration_control.h>
 #include <CGAL/Global_odt_mesh_3/internal/geometry/Random_source.h>
+#include <CGAL/Global_odt_mesh_3/internal/geometry/Sliver_steps.h>
+#include <CGAL/Global_odt_mesh_3/internal/geometry/Vertex_tuples.h>
 #include <CGAL/Global_odt_mesh_3/internal/restricted/C3t3_reader_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/restricted/Restricted_complex_3.h>
+#include <CGAL/Global_odt_mesh_3/internal/slivers/Exact_sliver_removal_3.h>
+#include <CGAL/Global_odt_mesh_3/internal/triangulation/Slot.h>
 #include <CGAL/Mesh_3/Null_global_optimizer_visitor.h>
 #include <CGAL/odt_optimize_mesh_3.h>
 
+#include <algorithm>
+#include <array>
 #include <cstddef>
 #include <iostream>
 #include <memory>
+#include <optional>
 #include <stdexcept>
+#include <utility>
 #include <vector>
 
 using namespace CGAL::Global_odt_mesh_3::internal;
@@ -58,6 +66,26 @@ struct Fallible_ball
   }
 };
 
+// The vertices, sorted, and the subdomain of each cell, and the number of its facets on surfaces.
+static std::vector<std::array<int, 6> > labelled_cells(const Complex::State& state)
+{
+  std::vector<std::array<int, 6> > cells;
+  for(auto h : state.triangulation().all_cell_handles())
+  {
+    std::array<int, 4> q;
+    int on_surface = 0;
+    for(int i = 0; i < 4; ++i)
+    {
+      q[i] = state.triangulation().is_infinite(h->vertex(i)) ? -1 : state.number(h->vertex(i));
+      on_surface += h->is_facet_on_surface(i);
+    }
+    q = sorted(q);
+    cells.push_back({{ q[0], q[1], q[2], q[3], static_cast<int>(h->subdomain_index()), on_surface }});
+  }
+  std::sort(cells.begin(), cells.end());
+  return cells;
+}
+
 // All that a state says, in numbers.
 static std::vector<double> contents(const Complex::State& state)
 {
@@ -76,6 +104,18 @@ static std::vector<double> contents(const Complex::State& state)
     const Point_3& p = state.triangulation().point(state.vertex(v)).point();
     c.insert(c.end(), { p.x(), p.y(), p.z() });
   }
+  for(const auto& cell : labelled_cells(state))
+    c.insert(c.end(), cell.begin(), cell.end());
+  for(const auto& f : state.facets)
+    for(const auto& g : { f, state.triangulation().mirror_facet(f) })
+    {
+      std::array<int, 3> vertices;
+      for(int i = 0; i < 3; ++i)
+        vertices[i] = state.number(g.first->vertex(facet_indices(g.second)[i]));
+      vertices = rotated(vertices);
+      c.insert(c.end(), vertices.begin(), vertices.end());
+      c.push_back(g.first->is_facet_on_surface(g.second));
+    }
   return c;
 }
 
@@ -146,6 +186,41 @@ static void failures_leave_no_trace(Fallible_ball& ball, const Labeled_domain& d
   }
 }
 
+// A state that has been replaced can be returned to, and one whose trials are not adopted is as it was: the
+// triangulation that it has lent is found again, with its labels and patches, whether a few vertices have moved or all.
+static void triangulations_are_restored(Fallible_ball& ball, const Labeled_domain& domain, const Labeled_c3t3& c3t3)
+{
+  ball.fail(Fallible_ball::NONE, 0);
+  const std::unique_ptr<Complex> complex = load(c3t3, domain, Boundary_motion::BY_NORMALS);
+  const std::vector<double> input = contents(complex->state());
+  std::optional<Complex::State> replaced = complex->advance(displaced(complex->state(), 0.02, 5), true);
+  check::that(replaced.has_value(), "a small displacement leads to no valid complex");
+  const std::vector<double> first = contents(complex->state());
+  for(bool all : { false, true })
+  {
+    std::vector<Site> target = displaced(complex->state(), 0.01, 6);
+    const std::size_t few = 10;
+    if(!all)
+      std::copy(complex->state().sites.begin() + few, complex->state().sites.end(), target.begin() + few);
+    std::optional<Complex::State> before = complex->advance(target, true);
+    check::that(before.has_value() && contents(complex->state()) != first, "a small displacement leads to no other complex");
+    complex->return_to(std::move(*before));
+    check::that(contents(complex->state()) == first, "a complex that is returned to is another");
+  }
+
+  auto trial = complex->make_trial();
+  typedef Exact_sliver_removal_3<Complex::Trial> Removal;
+  Removal::Failures failures;
+  Removal removal(trial, failures, 1);
+  removal.climb(Sliver_steps::last(30), 100000, [] { return true; });
+  check::that(removal.number_of_moves() > 5, "there are no slivers: the test is too weak");
+  ball.fail(Fallible_ball::SAY_OUTSIDE, 0);
+  check::that(!complex->adopt(trial), "a complex was made of a domain that is empty");
+  check::that(contents(complex->state()) == first, "trials that are not adopted change the complex");
+  complex->return_to(std::move(*replaced));
+  check::that(contents(complex->state()) == input, "the input is not what is returned to");
+}
+
 // The same for the whole call.
 static void exceptions_leave_the_mesh(Fallible_ball& ball, const Labeled_domain& domain, const Labeled_c3t3& input)
 {
@@ -192,6 +267,7 @@ int main()
   const Labeled_domain domain = ball.domain();
   const Labeled_c3t3 c3t3 = domains::mesh(domain, 0.2);
   failures_leave_no_trace(ball, domain, c3t3);
+  triangulations_are_restored(ball, domain, c3t3);
   exceptions_leave_the_mesh(ball, domain, c3t3);
   shares_of_time();
   return check::result();

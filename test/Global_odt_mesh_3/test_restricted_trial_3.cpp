@@ -146,6 +146,7 @@ void removal(const std::string& name, const C3t3& c3t3, const Domain& domain, Bo
     check::that(setting.complex.adopt(trial), name, ": the complex does not adopt the trials");
     auto next = setting.complex.make_trial();
     check::that(Contents(next) == reached, name, ": the complex is not what trials have led to");
+    check::that(setting.complex.adopt(next), name, ": the complex does not adopt trials that move nothing");
     results.push_back(setting.write());
   }
   if(motion == Boundary_motion::NONE)

@@ -154,12 +154,6 @@ public:
       region.insert(number(h));
   }
 
-  void swap(Numbered_triangulation_3& other)
-  {
-    tr_.swap(other.tr_);
-    vertices_.swap(other.vertices_);
-  }
-
 private:
   void insert(int v, const Weighted_point& p, Cell_handle& hint)
   {

@@ -56,7 +56,7 @@ struct Restricted_candidate_3
   const Boundary_motion motion;
   const bool is_final;                        // or else one on the way, of which less is asked
 
-  std::unique_ptr<Numbered_triangulation_3<Triangulation> > numbered;
+  std::unique_ptr<Numbered_triangulation_3<Triangulation> > numbered;   // perhaps that of the state, as long as it is lent
   std::vector<Site> sites;
   std::vector<Site> homes;                    // where vertices go back to: as in the state, or put on the surface since
   std::vector<Surface_position> surface_positions;
@@ -83,7 +83,6 @@ struct Restricted_candidate_3
     , numbering(*from.numbering)
     , motion(how)
     , is_final(is_last)
-    , numbered(std::make_unique<Numbered_triangulation_3<Triangulation> >())
     , sites(target)
     , homes(from.sites)
     , surface_positions(from.surface_positions)
@@ -115,10 +114,7 @@ struct Restricted_candidate_3
   // From the cells of a mesh that has been at about the positions, if there is one and that can be done; whether it was.
   bool build(const Moving_triangulation_3* mesh)
   {
-    std::vector<Weighted_point> points;
-    points.reserve(sites.size());
-    for(int v = 0; v < numbering.number_of_vertices(); ++v)
-      points.push_back(point(v));
+    const std::vector<typename Triangulation::Weighted_point> points = state.points(sites);
     if(mesh != nullptr && Triangulation_takeover_3<Triangulation>(*mesh, points, sites, mesh->threads(), *numbered).run())
       return true;
     numbered->build(points, sites);
@@ -126,7 +122,7 @@ struct Restricted_candidate_3
   }
 
   // Moves the vertex in the triangulation to where its site is.
-  void move(int v) { numbered->move(v, point(v)); }
+  void move(int v) { numbered->move(v, state.point(v, sites[v])); }
 
   const Triangulation& triangulation() const { return numbered->triangulation(); }
 
@@ -185,7 +181,7 @@ struct Restricted_candidate_3
     next.centers = std::move(centers);
     next.tolerated_cells = std::move(tolerated_cells);
     next.number_facets();
-    store_patches(next, domain);
+    next.store_patches(domain);
     next.surface_positions = std::move(surface_positions);
     for(int v = numbering.number_of_interior_vertices; v < numbering.number_of_movable_vertices; ++v)
     {
@@ -194,32 +190,6 @@ struct Restricted_candidate_3
         p.last_on_surface = next.sites[v];
     }
     return next;
-  }
-
-private:
-  typedef typename Triangulation::Weighted_point Weighted_point;
-  typedef typename Triangulation::Bare_point Bare_point;
-
-  // Vertices that do not move keep the exact points of the input.
-  Weighted_point point(int v) const
-  {
-    if(!numbering.is_movable(v))
-      return state.triangulation().point(state.vertex(v));
-    const Site& s = sites[v];
-    return state.triangulation().geom_traits().construct_weighted_point_3_object()(Bare_point(s.x, s.y, s.z));
-  }
-
-  template <class Domain>
-  static void store_patches(const State& next, const Domain& domain)
-  {
-    for(std::size_t n = 0; n < next.facets.size(); ++n)
-    {
-      const int patch = next.boundary.complex().facets()[n].patch;
-      if(patch == Boundary_facet::no_patch)
-        continue;
-      for(const Facet& f : { next.facets[n], next.triangulation().mirror_facet(next.facets[n]) })
-        f.first->set_surface_patch_index(f.second, domain.patch(patch));
-    }
   }
 };
 

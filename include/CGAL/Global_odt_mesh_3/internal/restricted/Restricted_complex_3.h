@@ -24,6 +24,7 @@
 #include <CGAL/Global_odt_mesh_3/internal/restricted/Surface_centers_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/restricted/Surface_projection_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/restricted/Topology_check_3.h>
+#include <CGAL/Global_odt_mesh_3/internal/restricted/Triangulation_restorer_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/triangulation/Moving_triangulation_3.h>
 
 #include <Eigen/Core>
@@ -31,6 +32,7 @@
 #include <algorithm>
 #include <cstddef>
 #include <iterator>
+#include <memory>
 #include <optional>
 #include <set>
 #include <utility>
@@ -99,20 +101,30 @@ public:
   // Whether that is close enough to the surface for the centroid of a boundary facet.
   bool is_close_to_surface(const Eigen::Vector3d& point) const { return fidelity_.is_close(point); }
 
-  // Trials of single vertices.
+  // Trials of single vertices. The state is incomplete until it adopts them.
   Trial make_trial() { return Trial(state_, domain_, fidelity_, motion_ != Boundary_motion::NONE); }
 
-  // Goes to where trials of this state have led, of which nothing is left there; false if that cannot be done.
+  // Goes to where trials of this state have led, of which nothing is left there. False if that cannot be done: then the
+  // state is as it was.
   bool adopt(Trial& trial)
   {
-    Candidate candidate(state_, trial.complex().sites, motion_, true);
-    trial.complex().give(candidate);
+    auto& trials = trial.complex();
+    if(state_.has_positions(trials.sites))
+    {
+      restore(state_, std::move(trials.numbered), trials.sites);
+      return true;
+    }
+    Candidate candidate(state_, trials.sites, motion_, true);
+    trials.give(candidate);
     for(int v = candidate.numbering.number_of_interior_vertices; v < candidate.numbering.number_of_movable_vertices; ++v)
       if(!candidate.is_home(v))
         candidate.surface_position(v) = { true, 0, candidate.sites[v] };
     if(!topology_changes(candidate).empty() || !Surface_centers_3<Domain>(candidate, domain_).find_surface_centers().is_clean()
        || !fidelity_.check(candidate).is_clean())
+    {
+      restore(state_, std::move(candidate.numbered), candidate.sites);
       return false;
+    }
     state_ = candidate.finish(domain_);
     return true;
   }
@@ -123,8 +135,8 @@ public:
   // How often most of a candidate's cells were those of a mesh.
   std::size_t number_of_takeovers() const { return number_of_takeovers_; }
 
-  // Goes to new positions of the movable vertices, as far as possible, and gives the state that is replaced, or
-  // nothing if nothing could be done.
+  // Goes to new positions of the movable vertices, as far as possible, and gives the state that is replaced, without its
+  // triangulation, or nothing if nothing could be done.
   // In a final state, all vertices are on their surfaces and all boundary facets have surface centers.
   std::optional<State> advance(const std::vector<Site>& target, bool is_final) { return advance(target, nullptr, is_final); }
 
@@ -135,7 +147,11 @@ public:
   }
 
   // Goes back to a state that has been replaced.
-  void return_to(State earlier) { state_ = std::move(earlier); }
+  void return_to(State earlier)
+  {
+    restore(earlier, std::move(state_.own), state_.sites);
+    state_ = std::move(earlier);
+  }
 
 private:
   typedef Restricted_candidate_3<Triangulation> Candidate;
@@ -151,6 +167,11 @@ private:
   // If more vertices go back, a new triangulation is faster than moving them.
   static constexpr double most_moved_one_by_one = 1 / 20.;
 
+  void restore(State& state, std::unique_ptr<Numbered_triangulation_3<Triangulation> > lent, const std::vector<Site>& sites) const
+  {
+    Triangulation_restorer_3<Domain>(state, domain_)(std::move(lent), sites);
+  }
+
   // Nothing is taken over from no mesh.
   void build(Candidate& candidate, const Moving_triangulation_3* mesh)
   {
@@ -162,20 +183,38 @@ private:
   {
     const Stage_clock::In_stage in_stage(threads_.clock(), Stage_clock::CHECK);
     Candidate candidate(state_, target, motion_, is_final);
-    Surface_projection_3<Domain> projection(candidate, domain_);
+    candidate.numbered = state_.is_input() ? std::make_unique<Numbered_triangulation_3<Triangulation> >() : std::move(state_.own);
+    try
+    {
+      if(complete(candidate, mesh))
+        return std::exchange(state_, candidate.finish(domain_));
+    }
+    catch(...)
+    {
+      restore(state_, std::move(candidate.numbered), candidate.sites);
+      throw;
+    }
+    restore(state_, std::move(candidate.numbered), candidate.sites);
+    return std::nullopt;
+  }
+
+  // Whether the candidate is valid, perhaps with some vertices back where they were.
+  bool complete(Candidate& candidate, const Moving_triangulation_3* mesh)
+  {
+    Surface_projection projection(candidate, domain_);
     if(candidate.boundary_moves())
       projection.project_all();
     build(candidate, mesh);
     for(int attempt = 0; attempt < most_attempts; ++attempt)
     {
-      const bool wants_good_facets = (is_final || !has_long_ways_) && attempt < attempts_at_good_facets;
+      const bool wants_good_facets = (candidate.is_final || !has_long_ways_) && attempt < attempts_at_good_facets;
       const Report report = check(candidate, wants_good_facets);
       if(report.is_clean())
-        return std::exchange(state_, candidate.finish(domain_));
+        return true;
       if(report.is_beyond_repair() || !apply(report, candidate, projection, attempt))
-        return std::nullopt;
+        return false;
     }
-    return std::nullopt;
+    return false;
   }
 
   // Completes the candidate until something is found wrong. Facets that are too thin may be found good enough.

@@ -7,6 +7,7 @@
 #define CGAL_GLOBAL_ODT_MESH_3_INTERNAL_RESTRICTED_RESTRICTED_STATE_3_H
 
 #include <CGAL/Global_odt_mesh_3/internal/geometry/Facet_dual_3.h>
+#include <CGAL/Global_odt_mesh_3/internal/geometry/Point_coordinates.h>
 #include <CGAL/Global_odt_mesh_3/internal/geometry/Site.h>
 #include <CGAL/Global_odt_mesh_3/internal/geometry/Vertex_tuples.h>
 #include <CGAL/Global_odt_mesh_3/internal/restricted/Numbered_triangulation_3.h>
@@ -33,7 +34,8 @@ namespace Global_odt_mesh_3 {
 namespace internal {
 
 // A valid complex: positions, the exact regular triangulation of them, its restriction to the
-// domain, and where the vertices on surfaces are. Once made, it does not change.
+// domain, and where the vertices on surfaces are. Once made, it does not change; but its triangulation, which takes most
+// of the memory, may be lent to a next one.
 template <class Triangulation_>
 struct Restricted_state_3
 {
@@ -42,6 +44,7 @@ struct Restricted_state_3
   typedef typename Triangulation::Cell_handle Cell_handle;
   typedef typename Triangulation::Facet Facet;
   typedef typename Triangulation::Bare_point Bare_point;
+  typedef typename Triangulation::Weighted_point Weighted_point;
   typedef typename Triangulation::Vertex::Index Index;
   typedef Vertex_numbering_3<Triangulation> Vertex_numbering;
   typedef Eigen::Vector3d Vector;
@@ -70,7 +73,7 @@ struct Restricted_state_3
 
   std::shared_ptr<const Vertex_numbering> numbering;
   const Triangulation* input = nullptr;                             // of the input
-  std::unique_ptr<Numbered_triangulation_3<Triangulation> > own;    // of any other state
+  std::unique_ptr<Numbered_triangulation_3<Triangulation> > own;    // of any other state, unless it is lent
   std::vector<Site> sites;
   std::vector<Surface_position> surface_positions;  // of the vertices that move on surfaces
   Boundary_geometry_3 boundary;
@@ -81,7 +84,7 @@ struct Restricted_state_3
   std::set<Quadruple> tolerated_cells;              // of the input, with dual points in other subdomains
   bool has_unseparating_facets = false;
 
-  bool is_input() const { return own == nullptr; }
+  bool is_input() const { return input != nullptr; }
   const Triangulation& triangulation() const { return is_input() ? *input : own->triangulation(); }
   Vertex_handle vertex(int v) const { return is_input() ? numbering->input_vertices[v] : own->vertex(v); }
   int number(Vertex_handle v) const
@@ -89,10 +92,28 @@ struct Restricted_state_3
     return is_input() ? numbering->input_number[v] : Numbered_triangulation_3<Triangulation>::number(v);
   }
 
-  // Whether the vertices that may move are there.
+  // Of a vertex at a site: as exact as in the input if it is there.
+  Weighted_point point(int v, const Site& s) const
+  {
+    const Weighted_point& of_input = numbering->input_vertices[v]->point();
+    if(same_place(s, weighted_site(of_input)))
+      return of_input;
+    return typename Triangulation::Geom_traits().construct_weighted_point_3_object()(Bare_point(s.x, s.y, s.z));
+  }
+
+  std::vector<Weighted_point> points(const std::vector<Site>& positions) const
+  {
+    std::vector<Weighted_point> result;
+    result.reserve(positions.size());
+    for(std::size_t v = 0; v < positions.size(); ++v)
+      result.push_back(point(static_cast<int>(v), positions[v]));
+    return result;
+  }
+
+  // Whether the vertices are there.
   bool has_positions(const std::vector<Site>& positions) const
   {
-    return std::equal(sites.begin(), sites.begin() + numbering->number_of_movable_vertices, positions.begin(), same_place);
+    return std::equal(sites.begin(), sites.end(), positions.begin(), positions.end(), same_place);
   }
 
   // Of a vertex that moves on a surface.
@@ -125,6 +146,20 @@ struct Restricted_state_3
       const Boundary_facet& f = boundary_facets[n];
       facet_numbers.emplace(sorted(f.vertices), static_cast<int>(n));
       has_unseparating_facets = has_unseparating_facets || f.labels[0] == f.labels[1];
+    }
+  }
+
+  // To be called when cells know no patches: those of the boundary facets.
+  template <class Domain>
+  void store_patches(const Domain& domain)
+  {
+    for(std::size_t n = 0; n < facets.size(); ++n)
+    {
+      const int patch = boundary.complex().facets()[n].patch;
+      if(patch == Boundary_facet::no_patch)
+        continue;
+      for(const Facet& f : { facets[n], triangulation().mirror_facet(facets[n]) })
+        f.first->set_surface_patch_index(f.second, domain.patch(patch));
     }
   }
 

@@ -52,8 +52,8 @@ public:
   typedef typename Complex::Triangulation Triangulation;
   typedef typename Complex::Quadruple Quadruple;
 
-  // If `boundary_moves` is false, the boundary stays as it is.
-  Restricted_trial_3(const State& state, Domain& domain, const Fidelity_check_3<Domain>& fidelity, bool boundary_moves)
+  // The state lends its triangulation. If `boundary_moves` is false, the boundary stays as it is.
+  Restricted_trial_3(State& state, Domain& domain, const Fidelity_check_3<Domain>& fidelity, bool boundary_moves)
     : complex_(state, domain)
     , lifted_(complex_)
     , exchange_(complex_, lifted_, fidelity, boundary_moves)
@@ -123,7 +123,7 @@ public:
       {
         const auto v = complex_.triangulation().mirror_vertex(c, i);
         if(!complex_.triangulation().is_infinite(v))
-          beyond.push_back(complex_.numbered.number(v));
+          beyond.push_back(complex_.numbered->number(v));
       }
     return movable_vertices(beyond.begin(), beyond.end());
   }
@@ -216,7 +216,7 @@ private:
 
   bool is_cell(const Quadruple& q, Cell_handle& c) const
   {
-    const auto& t = complex_.numbered;
+    const auto& t = *complex_.numbered;
     return t.triangulation().is_cell(t.vertex(q[0]), t.vertex(q[1]), t.vertex(q[2]), t.vertex(q[3]), c);
   }
 
@@ -254,11 +254,11 @@ private:
   {
     const std::vector<Site>& sites = complex_.sites;
     std::vector<Vertex_handle> neighbors;
-    complex_.triangulation().finite_adjacent_vertices(complex_.numbered.vertex(v), std::back_inserter(neighbors));
+    complex_.triangulation().finite_adjacent_vertices(complex_.numbered->vertex(v), std::back_inserter(neighbors));
     // Sums are rounded the same way whatever the order of cells.
     std::vector<double> lengths;
     for(Vertex_handle w : neighbors)
-      lengths.push_back((position(sites[complex_.numbered.number(w)]) - position(sites[v])).norm());
+      lengths.push_back((position(sites[complex_.numbered->number(w)]) - position(sites[v])).norm());
     std::sort(lengths.begin(), lengths.end());
     mean_edge_ = std::accumulate(lengths.begin(), lengths.end(), 0.) / double(lengths.size());
     normal_ = Eigen::Vector3d::Zero();
@@ -306,7 +306,7 @@ private:
   void find_star(int v)
   {
     std::vector<Cell_handle> cells;
-    complex_.triangulation().incident_cells(complex_.numbered.vertex(v), std::back_inserter(cells));
+    complex_.triangulation().incident_cells(complex_.numbered->vertex(v), std::back_inserter(cells));
     star_.clear();
     for(Cell_handle c : cells)
       if(is_inside(complex_.label(c)))

@@ -28,8 +28,8 @@ namespace CGAL {
 namespace Global_odt_mesh_3 {
 namespace internal {
 
-// A copy of a state, whose vertices can be moved one by one. Its cells know their subdomains,
-// but facets are in the boundary alone.
+// A state whose vertices can be moved one by one: in its own triangulation, which it lends, or in a copy of the input's.
+// Its cells know their subdomains, but facets are in the boundary alone.
 template <class Domain>
 struct Trial_complex_3
 {
@@ -37,6 +37,7 @@ struct Trial_complex_3
   typedef Restricted_state_3<Triangulation> State;
   typedef Restricted_candidate_3<Triangulation> Candidate;
   typedef typename State::Vertex_numbering Vertex_numbering;
+  typedef Numbered_triangulation_3<Triangulation> Numbered_triangulation;
   typedef typename State::Quadruple Quadruple;
   typedef typename Triangulation::Vertex_handle Vertex_handle;
   typedef typename Triangulation::Cell_handle Cell_handle;
@@ -47,24 +48,30 @@ struct Trial_complex_3
   const State& state;
   const Vertex_numbering& numbering;
   Domain& domain;
-  Numbered_triangulation_3<Triangulation> numbered;
+  std::unique_ptr<Numbered_triangulation> numbered;
   std::vector<Site> sites;
   Exchangeable_boundary_3 boundary;
 
-  Trial_complex_3(const State& from, Domain& d)
+  Trial_complex_3(State& from, Domain& d)
     : state(from)
     , numbering(*from.numbering)
     , domain(d)
     , sites(from.sites)
     , boundary(from.boundary.complex())
   {
-    numbered.copy(from.triangulation(), [&from](Vertex_handle v) { return from.number(v); });
+    if(!from.is_input())
+    {
+      numbered = std::move(from.own);
+      return;
+    }
+    numbered = std::make_unique<Numbered_triangulation>();
+    numbered->copy(from.triangulation(), [&from](Vertex_handle v) { return from.number(v); });
   }
 
   Trial_complex_3(const Trial_complex_3&) = delete;
   Trial_complex_3& operator=(const Trial_complex_3&) = delete;
 
-  const Triangulation& triangulation() const { return numbered.triangulation(); }
+  const Triangulation& triangulation() const { return numbered->triangulation(); }
   int label(Cell_handle c) const { return domain.label(c->subdomain_index()); }
 
   // Of the vertices of a cell, -1 for the infinite one.
@@ -72,25 +79,17 @@ struct Trial_complex_3
   {
     Quadruple q;
     for(int i = 0; i < 4; ++i)
-      q[i] = triangulation().is_infinite(c->vertex(i)) ? -1 : numbered.number(c->vertex(i));
+      q[i] = triangulation().is_infinite(c->vertex(i)) ? -1 : numbered->number(c->vertex(i));
     return q;
   }
 
-  // As exact as that of the state where that has one.
-  Weighted_point point(int v) const
-  {
-    const Site& s = sites[v];
-    if(same_place(s, state.sites[v]))
-      return state.triangulation().point(state.vertex(v));
-    typedef typename Triangulation::Bare_point Bare_point;
-    return triangulation().geom_traits().construct_weighted_point_3_object()(Bare_point(s.x, s.y, s.z));
-  }
+  Weighted_point point(int v) const { return state.point(v, sites[v]); }
 
   // Hands over triangulation and boundary to a candidate with the sites.
   void give(Candidate& candidate)
   {
     std::vector<Found_facet> found;
-    Triangulation& tr = numbered.triangulation();
+    Triangulation& tr = numbered->triangulation();
     for(auto c = tr.all_cells_begin(); c != tr.all_cells_end(); ++c)
     {
       forget(Cell_handle(c));
@@ -120,7 +119,7 @@ struct Trial_complex_3
       candidate.old_facets.push_back(state.facet_number(f.key));
     }
     candidate.boundary_complex = std::make_shared<const Boundary_complex_3>(std::move(facets), sites.size());
-    candidate.numbered->swap(numbered);
+    candidate.numbered = std::move(numbered);
   }
 
 private:
@@ -136,10 +135,10 @@ private:
   // If it is on the boundary, and this is its first side.
   void find_facet(const Facet& f, std::vector<Found_facet>& found) const
   {
-    if(!numbered.is_first_side(f))
+    if(!numbered->is_first_side(f))
       return;
     Boundary_facet b;
-    b.vertices = numbered.vertices(f);
+    b.vertices = numbered->vertices(f);
     const std::array<int, 3> key = sorted(b.vertices);
     const int n = boundary.find(key);
     if(n < 0)

@@ -164,8 +164,7 @@ private:
     if(next < Sliver_steps::number && !is_worthwhile(next, below))
       raise(next, most_tries / tries_for_one_beyond);
     number_of_tries_ += tries_for_an_exact_one * removal.number_of_tries();
-    if(removal.number_of_moves() > 0)
-      complex_.adopt(trial);
+    complex_.adopt(trial);
   }
 
   // Displacements on a surface are tangential.

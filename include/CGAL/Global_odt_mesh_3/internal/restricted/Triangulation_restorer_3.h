@@ -1,0 +1,131 @@
+// Copyright (c) 2026 The Global_odt_mesh_3 authors.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_GLOBAL_ODT_MESH_3_INTERNAL_RESTRICTED_TRIANGULATION_RESTORER_3_H
+#define CGAL_GLOBAL_ODT_MESH_3_INTERNAL_RESTRICTED_TRIANGULATION_RESTORER_3_H
+
+#include <CGAL/Global_odt_mesh_3/internal/geometry/Site.h>
+#include <CGAL/Global_odt_mesh_3/internal/geometry/Vertex_tuples.h>
+#include <CGAL/Global_odt_mesh_3/internal/restricted/Cell_knowledge.h>
+#include <CGAL/Global_odt_mesh_3/internal/restricted/Numbered_triangulation_3.h>
+#include <CGAL/Global_odt_mesh_3/internal/restricted/Restricted_state_3.h>
+#include <CGAL/Global_odt_mesh_3/internal/surface/Boundary_complex_3.h>
+
+#include <CGAL/assertions.h>
+
+#include <algorithm>
+#include <memory>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Global_odt_mesh_3 {
+namespace internal {
+
+// Gives a state that has lent its triangulation this one back, whatever has become of it. Symbolic perturbation makes
+// the regular triangulation of weighted points unique; its cells are labelled, and boundary facets found, by their vertices.
+template <class Domain>
+class Triangulation_restorer_3
+{
+public:
+  typedef typename Domain::Triangulation Triangulation;
+  typedef Restricted_state_3<Triangulation> State;
+  typedef Numbered_triangulation_3<Triangulation> Numbered_triangulation;
+
+  Triangulation_restorer_3(State& state, const Domain& domain)
+    : state_(state)
+    , domain_(domain)
+  {}
+
+  // Its vertices are at the sites.
+  void operator()(std::unique_ptr<Numbered_triangulation> lent, const std::vector<Site>& sites)
+  {
+    if(state_.is_input())
+      return;
+    state_.own = lent != nullptr ? std::move(lent) : std::make_unique<Numbered_triangulation>();
+    if(!move_vertices(sites))
+      state_.own->build(state_.points(state_.sites), state_.sites);
+    CGAL_assertion(state_.own->is_complete());
+    label_cells();
+    state_.store_patches(domain_);
+  }
+
+private:
+  typedef typename Triangulation::Cell_handle Cell_handle;
+  typedef typename Triangulation::Facet Facet;
+  typedef typename State::Triple Triple;
+  typedef typename State::Quadruple Quadruple;
+
+  // If more vertices are elsewhere, a new triangulation is faster than moving them.
+  static constexpr double most_moved_one_by_one = 1 / 20.;
+
+  // False if that is not the way.
+  bool move_vertices(const std::vector<Site>& sites)
+  {
+    if(!state_.own->is_complete() || sites.size() != state_.sites.size())
+      return false;
+    std::vector<int> moved;
+    for(int v = 0; v < state_.numbering->number_of_vertices(); ++v)
+      if(!same_place(sites[v], state_.sites[v]))
+        moved.push_back(v);
+    if(double(moved.size()) > most_moved_one_by_one * double(sites.size()))
+      return false;
+    for(int v : moved)
+      state_.own->move(v, state_.point(v, state_.sites[v]));
+    return state_.own->is_complete();
+  }
+
+  void label_cells()
+  {
+    Triangulation& tr = state_.own->triangulation();
+    for(auto it = tr.all_cells_begin(); it != tr.all_cells_end(); ++it)
+    {
+      const Cell_handle c = it;
+      forget(c);
+      Quadruple q;
+      for(int i = 0; i < 4; ++i)
+      {
+        q[i] = tr.is_infinite(c->vertex(i)) ? -1 : state_.number(c->vertex(i));
+        c->set_surface_patch_index(i, typename Triangulation::Cell::Surface_patch_index());
+      }
+      c->set_subdomain_index(domain_.subdomain(label(q)));
+      for(int i = 0; i < 4; ++i)
+        find_facet(Facet(c, i), q);
+    }
+  }
+
+  int label(const Quadruple& q) const
+  {
+    if(*std::min_element(q.begin(), q.end()) < 0)
+      return domain_.outside();
+    for(int v : q)
+      if(!state_.numbering->is_on_boundary(v))
+        return state_.numbering->subdomain[v];
+    const int of_state = state_.label_of_boundary_cell(q);
+    CGAL_assertion(of_state != State::no_subdomain);
+    return of_state;
+  }
+
+  // If it is on the boundary, and seen from side 0.
+  void find_facet(const Facet& f, const Quadruple& q)
+  {
+    for(int i = 1; i < 4; ++i)
+      if(q[(f.second + i) % 4] < 0 || !state_.numbering->is_on_boundary(q[(f.second + i) % 4]))
+        return;
+    const Triple t = state_.own->vertices(f);
+    const int n = state_.facet_number(t);
+    if(n >= 0 && rotated(state_.boundary.complex().facets()[n].vertices) == t)
+      state_.facets[n] = f;
+  }
+
+  State& state_;
+  const Domain& domain_;
+};
+
+} // namespace internal
+} // namespace Global_odt_mesh_3
+} // namespace CGAL
+
+#endif // CGAL_GLOBAL_ODT_MESH_3_INTERNAL_RESTRICTED_TRIANGULATION_RESTORER_3_H
