@@ -64,7 +64,7 @@ private:
   // False if that is not the way.
   bool move_vertices(const std::vector<Site>& sites)
   {
-    if(!state_.own->is_complete() || sites.size() != state_.sites.size())
+    if(state_.own->number_of_vertices() != sites.size() || !state_.own->is_complete() || sites.size() != state_.sites.size())
       return false;
     std::vector<int> moved;
     for(int v = 0; v < state_.numbering->number_of_vertices(); ++v)
