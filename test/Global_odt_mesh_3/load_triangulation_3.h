@@ -40,8 +40,8 @@ Moving_triangulation_3 load_triangulation_3(const Triangulation& tr)
   }
   const auto constrained_facets = flatten_triangulation_3(
     tr, [&number](Vertex_handle v) { return number[v]; },
-    [](typename Triangulation::Cell_handle) { return true; },
-    [](const typename Triangulation::Facet&) { return false; }, mesh.topology);
+    [](typename Triangulation::Cell_handle) { return 1; },
+    [](typename Triangulation::Cell_handle, int) { return false; }, Thread_policy(), mesh.topology);
 
   std::vector<char> moves(sites.size());
   for(std::size_t v = 0; v < sites.size(); ++v)

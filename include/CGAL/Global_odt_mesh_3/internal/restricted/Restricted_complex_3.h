@@ -90,7 +90,7 @@ public:
   void flatten(Moving_triangulation_3& mesh) const
   {
     const Stage_clock::In_stage in_stage(threads_.clock(), Stage_clock::FLATTEN);
-    flatten_state_3(state_, mesh);
+    flatten_state_3(state_, threads_, mesh);
   }
 
   // Moves a site for a vertex on a surface to that surface; false if that cannot be done.
