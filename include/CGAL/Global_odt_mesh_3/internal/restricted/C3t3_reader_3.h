@@ -17,6 +17,7 @@
 #include <CGAL/Global_odt_mesh_3/internal/restricted/Vertex_numbering_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/surface/Boundary_complex_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/surface/Boundary_geometry_3.h>
+#include <CGAL/Global_odt_mesh_3/internal/triangulation/All_cells.h>
 #include <CGAL/Global_odt_mesh_3/internal/triangulation/Flat_triangulation_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/triangulation/Moving_triangulation_3.h>
 
@@ -60,6 +61,7 @@ public:
     mesh.set_threads(threads_);
     if(tr_.dimension() != 3)
       return std::move(state_);
+    cells_ = all_cells(tr_);
     for(auto v = tr_.finite_vertices_begin(); v != tr_.finite_vertices_end(); ++v)
       add_vertex(v, weighted_site(tr_.point(v)));
     const Constrained_facets<Triangulation> unsorted = flatten(mesh.topology);
@@ -89,7 +91,7 @@ private:
   // With the numbers that vertices have.
   Constrained_facets<Triangulation> flatten(Flat_triangulation_3& flat) const
   {
-    return flatten_complex_3(tr_, [this](Vertex_handle v) { return state_.number(v); }, threads_, flat);
+    return flatten_complex_3(tr_, cells_, [this](Vertex_handle v) { return state_.number(v); }, threads_, flat);
   }
 
   void add_vertex(Vertex_handle v, const Site& s)
@@ -189,6 +191,7 @@ private:
 
   Thread_policy threads_;
   const Triangulation& tr_;
+  std::vector<Cell_handle> cells_;
   Domain& domain_;
   std::shared_ptr<Vertex_numbering> numbering_;
   State state_;

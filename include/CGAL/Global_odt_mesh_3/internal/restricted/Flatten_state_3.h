@@ -8,6 +8,7 @@
 
 #include <CGAL/Global_odt_mesh_3/internal/parallel/Thread_policy.h>
 #include <CGAL/Global_odt_mesh_3/internal/restricted/Restricted_state_3.h>
+#include <CGAL/Global_odt_mesh_3/internal/triangulation/All_cells.h>
 #include <CGAL/Global_odt_mesh_3/internal/triangulation/Flat_triangulation_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/triangulation/Flatten_triangulation_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/triangulation/Moving_triangulation_3.h>
@@ -21,14 +22,16 @@ namespace internal {
 template <class Triangulation>
 using Constrained_facets = std::vector<Constrained_facet<Triangulation> >;
 
-// Loads the cells of the complex into flat arrays, in canonical order, vertices being named by `number`; the
+// Loads those of all cells that are in the complex into flat arrays, in canonical order, vertices being named by `number`; the
 // boundary facets are constrained.
 template <class Triangulation, class Number>
-Constrained_facets<Triangulation> flatten_complex_3(const Triangulation& tr, const Number& number,
-                                                    const Thread_policy& threads, Flat_triangulation_3& flat)
+Constrained_facets<Triangulation> flatten_complex_3(const Triangulation& tr,
+                                                    const std::vector<typename Triangulation::Cell_handle>& cells,
+                                                    const Number& number, const Thread_policy& threads,
+                                                    Flat_triangulation_3& flat)
 {
   typedef typename Triangulation::Cell_handle Cell_handle;
-  return flatten_triangulation_3(tr, number, [](Cell_handle c) { return c->subdomain_index(); },
+  return flatten_triangulation_3(tr, cells, number, [](Cell_handle c) { return c->subdomain_index(); },
                                  [](Cell_handle c, int i) { return c->is_facet_on_surface(i); }, threads, flat);
 }
 
@@ -50,7 +53,9 @@ template <class Triangulation>
 void flatten_state_3(const Restricted_state_3<Triangulation>& state, const Thread_policy& threads, Moving_triangulation_3& mesh)
 {
   const auto number = [&state](typename Triangulation::Vertex_handle v) { return state.number(v); };
-  load_positions(state, flatten_complex_3(state.triangulation(), number, threads, mesh.topology), mesh);
+  const Triangulation& tr = state.triangulation();
+  load_positions(state, state.is_input() ? flatten_complex_3(tr, all_cells(tr), number, threads, mesh.topology)
+                                         : flatten_complex_3(tr, state.own->cells(), number, threads, mesh.topology), mesh);
 }
 
 } // namespace internal

@@ -105,7 +105,7 @@ public:
   // Goes to where trials of this state have led, of which nothing is left there; false if that cannot be done.
   bool adopt(Trial& trial)
   {
-    Candidate candidate(state_, trial.complex().sites, motion_, true);
+    Candidate candidate(state_, trial.complex().sites, motion_, true, threads_);
     trial.complex().give(candidate);
     for(int v = candidate.numbering.number_of_interior_vertices; v < candidate.numbering.number_of_movable_vertices; ++v)
       if(!candidate.is_home(v))
@@ -161,7 +161,7 @@ private:
   std::optional<State> advance(const std::vector<Site>& target, const Moving_triangulation_3* mesh, bool is_final)
   {
     const Stage_clock::In_stage in_stage(threads_.clock(), Stage_clock::CHECK);
-    Candidate candidate(state_, target, motion_, is_final);
+    Candidate candidate(state_, target, motion_, is_final, threads_);
     Surface_projection_3<Domain> projection(candidate, domain_);
     if(candidate.boundary_moves())
       projection.project_all();

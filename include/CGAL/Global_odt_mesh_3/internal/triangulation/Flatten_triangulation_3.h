@@ -40,9 +40,11 @@ class Triangulation_flattener_3
 public:
   typedef std::vector<Constrained_facet<Triangulation> > Constrained_facets;
 
-  Triangulation_flattener_3(const Triangulation& tr, const Number& number, const Label& label, const Is_marked& is_marked,
+  Triangulation_flattener_3(const Triangulation& tr, const std::vector<typename Triangulation::Cell_handle>& cells,
+                            const Number& number, const Label& label, const Is_marked& is_marked,
                             const Thread_policy& threads)
     : tr_(tr)
+    , cells_(cells)
     , number_(number)
     , label_(label)
     , is_marked_(is_marked)
@@ -97,9 +99,6 @@ private:
   // Gives the cells outside that have marked facets.
   std::vector<int> read_cells()
   {
-    cells_.reserve(tr_.tds().number_of_cells());
-    for(auto c = tr_.all_cells_begin(); c != tr_.all_cells_end(); ++c)
-      cells_.push_back(c);
     vertices_.resize(cells_.size());
     facts_.resize(cells_.size());
     return collect_in_chunks(static_cast<int>(cells_.size()), threads_, [this](int n, std::vector<int>& marked_outside)
@@ -191,25 +190,27 @@ private:
   }
 
   const Triangulation& tr_;
+  const std::vector<Cell_handle>& cells_;
   const Number& number_;
   const Label& label_;
   const Is_marked& is_marked_;
   const Thread_policy threads_;
-  std::vector<Cell_handle> cells_;
   std::vector<Quadruple> vertices_;     // of the cells inside
   std::vector<Cell_facts> facts_;
 };
 
-// Loads the cells of `tr` with a label into flat arrays, in canonical order, vertices being named by `number`.
+// Loads those of all cells of `tr` that have a label into flat arrays, in canonical order, vertices being named by `number`.
 // Facets between labels, or inside and outside, and those that are marked, from which side does not matter, become
 // constrained facets, with side 0 on the side of the facet's cell.
 // They are returned, followed by marked facets that have no cell inside.
 template <class Triangulation, class Number, class Label, class Is_marked>
 std::vector<Constrained_facet<Triangulation> >
-flatten_triangulation_3(const Triangulation& tr, const Number& number, const Label& label, const Is_marked& is_marked,
+flatten_triangulation_3(const Triangulation& tr, const std::vector<typename Triangulation::Cell_handle>& cells,
+                        const Number& number, const Label& label, const Is_marked& is_marked,
                         const Thread_policy& threads, Flat_triangulation_3& flat)
 {
-  return Triangulation_flattener_3<Triangulation, Number, Label, Is_marked>(tr, number, label, is_marked, threads)(flat);
+  return Triangulation_flattener_3<Triangulation, Number, Label, Is_marked>(tr, cells, number, label, is_marked,
+                                                                            threads)(flat);
 }
 
 } // namespace internal
