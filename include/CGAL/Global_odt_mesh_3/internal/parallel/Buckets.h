@@ -27,7 +27,7 @@ public:
   Buckets(int size, int number_of_buckets, const Bucket& bucket, const Thread_policy& threads)
     : first_(number_of_buckets + 1, 0)
   {
-    // Long ones, that buckets are not more than what is in them.
+    // At least as long as there are buckets, as each chunk counts for all of them.
     const Chunks chunks(size, (std::max)(int(least_length), number_of_buckets), most_chunks);
     std::vector<std::vector<int> > place(chunks.number());      // in each bucket, of the next one of a chunk
     threads.for_each_chunk(chunks.number(), [&](int k)

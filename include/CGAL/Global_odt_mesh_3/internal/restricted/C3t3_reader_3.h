@@ -64,8 +64,9 @@ public:
     cells_ = all_cells(tr_);
     for(auto v = tr_.finite_vertices_begin(); v != tr_.finite_vertices_end(); ++v)
       add_vertex(v, weighted_site(tr_.point(v)));
-    const Constrained_facets<Triangulation> unsorted = flatten(mesh.topology);
-    sort_vertices(boundary(unsorted), mesh.topology, boundary_moves);
+    // Which vertices move is seen from the cells and facets around them.
+    const Constrained_facets<Triangulation> around = flatten(mesh.topology);
+    sort_vertices(boundary(around), mesh.topology, boundary_moves);
     Constrained_facets<Triangulation> facets = flatten(mesh.topology);
     for(Constrained_facet<Triangulation>& f : facets)
       f.vertices = rotated(f.vertices);

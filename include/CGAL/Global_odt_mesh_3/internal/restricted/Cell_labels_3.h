@@ -129,7 +129,8 @@ private:
     forget(c);
     const Quadruple q = numbers_or_infinite(c);
     const bool is_infinite = std::find(q.begin(), q.end(), -1) != q.end();
-    const auto on_boundary = is_infinite ? 0 : std::count_if(q.begin(), q.end(), [this](int v) { return is_on_boundary(v); });
+    const auto on_boundary
+      = is_infinite ? 0 : std::count_if(q.begin(), q.end(), [this](int v) { return is_on_boundary(v); });
     if(on_boundary >= 3)
       note(c, MAY_HAVE_BOUNDARY_FACETS);
     int label;

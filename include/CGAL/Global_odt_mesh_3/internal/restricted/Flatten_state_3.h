@@ -22,8 +22,8 @@ namespace internal {
 template <class Triangulation>
 using Constrained_facets = std::vector<Constrained_facet<Triangulation> >;
 
-// Loads those of all cells that are in the complex into flat arrays, in canonical order, vertices being named by `number`; the
-// boundary facets are constrained.
+// Loads those of all cells that are in the complex into flat arrays, in canonical order, vertices being named by
+// `number`; the boundary facets are constrained.
 template <class Triangulation, class Number>
 Constrained_facets<Triangulation> flatten_complex_3(const Triangulation& tr,
                                                     const std::vector<typename Triangulation::Cell_handle>& cells,
@@ -50,7 +50,8 @@ void load_positions(const Restricted_state_3<Triangulation>& state, const Constr
 
 // Loads the state into a mesh.
 template <class Triangulation>
-void flatten_state_3(const Restricted_state_3<Triangulation>& state, const Thread_policy& threads, Moving_triangulation_3& mesh)
+void flatten_state_3(const Restricted_state_3<Triangulation>& state, const Thread_policy& threads,
+                     Moving_triangulation_3& mesh)
 {
   const auto number = [&state](typename Triangulation::Vertex_handle v) { return state.number(v); };
   const Triangulation& tr = state.triangulation();

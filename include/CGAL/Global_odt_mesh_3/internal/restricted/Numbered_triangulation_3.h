@@ -46,7 +46,7 @@ public:
   }
   std::size_t number_of_vertices() const { return vertices_.size(); }
 
-  // All cells, listed when they are asked for first after the vertices have changed.
+  // All cells, listed when they are asked for first after a function of this class has changed vertices.
   const std::vector<Cell_handle>& cells() const
   {
     if(cells_.empty())

@@ -69,12 +69,12 @@ public:
       for(int v = chunks_.begin(chunk); v < chunks_.end(chunk); ++v)
       {
         list_facets(v, by_second_vertex, facets);
-        for(std::size_t n = 0; n < facets.size(); ++n)
+        for(std::size_t n = 0; n < facets.size(); )
         {
-          const bool has_mate = n + 1 < facets.size() && facets[n].first == facets[n + 1].first;
-          f(chunk, Slot(facets[n].second), has_mate ? Slot(facets[n + 1].second) : Slot());
-          n += has_mate;
-          CGAL_assertion(n + 1 >= facets.size() || facets[n].first != facets[n + 1].first);
+          const Keyed_slot& s = facets[n++];
+          const bool has_mate = n < facets.size() && facets[n].first == s.first;
+          f(chunk, Slot(s.second), has_mate ? Slot(facets[n++].second) : Slot());
+          CGAL_assertion(n == facets.size() || facets[n].first != s.first);
         }
       }
     });

@@ -84,7 +84,7 @@ private:
   struct Cell_facts
   {
     typename std::decay<decltype(std::declval<Label>()(Cell_handle()))>::type label;
-    unsigned char marks;
+    int marks;
   };
 
   // A constrained facet with cells inside: where it is first among the cells and in the flat arrays.
