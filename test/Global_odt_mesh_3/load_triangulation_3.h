@@ -8,6 +8,7 @@
 
 #include <CGAL/Global_odt_mesh_3/internal/geometry/Point_coordinates.h>
 #include <CGAL/Global_odt_mesh_3/internal/geometry/Spatial_order.h>
+#include <CGAL/Global_odt_mesh_3/internal/triangulation/All_cells.h>
 #include <CGAL/Global_odt_mesh_3/internal/triangulation/Flatten_triangulation_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/triangulation/Moving_triangulation_3.h>
 
@@ -39,9 +40,9 @@ Moving_triangulation_3 load_triangulation_3(const Triangulation& tr)
     sites.push_back(weighted_site(tr.point(v)));
   }
   const auto constrained_facets = flatten_triangulation_3(
-    tr, [&number](Vertex_handle v) { return number[v]; },
-    [](typename Triangulation::Cell_handle) { return true; },
-    [](const typename Triangulation::Facet&) { return false; }, mesh.topology);
+    tr, all_cells(tr), [&number](Vertex_handle v) { return number[v]; },
+    [](typename Triangulation::Cell_handle) { return 1; },
+    [](typename Triangulation::Cell_handle, int) { return false; }, Thread_policy(), mesh.topology);
 
   std::vector<char> moves(sites.size());
   for(std::size_t v = 0; v < sites.size(); ++v)

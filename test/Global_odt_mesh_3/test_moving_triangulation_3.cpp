@@ -278,7 +278,7 @@ static void second_direction(std::mt19937& random)
 
 int main()
 {
-  const unsigned int seed = 16;
+  const unsigned int seed = 9;
   std::cout << "seed " << seed << std::endl;
   std::mt19937 random(seed);
   flips(random);

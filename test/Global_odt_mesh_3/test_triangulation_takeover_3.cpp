@@ -11,11 +11,15 @@
 #include <CGAL/Global_odt_mesh_3/internal/geometry/Regularity_filter_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/geometry/Vertex_tuples.h>
 #include <CGAL/Global_odt_mesh_3/internal/restricted/C3t3_reader_3.h>
+#include <CGAL/Global_odt_mesh_3/internal/restricted/Cell_certificate_3.h>
+#include <CGAL/Global_odt_mesh_3/internal/restricted/Exact_regularity_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/restricted/Restricted_complex_3.h>
+#include <CGAL/Global_odt_mesh_3/internal/restricted/Taken_cells_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/restricted/Triangulation_takeover_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/triangulation/Flips_3.h>
 
 #include <CGAL/Exact_predicates_exact_constructions_kernel.h>
+#include <CGAL/tags.h>
 
 #include <algorithm>
 #include <array>
@@ -79,7 +83,7 @@ int take_over(const std::string& name, const Moving_triangulation_3& mesh, const
     points.emplace_back(typename Triangulation::Bare_point(s.x, s.y, s.z), s.weight);
   Numbered_triangulation_3<Triangulation> inserted, taken;
   inserted.build(points, sites);
-  Triangulation_takeover_3<Triangulation> takeover(mesh, points, sites, Thread_policy(), taken);
+  Triangulation_takeover_3<Triangulation> takeover(mesh, points, sites, Thread_policy::for_tag<CGAL::Parallel_tag>(), taken);
   const bool is_taken = takeover.run();
   std::cout << name << ": " << (is_taken ? "" : "not ") << "taken over, " << takeover.number_of_inserted_vertices()
             << " of " << sites.size() << " vertices inserted" << std::endl;
@@ -295,6 +299,108 @@ static void weighted_vertices()
   take_over<Labeled_triangulation>("random points with weights", mesh, sites, TAKEN_OVER);
 }
 
+// Random points in a tetrahedron of this size around the origin, whose vertices are fixed.
+static Moving_triangulation_3 tetrahedron(double size, unsigned int seed)
+{
+  Random_source random(seed);
+  Labeled_triangulation tr;
+  const auto insert = [&](const Eigen::Vector3d& p)
+  {
+    tr.insert(Labeled_triangulation::Weighted_point(Labeled_triangulation::Bare_point(p.x(), p.y(), p.z()), 0));
+  };
+  for(const Eigen::Vector3d& corner : { Eigen::Vector3d(3, 3, 3), Eigen::Vector3d(3, -3, -3), Eigen::Vector3d(-3, 3, -3),
+                                        Eigen::Vector3d(-3, -3, 3) })
+    insert(size * corner);
+  for(int n = 0; n < 40; ++n)
+  {
+    const double radius = size * random.uniform();
+    insert(radius * random.direction());
+  }
+  return load_triangulation_3(tr);
+}
+
+// Both meshes as parts of one, fixed vertices last.
+static Moving_triangulation_3 side_by_side(const Moving_triangulation_3& a, const Moving_triangulation_3& b)
+{
+  const int interior_a = a.number_of_interior_vertices, interior_b = b.number_of_interior_vertices,
+            sites_a = static_cast<int>(a.sites.size());
+  Moving_triangulation_3 both = a;
+  both.number_of_interior_vertices = both.number_of_movable_vertices = interior_a + interior_b;
+  both.sites.insert(both.sites.begin() + interior_a, b.sites.begin(), b.sites.begin() + interior_b);
+  both.sites.insert(both.sites.end(), b.sites.begin() + interior_b, b.sites.end());
+  std::vector<int> vertices, neighbors;
+  for(const Moving_triangulation_3* part : { &a, &b })
+  {
+    const bool is_b = part == &b;
+    const int slots = is_b ? a.topology.number_of_slots() : 0, sides = is_b ? a.topology.number_of_sides() : 0;
+    for(int n = 0; n < part->topology.number_of_slots(); ++n)
+    {
+      const int v = part->topology.cell_vertices()[n], across = part->topology.neighbors()[n];
+      const bool is_interior = v < part->number_of_interior_vertices;
+      vertices.push_back(is_b ? v + (is_interior ? interior_a : sites_a) : v + (is_interior ? 0 : interior_b));
+      neighbors.push_back(across < 0 ? across - sides : across + slots);
+    }
+  }
+  both.topology.assign(vertices, neighbors, both.sites.size(), a.topology.number_of_sides() + b.topology.number_of_sides());
+  return both;
+}
+
+static Moving_triangulation_3 with_cells_twice(const Moving_triangulation_3& mesh)
+{
+  const Flat_triangulation_3& t = mesh.topology;
+  std::vector<int> vertices, neighbors;
+  for(int copy : { 0, 1 })
+    for(int n = 0; n < t.number_of_slots(); ++n)
+    {
+      const Slot across(t.neighbors()[n]);
+      vertices.push_back(t.cell_vertices()[n]);
+      neighbors.push_back(across.id() + copy * (across.is_side() ? -t.number_of_sides() : t.number_of_slots()));
+    }
+  Moving_triangulation_3 twice = mesh;
+  twice.topology.assign(vertices, neighbors, mesh.sites.size(), 2 * t.number_of_sides());
+  return twice;
+}
+
+// Each cell of a mesh is fine, and the mesh is not: it covers a part of space twice, or passes over a vertex.
+static void wrong_covers()
+{
+  const Moving_triangulation_3 large = tetrahedron(1, 13), small = tetrahedron(0.001, 14);
+  take_over<Labeled_triangulation>("tetrahedron", large, large.sites, TAKEN_OVER);
+  take_over<Labeled_triangulation>("small tetrahedron", small, small.sites, TAKEN_OVER);
+  const Moving_triangulation_3 both = side_by_side(large, small);
+  take_over<Labeled_triangulation>("one tetrahedron inside the other", both, both.sites, NOT_TAKEN_OVER);
+  take_over<Labeled_triangulation>("each cell twice", with_cells_twice(large), large.sites, NOT_TAKEN_OVER);
+  std::vector<Site> sites = large.sites;
+  sites.push_back(Site{ 0.01, 0.02, 0.03, 0 });
+  take_over<Labeled_triangulation>("a vertex without cells", large, sites, NOT_TAKEN_OVER);
+}
+
+// A cell is taken over if it is positive, also without any neighbor that would tell.
+static void single_cells()
+{
+  typedef Labeled_triangulation::Weighted_point Weighted_point;
+  std::vector<Site> sites;
+  std::vector<Weighted_point> points;
+  for(const std::array<double, 3>& p : { std::array<double, 3>{{ 0, 0, 0 }}, {{ 1, 0, 0 }}, {{ 0, 1, 0 }}, {{ 0, 0, 1 }} })
+  {
+    sites.push_back(Site{ p[0], p[1], p[2], 0 });
+    points.emplace_back(Labeled_triangulation::Bare_point(p[0], p[1], p[2]), 0);
+  }
+  for(bool is_positive : { true, false })
+  {
+    Flat_triangulation_3 flat;
+    flat.reserve(4, 1);
+    flat.add_cell(0, 1, is_positive ? 2 : 3, is_positive ? 3 : 2);
+    for(int i = 0; i < 4; ++i)
+      flat.set_neighbors(Slot(0, i), Slot::side(i, 0));
+    const Labeled_triangulation::Geom_traits traits;
+    Taken_cells_3 taken(flat, 4, 4, Thread_policy());
+    check::that(taken.is_taken(0), "the cell is not even looked at");
+    certify_cells(taken, Exact_regularity_3<Labeled_triangulation>(points, sites, traits), Thread_policy());
+    check::that(taken.is_taken(0) == is_positive, is_positive ? "a good cell is rejected" : "an inverted cell is taken");
+  }
+}
+
 // What the filter proves is so, for cells that are nearly flat and points that are nearly on their spheres; and it
 // proves something.
 static void filter()
@@ -332,11 +438,13 @@ static void filter()
 
 int main()
 {
-  std::cout << "seeds: 1 to 9, 10 to 12" << std::endl;
+  std::cout << "seeds: 1 to 9, 10 to 14" << std::endl;
   filter();
   lattices();
   hidden_vertices();
   weighted_vertices();
+  single_cells();
+  wrong_covers();
   {
     const Labeled_domain domain = domains::sphere();
     const Labeled_c3t3 c3t3 = domains::mesh(domain, 0.11);

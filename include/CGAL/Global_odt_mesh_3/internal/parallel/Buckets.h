@@ -9,6 +9,7 @@
 #include <CGAL/Global_odt_mesh_3/internal/parallel/Chunks.h>
 #include <CGAL/Global_odt_mesh_3/internal/parallel/Thread_policy.h>
 
+#include <algorithm>
 #include <vector>
 
 namespace CGAL {
@@ -26,7 +27,8 @@ public:
   Buckets(int size, int number_of_buckets, const Bucket& bucket, const Thread_policy& threads)
     : first_(number_of_buckets + 1, 0)
   {
-    const Chunks chunks(size, least_length, most_chunks);
+    // At least as long as there are buckets, as each chunk counts for all of them.
+    const Chunks chunks(size, (std::max)(int(least_length), number_of_buckets), most_chunks);
     std::vector<std::vector<int> > place(chunks.number());      // in each bucket, of the next one of a chunk
     threads.for_each_chunk(chunks.number(), [&](int k)
     {

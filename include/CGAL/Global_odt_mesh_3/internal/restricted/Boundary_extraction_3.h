@@ -34,19 +34,19 @@ public:
   typedef Restricted_candidate_3<typename Domain::Triangulation> Candidate;
 
   // Collects the facets that separate subdomains, or may do so once cells with all vertices
-  // on the boundary are labelled otherwise, and those that were in the complex without separating any.
+  // on the boundary are labelled otherwise, and those that were in the complex without separating any. All their vertices
+  // are on the boundary, as cells around a vertex that is not have its label.
   Boundary_extraction_3(Candidate& candidate, Domain& domain)
     : candidate_(candidate)
     , domain_(domain)
   {
-    const auto& tr = candidate.triangulation();
     std::vector<std::pair<Triple, Facet> > found;
-    for(auto c = tr.finite_cells_begin(); c != tr.finite_cells_end(); ++c)
+    for(Cell_handle c : candidate.cells_at_boundary)
       for(int i = 0; i < 4; ++i)
       {
         const Cell_handle d = c->neighbor(i);
         if((candidate.state.has_unseparating_facets || c->subdomain_index() != d->subdomain_index()
-            || knows(Cell_handle(c), IS_BOUNDARY_CELL) || knows(d, IS_BOUNDARY_CELL)) && candidate.numbered->is_first_side(Facet(c, i)))
+            || knows(c, IS_BOUNDARY_CELL) || knows(d, IS_BOUNDARY_CELL)) && candidate.numbered->is_first_side(Facet(c, i)))
           found.emplace_back(sorted(candidate.numbered->vertices(Facet(c, i))), Facet(c, i));
       }
     std::sort(found.begin(), found.end(), [](const auto& a, const auto& b) { return a.first < b.first; });

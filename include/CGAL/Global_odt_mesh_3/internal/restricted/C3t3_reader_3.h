@@ -17,6 +17,7 @@
 #include <CGAL/Global_odt_mesh_3/internal/restricted/Vertex_numbering_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/surface/Boundary_complex_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/surface/Boundary_geometry_3.h>
+#include <CGAL/Global_odt_mesh_3/internal/triangulation/All_cells.h>
 #include <CGAL/Global_odt_mesh_3/internal/triangulation/Flat_triangulation_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/triangulation/Moving_triangulation_3.h>
 
@@ -60,18 +61,15 @@ public:
     mesh.set_threads(threads_);
     if(tr_.dimension() != 3)
       return std::move(state_);
+    cells_ = all_cells(tr_);
     for(auto v = tr_.finite_vertices_begin(); v != tr_.finite_vertices_end(); ++v)
       add_vertex(v, weighted_site(tr_.point(v)));
-    Constrained_facets<Triangulation> facets
-      = flatten_complex_3(tr_, [this](Vertex_handle v) { return state_.number(v); }, mesh.topology);
-    const std::vector<int> place = sort_vertices(boundary(facets), mesh.topology, boundary_moves);
-    mesh.topology.renumber_vertices(place);
+    // Which vertices move is seen from the cells and facets around them.
+    const Constrained_facets<Triangulation> around = flatten(mesh.topology);
+    sort_vertices(boundary(around), mesh.topology, boundary_moves);
+    Constrained_facets<Triangulation> facets = flatten(mesh.topology);
     for(Constrained_facet<Triangulation>& f : facets)
-    {
-      for(int& v : f.vertices)
-        v = place[v];
       f.vertices = rotated(f.vertices);
-    }
     Constrained_facets<Triangulation> in_order = facets;
     std::sort(in_order.begin(), in_order.end(), [](const auto& a, const auto& b)
               { return sorted(a.vertices) < sorted(b.vertices); });
@@ -90,6 +88,12 @@ private:
   typedef typename Triangulation::Vertex_handle Vertex_handle;
   typedef typename Triangulation::Cell_handle Cell_handle;
   typedef typename Triangulation::Bare_point Bare_point;
+
+  // With the numbers that vertices have.
+  Constrained_facets<Triangulation> flatten(Flat_triangulation_3& flat) const
+  {
+    return flatten_complex_3(tr_, cells_, [this](Vertex_handle v) { return state_.number(v); }, threads_, flat);
+  }
 
   void add_vertex(Vertex_handle v, const Site& s)
   {
@@ -115,8 +119,8 @@ private:
   }
 
   // Numbers the vertices along Hilbert curves, those of the interior first, then
-  // those that move on surfaces, then the rest. Gives each vertex's new number.
-  std::vector<int> sort_vertices(const Boundary_complex_3& boundary, const Flat_triangulation_3& flat, bool boundary_moves)
+  // those that move on surfaces, then the rest.
+  void sort_vertices(const Boundary_complex_3& boundary, const Flat_triangulation_3& flat, bool boundary_moves)
   {
     const std::vector<Vertex_handle> vertices = std::move(numbering_->input_vertices);
     const std::vector<Site> sites = std::move(state_.sites);
@@ -140,13 +144,8 @@ private:
     numbering_->number_of_movable_vertices = static_cast<int>(fixed_begin - order.begin());
     numbering_->input_vertices.clear();
     state_.sites.clear();
-    std::vector<int> place(order.size());
-    for(std::size_t n = 0; n < order.size(); ++n)
-    {
-      place[order[n]] = static_cast<int>(n);
-      add_vertex(vertices[order[n]], sites[order[n]]);
-    }
-    return place;
+    for(std::size_t n : order)
+      add_vertex(vertices[n], sites[n]);
   }
 
   // A complex that was not made by the mesher, or comes from a file, may lack surface centers, which is seen from their
@@ -193,6 +192,7 @@ private:
 
   Thread_policy threads_;
   const Triangulation& tr_;
+  std::vector<Cell_handle> cells_;
   Domain& domain_;
   std::shared_ptr<Vertex_numbering> numbering_;
   State state_;

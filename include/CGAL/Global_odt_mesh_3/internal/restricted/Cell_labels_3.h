@@ -8,6 +8,7 @@
 
 #include <CGAL/Global_odt_mesh_3/internal/geometry/Cell_products_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/geometry/Site.h>
+#include <CGAL/Global_odt_mesh_3/internal/parallel/Collect_in_chunks.h>
 #include <CGAL/Global_odt_mesh_3/internal/restricted/Boundary_motion.h>
 #include <CGAL/Global_odt_mesh_3/internal/restricted/Cell_knowledge.h>
 #include <CGAL/Global_odt_mesh_3/internal/restricted/Dual_side_3.h>
@@ -67,16 +68,23 @@ private:
 
   void label_unsettled_cells(Report& report)
   {
-    Triangulation& tr = candidate_.numbered->triangulation();
-    candidate_.boundary_cells.clear();
-    for(auto c = tr.all_cells_begin(); c != tr.all_cells_end(); ++c)
+    const std::vector<Cell_handle>& cells = candidate_.numbered->cells();
+    const auto find_cells_at_boundary = [&](int n, std::vector<int>& found)
     {
-      if(!is_settled(c))
-      {
-        forget(Cell_handle(c));
+      const bool is_labelled = is_settled(cells[n]) || label_off_boundary(cells[n]);
+      if(!is_labelled || knows(cells[n], MAY_HAVE_BOUNDARY_FACETS))
+        found.push_back(n);
+    };
+    candidate_.cells_at_boundary.clear();
+    candidate_.boundary_cells.clear();
+    for(int n : collect_in_chunks(static_cast<int>(cells.size()), candidate_.threads, find_cells_at_boundary))
+    {
+      const Cell_handle c = cells[n];
+      if(!knows(c, IS_SETTLED))
         label_cell(c, report);
-      }
-      if(knows(Cell_handle(c), IS_BOUNDARY_CELL))
+      if(knows(c, MAY_HAVE_BOUNDARY_FACETS))
+        candidate_.cells_at_boundary.push_back(c);
+      if(knows(c, IS_BOUNDARY_CELL))
         candidate_.boundary_cells.emplace_back(c, domain_.label(c->subdomain_index()));
     }
   }
@@ -115,6 +123,24 @@ private:
     return true;
   }
 
+  // Begins anew with a cell, and labels it if it is infinite or no vertex is on the boundary; whether it has done so.
+  bool label_off_boundary(Cell_handle c) const
+  {
+    forget(c);
+    const Quadruple q = numbers_or_infinite(c);
+    const bool is_infinite = std::find(q.begin(), q.end(), -1) != q.end();
+    const auto on_boundary
+      = is_infinite ? 0 : std::count_if(q.begin(), q.end(), [this](int v) { return is_on_boundary(v); });
+    if(on_boundary >= 3)
+      note(c, MAY_HAVE_BOUNDARY_FACETS);
+    int label;
+    if(on_boundary > 0 || !find_label(q, label))
+      return false;
+    c->set_subdomain_index(domain_.subdomain(label));
+    note(c, IS_SETTLED);
+    return true;
+  }
+
   void label_cell(Cell_handle c, Report& report)
   {
     const Quadruple q = numbers_or_infinite(c);
@@ -125,16 +151,13 @@ private:
       return;
     }
     bool fits = true;
-    if(candidate_.triangulation().is_infinite(c))
-      label = domain_.outside();
-    else if(label == no_subdomain)
+    if(label == no_subdomain)
     {
       label = label_of_boundary_cell(c, q);
       note(c, IS_BOUNDARY_CELL);
     }
     else
-      fits = std::none_of(q.begin(), q.end(), [this](int v) { return is_on_boundary(v); })
-             || dual_label(c, q) == label || is_tolerated(candidate_, q);
+      fits = dual_label(c, q) == label || is_tolerated(candidate_, q);
     c->set_subdomain_index(domain_.subdomain(label));
     if(fits)
       note(c, IS_SETTLED);

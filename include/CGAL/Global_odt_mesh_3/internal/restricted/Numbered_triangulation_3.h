@@ -8,6 +8,7 @@
 
 #include <CGAL/Global_odt_mesh_3/internal/geometry/Spatial_order.h>
 #include <CGAL/Global_odt_mesh_3/internal/geometry/Vertex_tuples.h>
+#include <CGAL/Global_odt_mesh_3/internal/triangulation/All_cells.h>
 #include <CGAL/Global_odt_mesh_3/internal/triangulation/Slot.h>
 
 #include <CGAL/assertions.h>
@@ -44,6 +45,15 @@ public:
     return vertices_[v];
   }
   std::size_t number_of_vertices() const { return vertices_.size(); }
+
+  // All cells, listed when they are asked for first after a function of this class has changed vertices.
+  const std::vector<Cell_handle>& cells() const
+  {
+    if(cells_.empty())
+      cells_ = all_cells(tr_);
+    return cells_;
+  }
+
   static int number(Vertex_handle h) { return static_cast<int>(h->meshing_info()); }
 
   // The vertices of a finite facet, clockwise seen from its cell, from the lowest on: in an order that does not depend on
@@ -74,6 +84,7 @@ public:
   void clear(std::size_t number_of_vertices)
   {
     tr_.clear();
+    cells_.clear();
     vertices_.assign(number_of_vertices, Vertex_handle());
   }
 
@@ -95,6 +106,7 @@ public:
   // A vertex that has no cell yet.
   void create_vertex(int v, const Weighted_point& p)
   {
+    cells_.clear();
     vertices_[v] = tr_.tds().create_vertex();
     vertices_[v]->set_point(p);
     vertices_[v]->set_meshing_info(v);
@@ -112,7 +124,7 @@ public:
   void move(int v, const Weighted_point& p)
   {
     if(is_visible(v))
-      tr_.remove(vertices_[v]);
+      remove(v);
     Cell_handle hint;
     insert(v, p, hint);
   }
@@ -120,6 +132,7 @@ public:
   // Takes the vertex out of the triangulation.
   void remove(int v)
   {
+    cells_.clear();
     tr_.remove(vertices_[v]);
     vertices_[v] = Vertex_handle();
   }
@@ -132,6 +145,7 @@ public:
   void copy(const Triangulation& tr, const Number& number)
   {
     tr_ = tr;
+    cells_.clear();
     vertices_.assign(tr.number_of_vertices(), Vertex_handle());
     auto to = tr_.finite_vertices_begin();
     for(auto from = tr.finite_vertices_begin(); from != tr.finite_vertices_end(); ++from, ++to)
@@ -157,6 +171,7 @@ public:
 private:
   void insert(int v, const Weighted_point& p, Cell_handle& hint)
   {
+    cells_.clear();
     const std::size_t before = tr_.number_of_vertices();
     const Vertex_handle h = hint == Cell_handle() ? tr_.insert(p) : tr_.insert(p, hint);
     vertices_[v] = h;
@@ -169,6 +184,7 @@ private:
 
   Triangulation tr_;
   std::vector<Vertex_handle> vertices_;
+  mutable std::vector<Cell_handle> cells_;      // or none
 };
 
 } // namespace internal

@@ -8,6 +8,8 @@
 
 #include <CGAL/Global_odt_mesh_3/internal/geometry/Site.h>
 #include <CGAL/Global_odt_mesh_3/internal/geometry/Vertex_tuples.h>
+#include <CGAL/Global_odt_mesh_3/internal/parallel/For_each_in_chunks.h>
+#include <CGAL/Global_odt_mesh_3/internal/parallel/Thread_policy.h>
 #include <CGAL/Global_odt_mesh_3/internal/restricted/Boundary_motion.h>
 #include <CGAL/Global_odt_mesh_3/internal/restricted/Cell_knowledge.h>
 #include <CGAL/Global_odt_mesh_3/internal/restricted/Numbered_triangulation_3.h>
@@ -55,6 +57,7 @@ struct Restricted_candidate_3
   const Vertex_numbering& numbering;
   const Boundary_motion motion;
   const bool is_final;                        // or else one on the way, of which less is asked
+  const Thread_policy threads;
 
   std::unique_ptr<Numbered_triangulation_3<Triangulation> > numbered;   // perhaps that of the state, as long as it is lent
   std::vector<Site> sites;
@@ -63,6 +66,7 @@ struct Restricted_candidate_3
   std::vector<char> is_home_on_surface;       // of the vertices that move on surfaces
   Boundary_geometry_3 measured_boundary;      // that of the state, at the positions of the candidate
 
+  std::vector<Cell_handle> cells_at_boundary;                 // finite, with three vertices or more on the boundary
   std::vector<std::pair<Cell_handle, int> > boundary_cells;   // with all vertices on the boundary, and labels
   std::shared_ptr<const Boundary_complex_3> boundary_complex;
   Boundary_geometry_3 boundary;
@@ -78,11 +82,13 @@ struct Restricted_candidate_3
   std::set<Quadruple> tolerated_cells;
   std::map<int, int> times_sent_back, times_pushed;           // of vertices
 
-  Restricted_candidate_3(const State& from, const std::vector<Site>& target, Boundary_motion how, bool is_last)
+  Restricted_candidate_3(const State& from, const std::vector<Site>& target, Boundary_motion how, bool is_last,
+                         const Thread_policy& policy)
     : state(from)
     , numbering(*from.numbering)
     , motion(how)
     , is_final(is_last)
+    , threads(policy)
     , sites(target)
     , homes(from.sites)
     , surface_positions(from.surface_positions)
@@ -115,7 +121,7 @@ struct Restricted_candidate_3
   bool build(const Moving_triangulation_3* mesh)
   {
     const std::vector<typename Triangulation::Weighted_point> points = state.points(sites);
-    if(mesh != nullptr && Triangulation_takeover_3<Triangulation>(*mesh, points, sites, mesh->threads(), *numbered).run())
+    if(mesh != nullptr && Triangulation_takeover_3<Triangulation>(*mesh, points, sites, threads, *numbered).run())
       return true;
     numbered->build(points, sites);
     return false;
@@ -172,9 +178,8 @@ struct Restricted_candidate_3
     next.sites = std::move(sites);
     for(const auto& c : boundary_cells)
       next.boundary_cells.emplace(sorted(numbers(c.first)), c.second);
-    Triangulation& tr = numbered->triangulation();
-    for(auto c = tr.all_cells_begin(); c != tr.all_cells_end(); ++c)
-      forget(Cell_handle(c));
+    const std::vector<Cell_handle>& cells = numbered->cells();
+    for_each_in_chunks(static_cast<int>(cells.size()), threads, [&cells](int n) { forget(cells[n]); });
     next.own = std::move(numbered);
     next.boundary = std::move(boundary);
     next.facets = std::move(facets);

@@ -92,7 +92,7 @@ public:
   void flatten(Moving_triangulation_3& mesh) const
   {
     const Stage_clock::In_stage in_stage(threads_.clock(), Stage_clock::FLATTEN);
-    flatten_state_3(state_, mesh);
+    flatten_state_3(state_, threads_, mesh);
   }
 
   // Moves a site for a vertex on a surface to that surface; false if that cannot be done.
@@ -114,7 +114,7 @@ public:
       restore(state_, std::move(trials.numbered), trials.sites);
       return true;
     }
-    Candidate candidate(state_, trials.sites, motion_, true);
+    Candidate candidate(state_, trials.sites, motion_, true, threads_);
     trials.give(candidate);
     for(int v = candidate.numbering.number_of_interior_vertices; v < candidate.numbering.number_of_movable_vertices; ++v)
       if(!candidate.is_home(v))
@@ -169,7 +169,7 @@ private:
 
   void restore(State& state, std::unique_ptr<Numbered_triangulation_3<Triangulation> > lent, const std::vector<Site>& sites) const
   {
-    Triangulation_restorer_3<Domain>(state, domain_)(std::move(lent), sites);
+    Triangulation_restorer_3<Domain>(state, domain_)(std::move(lent), sites, threads_);
   }
 
   // Nothing is taken over from no mesh.
@@ -182,7 +182,7 @@ private:
   std::optional<State> advance(const std::vector<Site>& target, const Moving_triangulation_3* mesh, bool is_final)
   {
     const Stage_clock::In_stage in_stage(threads_.clock(), Stage_clock::CHECK);
-    Candidate candidate(state_, target, motion_, is_final);
+    Candidate candidate(state_, target, motion_, is_final, threads_);
     candidate.numbered = state_.is_input() ? std::make_unique<Numbered_triangulation_3<Triangulation> >() : std::move(state_.own);
     try
     {

@@ -6,6 +6,8 @@
 #ifndef CGAL_GLOBAL_ODT_MESH_3_INTERNAL_RESTRICTED_TAKEN_CELLS_3_H
 #define CGAL_GLOBAL_ODT_MESH_3_INTERNAL_RESTRICTED_TAKEN_CELLS_3_H
 
+#include <CGAL/Global_odt_mesh_3/internal/parallel/Collect_in_chunks.h>
+#include <CGAL/Global_odt_mesh_3/internal/parallel/Thread_policy.h>
 #include <CGAL/Global_odt_mesh_3/internal/triangulation/Flat_triangulation_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/triangulation/Slot.h>
 
@@ -22,8 +24,10 @@ class Taken_cells_3
 {
 public:
   // At first, nearly all vertices of the interior are left out.
-  Taken_cells_3(const Flat_triangulation_3& flat, int number_of_interior_vertices, int number_of_vertices)
+  Taken_cells_3(const Flat_triangulation_3& flat, int number_of_interior_vertices, int number_of_vertices,
+                const Thread_policy& threads)
     : flat_(flat)
+    , threads_(threads)
     , is_left_out_(number_of_vertices, false)
     , is_taken_(flat.number_of_cell_slots(), false)
   {
@@ -33,9 +37,11 @@ public:
       if(!is_left_out_[v])
         news_.push_back(v);
     }
-    for(int c = 0; c < flat.number_of_cell_slots(); ++c)
-      if(flat.is_alive(c))
-        cells_.push_back(c);
+    cells_ = collect_in_chunks(flat.number_of_cell_slots(), threads_, [this](int c, std::vector<int>& alive)
+    {
+      if(flat_.is_alive(c))
+        alive.push_back(c);
+    });
     number_of_inserted_vertices_ = static_cast<int>(news_.size());
     update();
   }
@@ -63,12 +69,14 @@ public:
   // Of cells that are taken over.
   std::vector<Slot> border() const
   {
-    std::vector<Slot> slots;
-    for(int c : cells_)
+    const auto find_border = [this](int n, std::vector<int>& slots)
+    {
       for(int i = 0; i < 4; ++i)
-        if(is_border(Slot(c, i)))
-          slots.push_back(Slot(c, i));
-    return slots;
+        if(const Slot s(cells_[n], i); is_border(s))
+          slots.push_back(s.id());
+    };
+    const std::vector<int> slots = collect_in_chunks(static_cast<int>(cells_.size()), threads_, find_border);
+    return std::vector<Slot>(slots.begin(), slots.end());
   }
 
   // The cell is not taken over: its vertices are inserted. The cells that this concerns are
@@ -88,12 +96,13 @@ public:
 
   void update()
   {
-    const auto has_left_out = [this](int c)
+    cells_ = collect_in_chunks(static_cast<int>(cells_.size()), threads_, [this](int n, std::vector<int>& taken)
     {
-      return std::any_of(flat_.vertices(c), flat_.vertices(c) + 4, [this](int v) { return is_left_out_[v]; });
-    };
-    cells_.erase(std::remove_if(cells_.begin(), cells_.end(), [&](int c)
-                                { return !(is_taken_[c] = has_left_out(c)); }), cells_.end());
+      const int c = cells_[n];
+      is_taken_[c] = std::any_of(flat_.vertices(c), flat_.vertices(c) + 4, [this](int v) { return is_left_out_[v]; });
+      if(is_taken_[c])
+        taken.push_back(c);
+    });
   }
 
   // The vertices that are not left out any more since this was called last.
@@ -110,6 +119,7 @@ private:
   static constexpr int one_inserted_of = 128;
 
   const Flat_triangulation_3& flat_;
+  const Thread_policy threads_;
   std::vector<char> is_left_out_;     // of vertices
   std::vector<char> is_taken_;        // of cells
   std::vector<int> cells_, news_;

@@ -8,6 +8,8 @@
 
 #include <CGAL/Global_odt_mesh_3/internal/geometry/Site.h>
 #include <CGAL/Global_odt_mesh_3/internal/geometry/Vertex_tuples.h>
+#include <CGAL/Global_odt_mesh_3/internal/parallel/For_each_in_chunks.h>
+#include <CGAL/Global_odt_mesh_3/internal/parallel/Thread_policy.h>
 #include <CGAL/Global_odt_mesh_3/internal/restricted/Cell_knowledge.h>
 #include <CGAL/Global_odt_mesh_3/internal/restricted/Numbered_triangulation_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/restricted/Restricted_state_3.h>
@@ -40,7 +42,7 @@ public:
   {}
 
   // Its vertices are at the sites.
-  void operator()(std::unique_ptr<Numbered_triangulation> lent, const std::vector<Site>& sites)
+  void operator()(std::unique_ptr<Numbered_triangulation> lent, const std::vector<Site>& sites, const Thread_policy& threads)
   {
     if(state_.is_input())
       return;
@@ -48,7 +50,7 @@ public:
     if(!move_vertices(sites))
       state_.own->build(state_.points(state_.sites), state_.sites);
     CGAL_assertion(state_.own->is_complete());
-    label_cells();
+    label_cells(threads);
     state_.store_patches(domain_);
   }
 
@@ -77,23 +79,25 @@ private:
     return state_.own->is_complete();
   }
 
-  void label_cells()
+  void label_cells(const Thread_policy& threads)
   {
-    Triangulation& tr = state_.own->triangulation();
-    for(auto it = tr.all_cells_begin(); it != tr.all_cells_end(); ++it)
+    const std::vector<Cell_handle>& cells = state_.own->cells();
+    for_each_in_chunks(static_cast<int>(cells.size()), threads, [&](int n) { label_cell(cells[n]); });
+  }
+
+  void label_cell(Cell_handle c)
+  {
+    const Triangulation& tr = state_.own->triangulation();
+    forget(c);
+    Quadruple q;
+    for(int i = 0; i < 4; ++i)
     {
-      const Cell_handle c = it;
-      forget(c);
-      Quadruple q;
-      for(int i = 0; i < 4; ++i)
-      {
-        q[i] = tr.is_infinite(c->vertex(i)) ? -1 : state_.number(c->vertex(i));
-        c->set_surface_patch_index(i, typename Triangulation::Cell::Surface_patch_index());
-      }
-      c->set_subdomain_index(domain_.subdomain(label(q)));
-      for(int i = 0; i < 4; ++i)
-        find_facet(Facet(c, i), q);
+      q[i] = tr.is_infinite(c->vertex(i)) ? -1 : state_.number(c->vertex(i));
+      c->set_surface_patch_index(i, typename Triangulation::Cell::Surface_patch_index());
     }
+    c->set_subdomain_index(domain_.subdomain(label(q)));
+    for(int i = 0; i < 4; ++i)
+      find_facet(Facet(c, i), q);
   }
 
   int label(const Quadruple& q) const

@@ -8,6 +8,7 @@
 
 #include <CGAL/Global_odt_mesh_3/internal/geometry/Site.h>
 #include <CGAL/Global_odt_mesh_3/internal/parallel/Collect_in_chunks.h>
+#include <CGAL/Global_odt_mesh_3/internal/parallel/For_each_in_chunks.h>
 #include <CGAL/Global_odt_mesh_3/internal/parallel/Thread_policy.h>
 #include <CGAL/Global_odt_mesh_3/internal/restricted/Cell_certificate_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/restricted/Exact_regularity_3.h>
@@ -51,7 +52,7 @@ public:
     , numbered_(numbered)
     , tr_(numbered.triangulation())
     , tests_(points, sites, tr_.geom_traits())
-    , taken_(mesh.topology, mesh.number_of_interior_vertices, static_cast<int>(points.size()))
+    , taken_(mesh.topology, mesh.number_of_interior_vertices, static_cast<int>(points.size()), threads)
   {}
 
   // False if that does not pay or cannot be done, and then nothing is built that is of any use.
@@ -106,17 +107,18 @@ private:
     border_ = taken_.border();
     inner_.assign(border_.size(), Facet());
     const Facet_table_3 table(taken_.flat(), border_, points_.size());
-    for(auto c = tr_.all_cells_begin(); c != tr_.all_cells_end(); ++c)
+    const std::vector<Cell_handle>& cells = numbered_.cells();
+    for_each_in_chunks(static_cast<int>(cells.size()), threads_, [&](int c)
     {
-      const std::array<int, 4> v = numbers(c);
+      const std::array<int, 4> v = numbers(cells[c]);
       for(int i = 0; i < 4; ++i)
       {
         const std::array<int, 3>& f = facet_indices(i);
         const int n = table.find({{ v[f[0]], v[f[1]], v[f[2]] }});
         if(n != Facet_table_3::none)
-          inner_[n] = Facet(c, i);
+          inner_[n] = Facet(cells[c], i);
       }
-    }
+    });
     const auto find_wrong_facets = [this](int n, std::vector<int>& wrong)
     {
       if(!is_border_regular(n))
@@ -198,17 +200,7 @@ private:
     for(std::size_t v = 0; v < points_.size(); ++v)
       if(taken_.is_left_out(static_cast<int>(v)))
         numbered_.create_vertex(static_cast<int>(v), points_[v]);
-    std::vector<Cell_handle> cells(taken_.flat().number_of_cell_slots());
-    for(int c : taken_.cells())
-    {
-      cells[c] = create_cell(c);
-      for(int i = 0; i < 4; ++i)
-      {
-        const Slot across = taken_.mate(Slot(c, i));
-        if(!across.is_none() && cells[across.cell()] != Cell_handle())
-          set_neighbors(Facet(cells[c], i), Facet(cells[across.cell()], across.index()));
-      }
-    }
+    const std::vector<Cell_handle> cells = create_cells();
     for(std::size_t n = 0; n < border_.size(); ++n)
     {
       const Facet outer = tr_.mirror_facet(inner_[n]);
@@ -219,14 +211,33 @@ private:
     CGAL_expensive_assertion(tr_.is_valid());
   }
 
-  Cell_handle create_cell(int c)
+  // Those that are taken over, by their numbers in the flat mesh, without the neighbors of the border.
+  std::vector<Cell_handle> create_cells()
   {
-    const std::array<int, 4> v = taken_.flat().cell(c);
-    const Cell_handle h = tr_.tds().create_cell(numbered_.vertex(v[0]), numbered_.vertex(v[1]), numbered_.vertex(v[2]),
-                                                numbered_.vertex(v[3]));
-    for(int i = 0; i < 4; ++i)
-      h->vertex(i)->set_cell(h);
-    return h;
+    std::vector<Cell_handle> cells(taken_.flat().number_of_cell_slots());
+    std::vector<int> cell_of_vertex(points_.size(), -1);
+    for(int c : taken_.cells())
+    {
+      cells[c] = tr_.tds().create_cell();
+      for(int v : taken_.flat().cell(c))
+        cell_of_vertex[v] = c;
+    }
+    for_each_in_chunks(static_cast<int>(taken_.cells().size()), threads_, [&](int n)
+    {
+      const int c = taken_.cells()[n];
+      for(int i = 0; i < 4; ++i)
+      {
+        const Slot across = taken_.mate(Slot(c, i));
+        cells[c]->set_vertex(i, numbered_.vertex(taken_.flat().vertices(c)[i]));
+        cells[c]->set_neighbor(i, across.is_none() ? Cell_handle() : cells[across.cell()]);
+      }
+    });
+    for_each_in_chunks(static_cast<int>(points_.size()), threads_, [&](int v)
+    {
+      if(cell_of_vertex[v] >= 0)
+        numbered_.vertex(v)->set_cell(cells[cell_of_vertex[v]]);
+    });
+    return cells;
   }
 
   static void set_neighbors(const Facet& f, const Facet& g)
