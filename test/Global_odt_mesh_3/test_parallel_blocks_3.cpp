@@ -4,7 +4,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 // Blocks of a mesh: together they are the mesh, what is their own is as there, and a search in them leads to a valid mesh
-// of as low an energy, the same for any number of threads.
+// of as low an energy, the same for any number of threads. So is the removal of slivers.
 
 #include "check.h"
 #include "load_triangulation_3.h"
@@ -20,6 +20,7 @@
 #include <CGAL/Global_odt_mesh_3/internal/density/Point_rule_quadrature_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/geometry/Vertex_tuples.h>
 #include <CGAL/Global_odt_mesh_3/internal/optimization/Odt_objective_3.h>
+#include <CGAL/Global_odt_mesh_3/internal/slivers/Sliver_removal_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/surface/Surface_cvt_term_3.h>
 #include <CGAL/Regular_triangulation_3.h>
 #include <CGAL/tags.h>
@@ -388,6 +389,28 @@ static void same_for_all_threads(const Moving_triangulation_3& input, bool is_gr
   }
 }
 
+// Threads share what the removal of slivers does with all cells.
+static void slivers(const Moving_triangulation_3& input)
+{
+  check::that(input.topology.number_of_cells() > 30000, "too few cells for threads to share");
+  const auto removed = [&](const Thread_policy& threads)
+  {
+    Moving_triangulation_3 mesh = input;
+    Sliver_removal_parameters parameters;
+    parameters.most_tries = 20000;
+    Sliver_removal_3 removal(mesh, 10, 1, nullptr, parameters, threads);
+    removal.run();
+    check::that(removal.number_of_moves() > 100, "only ", removal.number_of_moves(), " moves");
+    return coordinates(mesh);
+  };
+  const std::vector<double> expected = removed(Thread_policy());
+  for(std::size_t threads : { 1, 2, 3, 8 })
+  {
+    tbb::global_control control(tbb::global_control::max_allowed_parallelism, threads);
+    check::that(removed(on_threads()) == expected, threads, " threads remove other slivers than one");
+  }
+}
+
 // A density that throws in a block is heard of, and a search that is stopped leaves a valid mesh.
 static void ends_before(const Moving_triangulation_3& input)
 {
@@ -431,6 +454,7 @@ int main()
     }
   }
   surface_terms(sphere);
+  slivers(halves);
   ends_before(halves);
   return check::result();
 }

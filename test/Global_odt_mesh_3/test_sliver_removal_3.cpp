@@ -509,6 +509,15 @@ static void removal(const Moving_triangulation_3& cube, int least_slivers, doubl
   check::that(least_slivers < 100 || !has_same_sites(removed(2), first), "another seed leads to the same mesh");
 }
 
+static void mean_edges(const Moving_triangulation_3& cube)
+{
+  std::vector<double> length;
+  cube.mean_edge_lengths(length);
+  for(int v = 0; v < cube.number_of_movable_vertices; ++v)
+    check::that(std::abs(cube.mean_edge_length(v) - length[v]) <= 1e-12 * length[v], "the mean edge of ", v,
+                " is another one than among all");
+}
+
 // A third of the vertices inside and half of those on the surface stay; the others on the surface
 // keep their z, which they lose on approach.
 struct Motion_in_layers
@@ -620,6 +629,7 @@ int main()
   marked_trials(random);
   // The grid on the surface is coarse for the vertices inside, which makes slivers, or fits them.
   const Moving_triangulation_3 cube = minimized_cube(6);
+  mean_edges(cube);
   removal(cube, 100, 0.025);
   removal(minimized_cube(8), 5, 0.005);
   removal_at_surface(cube);

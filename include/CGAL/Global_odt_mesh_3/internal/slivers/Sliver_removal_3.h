@@ -8,6 +8,8 @@
 
 #include <CGAL/Global_odt_mesh_3/internal/geometry/Angle_deficit_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/geometry/Random_source.h>
+#include <CGAL/Global_odt_mesh_3/internal/parallel/Collect_in_chunks.h>
+#include <CGAL/Global_odt_mesh_3/internal/parallel/Thread_policy.h>
 #include <CGAL/Global_odt_mesh_3/internal/slivers/Vertex_trial_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/triangulation/Constrained_triangulation_3.h>
 
@@ -17,7 +19,6 @@
 #include <cmath>
 #include <cstddef>
 #include <limits>
-#include <numeric>
 #include <utility>
 #include <vector>
 
@@ -59,18 +60,20 @@ public:
 class Sliver_removal_3
 {
 public:
-  // Without a motion, vertices of the interior go anywhere, and those on surfaces stay.
+  // Without a motion, vertices of the interior go anywhere, and those on surfaces stay. Threads share the search for
+  // such cells.
   Sliver_removal_3(Constrained_triangulation_3& mesh, double bound, unsigned int seed,
                    Vertex_motion_3* motion = nullptr,
-                   const Sliver_removal_parameters& parameters = Sliver_removal_parameters())
+                   const Sliver_removal_parameters& parameters = Sliver_removal_parameters(),
+                   const Thread_policy& threads = Thread_policy())
     : mesh_(mesh)
     , parameters_(parameters)
-    , trial_(mesh, bound + parameters.margin)
+    , threads_(threads)
+    , trial_(mesh, bound + parameters.margin, threads)
     , motion_(motion)
     , random_(seed)
-  {
-    mesh.mean_edge_lengths(edge_length_);
-  }
+    , edge_length_(mesh.number_of_movable_vertices, 0)
+  {}
 
   std::size_t number_of_moves() const { return number_of_moves_; }
   std::size_t number_of_surface_moves() const { return number_of_surface_moves_; }
@@ -109,9 +112,11 @@ private:
 
   std::vector<int> all_slivers() const
   {
-    std::vector<int> cells(mesh_.topology.number_of_cell_slots());
-    std::iota(cells.begin(), cells.end(), 0);
-    return sort(std::move(cells));
+    return sort(collect_in_chunks(mesh_.topology.number_of_cell_slots(), threads_, [this](int c, std::vector<int>& found)
+    {
+      if(is_sliver(c))
+        found.push_back(c);
+    }));
   }
 
   // Whether the cell lacks more than one angle at the bound does.
@@ -191,8 +196,16 @@ private:
   Site displaced(int v, double farthest)
   {
     const Site& s = mesh_.sites[v];
-    const Eigen::Vector3d d = edge_length_[v] * random_.uniform() * farthest * random_.direction();
+    const Eigen::Vector3d d = edge_length(v) * random_.uniform() * farthest * random_.direction();
     return { s.x + d[0], s.y + d[1], s.z + d[2], s.weight };
+  }
+
+  // The mean around the vertex when it is first asked for: few vertices are.
+  double edge_length(int v)
+  {
+    if(edge_length_[v] == 0)
+      edge_length_[v] = mesh_.mean_edge_length(v);
+    return edge_length_[v];
   }
 
   // Without a motion, no vertex on a surface gets beyond this.
@@ -222,7 +235,7 @@ private:
   // These say whether a position was found, and accepted, that leaves no deficit.
   bool try_steps(int v)
   {
-    const Eigen::Vector3d step = trial_.step_to_more(v, parameters_.farthest * edge_length_[v]);
+    const Eigen::Vector3d step = trial_.step_to_more(v, parameters_.farthest * edge_length(v));
     for(double factor : { 1., .5, .25 })
       if(try_position(v, site_at(position(mesh_.sites[v]) + factor * step, mesh_.sites[v].weight)) == SOLVED)
         return true;
@@ -299,10 +312,11 @@ private:
 
   Constrained_triangulation_3& mesh_;
   Sliver_removal_parameters parameters_;
+  Thread_policy threads_;
   Vertex_trial_3 trial_;
   Vertex_motion_3* motion_;
   Random_source random_;
-  std::vector<double> edge_length_;
+  std::vector<double> edge_length_;         // 0 where that is not known yet
   std::vector<Failures> failures_;
   double change_ = 0;             // of the deficit by all that has been accepted
   double best_change_ = 0;

@@ -8,6 +8,7 @@
 
 #include <CGAL/Global_odt_mesh_3/internal/geometry/Angle_deficit_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/geometry/Sliver_steps.h>
+#include <CGAL/Global_odt_mesh_3/internal/parallel/Collect_in_chunks.h>
 #include <CGAL/Global_odt_mesh_3/internal/slivers/Cell_angles.h>
 #include <CGAL/Global_odt_mesh_3/internal/slivers/Exact_sliver_removal_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/slivers/Sliver_removal_3.h>
@@ -70,11 +71,12 @@ public:
   // The number of cells with an angle below the bound.
   std::size_t number_of_slivers() const
   {
-    std::size_t n = 0;
     const Angle_deficit_3 angle_deficit(bound_);
-    for(int c = 0; c < mesh_.topology.number_of_cell_slots(); ++c)
-      n += mesh_.deficit(c, angle_deficit) > 0;
-    return n;
+    return collect_in_chunks(mesh_.topology.number_of_cell_slots(), mesh_.threads(), [&](int c, std::vector<int>& found)
+    {
+      if(mesh_.deficit(c, angle_deficit) > 0)
+        found.push_back(c);
+    }).size();
   }
 
 private:
@@ -136,7 +138,7 @@ private:
   {
     Sliver_removal_parameters parameters;
     parameters.most_tries = tries_left() / 2;     // the rest is for what can be removed in the complex only
-    Sliver_removal_3 removal(mesh_, Sliver_steps::angles[step], seed_++, this, parameters);
+    Sliver_removal_3 removal(mesh_, Sliver_steps::angles[step], seed_++, this, parameters, mesh_.threads());
     removal.run(has_time);
     number_of_tries_ += removal.number_of_tries();
     return removal.number_of_moves() > 0;

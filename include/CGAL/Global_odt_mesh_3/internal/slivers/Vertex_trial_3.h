@@ -9,6 +9,8 @@
 #include <CGAL/Global_odt_mesh_3/internal/geometry/Angle_deficit_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/geometry/Angle_step_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/geometry/Site.h>
+#include <CGAL/Global_odt_mesh_3/internal/parallel/Chunks.h>
+#include <CGAL/Global_odt_mesh_3/internal/parallel/Thread_policy.h>
 #include <CGAL/Global_odt_mesh_3/internal/triangulation/Constrained_triangulation_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/triangulation/Flips_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/triangulation/Lawson_flips_3.h>
@@ -35,13 +37,17 @@ class Vertex_trial_3
 {
 public:
   // `bound`, in degrees, is what the dihedral angles should reach.
-  Vertex_trial_3(Constrained_triangulation_3& mesh, double bound)
+  Vertex_trial_3(Constrained_triangulation_3& mesh, double bound, const Thread_policy& threads = Thread_policy())
     : mesh_(mesh)
     , angle_deficit_(bound)
   {
     make_room();
-    for(int c = 0; c < mesh.topology.number_of_cell_slots(); ++c)
-      deficit_[c] = measure(c);
+    const Chunks cells(mesh.topology.number_of_cell_slots(), least_cells, most_chunks);
+    threads.for_each_chunk(cells.number(), [&](int n)
+    {
+      for(int c = cells.begin(n); c < cells.end(n); ++c)
+        deficit_[c] = measure(c);
+    });
   }
 
   // Zero for cells that are not alive.
@@ -155,6 +161,8 @@ public:
   }
 
 private:
+  static constexpr int least_cells = 10000, most_chunks = 64;
+
   friend class Lawson_flips_3<Vertex_trial_3>;
 
   std::array<int, 3> flip_2_3(Slot s)

@@ -149,6 +149,18 @@ struct Constrained_triangulation_3
       length[v] /= (std::max)(1, count[v]);
   }
 
+  // The same of one vertex.
+  double mean_edge_length(int v) const
+  {
+    std::vector<Slot> star;
+    topology.star(v, star);
+    double sum = 0;
+    for(Slot s : star)
+      for(int w : topology.facet(s))
+        sum += std::sqrt(squared_distance(v, w));
+    return sum / (3 * double((std::max)(std::size_t(1), star.size())));
+  }
+
   // The shortest edge of each movable vertex.
   void shortest_edges(std::vector<double>& length) const
   {
