@@ -24,10 +24,11 @@ done
 [ ${#figures[@]} -gt 0 ] || figures=(3 6 8 9 11 12 13 14 15 17 19 table1 table2)
 
 scripts/install_dependencies.sh
+sudo=""
+[ "$(id -u)" -eq 0 ] || sudo=sudo
 for peer in tetgen gmsh netgen; do
-  command -v $peer > /dev/null || command -v apt-get > /dev/null || continue
-  command -v $peer > /dev/null \
-    || $([ "$(id -u)" -eq 0 ] || echo sudo) env DEBIAN_FRONTEND=noninteractive apt-get install -y -qq --no-install-recommends $peer > /dev/null 2>&1 \
+  command -v $peer > /dev/null && continue
+  $sudo env DEBIAN_FRONTEND=noninteractive apt-get install -y -qq --no-install-recommends $peer > /dev/null 2>&1 \
     || echo "$peer cannot be installed"
 done
 
@@ -80,9 +81,9 @@ cmake --build "$output/build" -j"${JOBS:-2}" --target $targets
 
 export CGAL_DATA_DIR=$data
 table=$output/paper.md
+version=$(printf '#include <CGAL/version.h>\nCGAL_VERSION_STR\n' | "${CXX:-c++}" -E -P -x c++ - | tail -n 1 | tr -d '"')
 {
-  echo "CGAL $(sed -n 's/^#define CGAL_VERSION \([0-9.]*\).*/\1/p' "$(sed -n 's/^CGAL_DIR:.*=//p' "$output/build/CMakeCache.txt")/../../../include/CGAL/version.h" /usr/include/CGAL/version.h 2> /dev/null | head -n 1)," \
-       "$(sed -n 's/^model name.*: //p' /proc/cpuinfo | head -n 1)," \
+  echo "CGAL ${version:-unknown}, $(sed -n 's/^model name.*: //p' /proc/cpuinfo | head -n 1), $(nproc) cores," \
        "commit $(git rev-parse --short HEAD 2> /dev/null || echo unknown)$([ $quick -eq 0 ] || echo ', quick run')"
   echo
   echo "| figure | what | paper | here |"

@@ -12,9 +12,11 @@
 #include <CGAL/Delaunay_triangulation_2.h>
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <set>
+#include <utility>
 #include <vector>
 
 // The three energies of Figure 3 of the paper, of the Delaunay triangulation of points in the plane, for a density that is linear
@@ -27,7 +29,7 @@ struct Planar_energies
   double cvt = 0;
   double discrete = 0;        // (2.4), in which the density weighs the distances to the vertices
   double continuous = 0;      // (2.5)
-  std::set<std::array<double, 4> > edges;     // by the coordinates of fixed vertices, to tell triangulations apart
+  std::set<std::pair<Point, Point> > edges;   // between fixed vertices, which tell triangulations apart
 
   // The last point is the one that moves.
   template <class Density>
@@ -47,7 +49,7 @@ struct Planar_energies
         rho[i] = density(p[i]);
         const Point &a = p[i], &b = f->vertex((i + 1) % 3)->point();
         if(a != points.back() && b != points.back())
-          edges.insert(a < b ? std::array<double, 4>{{ a.x(), a.y(), b.x(), b.y() }} : std::array<double, 4>{{ b.x(), b.y(), a.x(), a.y() }});
+          edges.insert((std::minmax)(a, b));
       }
       cvt += Surface_cvt_contribution_3({{ 0, 1, 2 }}, sites, rho).energy;
       add_odt(p, rho, std::abs(CGAL::area(p[0], p[1], p[2])));

@@ -31,9 +31,9 @@ typedef CGAL::Triangulation_data_structure_2<CGAL::Delaunay_mesh_vertex_base_2<P
                                              CGAL::Delaunay_mesh_face_base_2<Planar_kernel> > Planar_data_structure;
 typedef CGAL::Constrained_Delaunay_triangulation_2<Planar_kernel, Planar_data_structure> Planar_triangulation;
 
-// The energy of a triangulation of the unit square, whose boundary stays, as a function of the vertices inside; in the form that
-// the minimizer and the search for meshes in space want, with a third coordinate of zero. After vertices have moved, edges are flipped
-// until the constrained triangulation is Delaunay; where triangles are inverted, it is built anew.
+// The energy of a triangulation of the unit square, whose boundary stays, as a function of the vertices inside; in the form
+// that the minimizer and the search for meshes in space want, with a third coordinate of zero. After vertices have moved, edges
+// are flipped until the constrained triangulation is Delaunay; where triangles are inverted, it is built anew.
 class Planar_objective
 {
 public:

@@ -29,9 +29,9 @@ inline std::string text(const char* format, ...)
   return buffer;
 }
 
-// What a program shows of the paper: rows beside those printed there, whether what the paper claims holds, and pictures. With a
-// directory, rows go to rows.md there, and data and scripts of pictures, which gnuplot draws if there is one, to files of their
-// own; without one, rows are only printed.
+// What a program shows of the paper: rows beside those printed there, whether what the paper claims holds, and pictures.
+// With a directory, rows go to rows.md there, and data and scripts of pictures, which gnuplot draws if there is one, to
+// files of their own; without one, rows are only printed.
 class Paper_record
 {
 public:
@@ -44,8 +44,8 @@ public:
   {
     std::cout << figure << ", " << what << ": paper " << paper << ", here " << here << std::endl;
     if(has_directory())
-      std::ofstream(directory_ + "/rows.md", std::ios::app) << "| " << figure << " | " << what << " | " << paper << " | " << here
-                                                            << " |\n";
+      std::ofstream(directory_ + "/rows.md", std::ios::app)
+        << "| " << figure << " | " << what << " | " << paper << " | " << here << " |\n";
   }
 
   // One that the exit status of the program depends on.
@@ -59,6 +59,16 @@ public:
 
   // A data file for gnuplot, empty lines ending a block.
   std::ofstream data(const std::string& name) const { return std::ofstream(directory_ + "/" + name + ".dat"); }
+
+  // The command that plots these columns of the first blocks of a data file.
+  static std::string plot(const std::string& columns, const std::vector<std::string>& titles, const std::string& style = "lines lw 2")
+  {
+    std::string command;
+    for(std::size_t n = 0; n < titles.size(); ++n)
+      command += (n == 0 ? "plot " : ", ") + text("data index %zu using ", n) + columns + " with " + style + " title '" + titles[n]
+                 + "'";
+    return command + "\n";
+  }
 
   // Draws `name`.png by these commands, after which `name`.dat is called `data`.
   void draw(const std::string& name, const std::string& commands, int width = 1200, int height = 480) const
@@ -82,34 +92,32 @@ public:
   }
 
   // Histograms of dihedral angles and radius ratios.
-  void draw_histograms(const std::string& name, const std::vector<std::pair<std::string, CGAL::Mesh_quality_report_3> >& meshes) const
+  void draw_histograms(const std::string& name,
+                       const std::vector<std::pair<std::string, CGAL::Mesh_quality_report_3> >& meshes) const
   {
     if(!has_directory())
       return;
+    std::vector<std::string> titles;
+    std::ofstream angles = data(name + "_angles"), ratios = data(name);
+    for(const auto& m : meshes)
     {
-      std::ofstream out = data(name);
-      for(const auto& m : meshes)
-      {
-        const CGAL::Mesh_quality_report_3& r = m.second;
-        for(std::size_t n = 0; n + 2 < r.angles.size(); n += 3)
-          out << double(n) + 1.5 << ' ' << double(r.angles[n] + r.angles[n + 1] + r.angles[n + 2]) / 6 / double(r.number_of_cells) << '\n';
-        out << "\n\n";
-        for(std::size_t n = 0; n < r.radius_ratios.size(); ++n)
-          out << (double(n) + 0.5) / double(r.radius_ratios.size()) << ' ' << double(r.radius_ratios[n]) / double(r.number_of_cells) << '\n';
-        out << "\n\n";
-      }
+      const CGAL::Mesh_quality_report_3& r = m.second;
+      titles.push_back(m.first);
+      for(std::size_t n = 0; n + 2 < r.angles.size(); n += 3)
+        angles << double(n) + 1.5 << ' '
+               << double(r.angles[n] + r.angles[n + 1] + r.angles[n + 2]) / 6 / double(r.number_of_cells) << '\n';
+      for(std::size_t n = 0; n < r.radius_ratios.size(); ++n)
+        ratios << (double(n) + 0.5) / double(r.radius_ratios.size()) << ' '
+               << double(r.radius_ratios[n]) / double(r.number_of_cells) << '\n';
+      angles << "\n\n";
+      ratios << "\n\n";
     }
-    std::string commands = "set multiplot layout 1,2\nset key top left\nset title 'dihedral angles'\nset xrange [0:180]\n";
-    for(int which : { 0, 1 })
-    {
-      if(which == 1)
-        commands += "set title 'radius ratios 3r/R'\nset xrange [0:1]\n";
-      for(std::size_t n = 0; n < meshes.size(); ++n)
-        commands += (n == 0 ? "plot " : ", ") + text("data index %d using 1:2 with histeps lw 2 title '", int(2 * n) + which)
-                    + meshes[n].first + "'";
-      commands += "\n";
-    }
-    draw(name, commands + "unset multiplot\n");
+    angles.close();
+    ratios.close();
+    const std::string plots = plot("1:2", titles, "histeps lw 2");
+    draw(name, "set multiplot layout 1,2\nset key top left\nset title 'radius ratios 3r/R'\nset xrange [0:1]\n" + plots
+               + "data = '" + directory_ + "/" + name + "_angles.dat'\nset title 'dihedral angles'\nset xrange [0:180]\n" + plots
+               + "unset multiplot\n");
   }
 
 private:

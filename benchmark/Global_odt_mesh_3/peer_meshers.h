@@ -126,12 +126,14 @@ inline std::vector<Peer_mesher> peer_meshers(const Tetrahedral_mesh& cube, const
     std::ofstream(prefix + ".geo") << "Merge \"" << prefix << ".stl\";\nSurface Loop(1)={1};\nVolume(1)={1};\nMesh.Algorithm3D="
                                    << algorithm << ";\nField[1]=MathEval;\nField[1].F=\"" << size
                                    << "\";\nBackground Field=1;\nMesh.CharacteristicLengthExtendFromBoundary=0;\n";
-    return call("gmsh -3 -v 2 -format mesh -o " + result + " " + prefix + ".geo", result) ? read_medit(result) : Tetrahedral_mesh();
+    const bool is_done = call("gmsh -3 -v 2 -format mesh -o " + result + " " + prefix + ".geo", result);
+    return is_done ? read_medit(result) : Tetrahedral_mesh();
   };
   const auto netgen = [=](double size)
   {
     const std::string result = prefix + ".neutral";
-    std::ofstream(prefix + ".csg") << "algebraic3d\nsolid cube = orthobrick(-1,-1,-1;1,1,1) -maxh=" << size << ";\ntlo cube;\n";
+    std::ofstream(prefix + ".csg") << "algebraic3d\nsolid cube = orthobrick(-1,-1,-1;1,1,1) -maxh=" << size
+                                   << ";\ntlo cube;\n";
     // Debian's program looks for libraries under names that only the package for developers has.
     const std::string libraries = "/usr/lib/$(uname -m)-linux-gnu/netgen";
     const std::string command = "ln -sf $(ls " + libraries + "/libgui.so.*.*.* | head -n 1) " + directory + "/libgui.so; "

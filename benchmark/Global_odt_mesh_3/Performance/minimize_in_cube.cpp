@@ -59,14 +59,13 @@ static Run trace_run(Method& method, Moving_triangulation_3& mesh, int iteration
 
 static void draw_figures(const Paper_record& record, double reference)
 {
-  const std::string scale = text("%.12e", reference);
-  record.draw("figure_6", "set multiplot layout 1,3\nset xtics 100\nset xlabel 'iterations'\nset title 'energy over that of AVV, %'\nset yrange [-1:3]\n"
-              "plot data index 0 using 1:(100*($3/" + scale + "-1)) with lines lw 2 title 'L-BFGS', "
-              "data index 1 using 1:(100*($3/" + scale + "-1)) with lines lw 2 title 'AVV'\n"
-              "unset yrange\nset yrange [*:*]\nset logscale y\nset title 'gradient'\n"
-              "plot data index 0 using 1:4 with lines lw 2 title 'L-BFGS', data index 1 using 1:4 with lines lw 2 title 'AVV'\n"
-              "unset logscale\nset xtics 40\nset title 'flips in an iteration of L-BFGS'\nset logscale y\n"
-              "plot data index 0 using 1:5 with lines lw 2 notitle\nunset multiplot\n");
+  const std::string percents = text("(100*($3/%.12e-1))", reference);
+  const std::vector<std::string> titles = { "L-BFGS", "AVV" };
+  record.draw("figure_6", "set multiplot layout 1,3\nset xtics 100\nset xlabel 'iterations'\n"
+              "set title 'energy over that of AVV, %'\nset yrange [-1:3]\n" + Paper_record::plot("1:" + percents, titles)
+              + "set yrange [*:*]\nset logscale y\nset title 'gradient'\n" + Paper_record::plot("1:4", titles)
+              + "set xtics 40\nset title 'flips in an iteration'\n" + Paper_record::plot("1:5", { titles[0] })
+              + "unset multiplot\n");
   record.draw("figure_7", "set xlabel 'seed'\nset ylabel 'energy over the mean of AVV, %'\n"
               "plot data using 1:2 with points pt 7 title 'L-BFGS', data using 1:3 with points pt 6 title 'AVV'\n", 800);
 }

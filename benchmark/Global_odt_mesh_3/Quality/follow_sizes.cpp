@@ -3,8 +3,8 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Figure 13 of the paper: how closely the cells follow the sizes that are wanted, beside what CGAL's odt does with the same meshes, in one run
-// and in process CPU time: a sphere graded 5:1, and an elephant graded 20:1 by its local feature size. Of each
+// Figure 13 of the paper: how closely the cells follow the sizes that are wanted, beside what CGAL's odt does with the same
+// meshes, in one run and in process CPU time: a sphere graded 5:1, and an elephant graded 20:1 by its local feature size. Of each
 // result it is checked that what is promised of the complex is kept.
 //
 //   follow_sizes [number of seeds, default 3 [directory for rows and pictures]]

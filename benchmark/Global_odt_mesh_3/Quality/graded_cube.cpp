@@ -138,7 +138,8 @@ int main(int argc, char* argv[])
       run.mesh().evaluate();
       const double energy = true_energy(run.mesh(), density, tolerance_of_result);
       gain_of_search = 100 * (energy / reference - 1);
-      print(seed, std::string("search, slivers, ") + rule.name, energy, reference, outcome(run.mesh(), time), run.iterations(), run.objective().gradient().norm());
+      print(seed, std::string("search, slivers, ") + rule.name, energy, reference, outcome(run.mesh(), time), run.iterations(),
+            run.objective().gradient().norm());
       std::printf("\n");
     }
   }
@@ -147,12 +148,11 @@ int main(int argc, char* argv[])
   record.row("8", "the same of the search, 4 points, last seed", "-", text("%+.2f %%", gain_of_search));
   record.row("8", "iterations in which AVV raises the energy", "some", text("%d of %u", rises_of_avv, 500 * seeds));
   record.claim("8", is_lower && rises_of_avv > 0, "AVV oscillates, and L-BFGS ends below the lowest energy that it comes across");
-  record.claim("8", rises_with_cubature == 0, "L-BFGS with the true gradient lowers the energy monotonically, up to the tolerance");
+  record.claim("8", rises_with_cubature == 0,
+               "L-BFGS with the true gradient lowers the energy monotonically, up to the tolerance of the trace");
+  const std::vector<std::string> titles = { "AVV", "L-BFGS, linear", "L-BFGS, 4 points", "L-BFGS, 15 points", "L-BFGS, cubature" };
   record.draw("figure_8", "set multiplot layout 1,2\nset xlabel 'iteration'\nset title 'true energy'\nset logscale x\n"
-              "plot data index 0 using 1:3 with lines title 'AVV', data index 1 using 1:3 with lines title 'L-BFGS, linear', "
-              "data index 4 using 1:3 with lines title 'L-BFGS, cubature'\n"
-              "set title 'gradient'\nset logscale y\n"
-              "plot data index 0 using 1:4 with lines title 'AVV', data index 1 using 1:4 with lines title 'L-BFGS, linear', "
-              "data index 4 using 1:4 with lines title 'L-BFGS, cubature'\nunset multiplot\n");
+              + Paper_record::plot("1:3", titles) + "set title 'gradient'\nset logscale y\n" + Paper_record::plot("1:4", titles)
+              + "unset multiplot\n");
   return record.result();
 }

@@ -127,7 +127,8 @@ static void figure_12(Paper_record& record, double factor)
         out << n << ' ' << energies[n] << '\n';
     }
     record.draw("figure_12", text("set xlabel 'iteration'\nset ylabel 'energy'\nset yrange [%f:%f]\n"
-                                  "plot data with linespoints title 'NODT', %f title 'Algorithm 1', %f title 'Algorithm 2', %f title 'default call'\n",
+                                  "plot data with linespoints title 'NODT', %f title 'Algorithm 1', %f title 'Algorithm 2', "
+                                  "%f title 'default call'\n",
                                   0.98 * e[3], 1.15 * e[0], e[1], e[2], e[3]), 700);
   }
 }
@@ -169,8 +170,9 @@ static C3t3 interleave(const Domain& domain, double size)
   for(double level : { 1.5, 1.2, 1. })
   {
     const double s = level * size * std::hypot(b.x_span(), b.y_span(), b.z_span());
-    const Criteria criteria(params::facet_angle = 25, params::facet_size = s, params::facet_distance = elephant_distance / level * s,
-                            params::cell_radius_edge_ratio = 3, params::cell_size = s);
+    const Criteria criteria(params::facet_angle = 25, params::facet_size = s,
+                            params::facet_distance = elephant_distance / level * s, params::cell_radius_edge_ratio = 3,
+                            params::cell_size = s);
     CGAL::refine_mesh_3(c3t3, domain, criteria, params::no_exude(), params::no_perturb(), params::no_odt(), params::no_lloyd());
     odt_of_mesh_3(c3t3, domain);
   }
@@ -202,7 +204,10 @@ static void figure_17(Paper_record& record, double factor)
   time += seconds([&] { perturb(mesh, domain); });
   show("CGAL's odt, perturbed", "-", mesh, time);
   mesh = input;
-  time = time_of_input + seconds([&] { CGAL::lloyd_optimize_mesh_3(mesh, domain, params::do_freeze = false, params::max_iteration_number = 60); });
+  time = time_of_input + seconds([&]
+  {
+    CGAL::lloyd_optimize_mesh_3(mesh, domain, params::do_freeze = false, params::max_iteration_number = 60);
+  });
   show("CGAL's Lloyd, 60 iterations", "-", mesh, time);
   mesh = input;
   time = time_of_input + seconds([&] { run_algorithm(mesh, domain, 20); });
@@ -242,15 +247,18 @@ static void table_2(Paper_record& record, double factor)
     const double all = seconds([&] { optimizer(); });
     const auto stage = [&](int s) { return optimizer.clock().seconds(s).all; };
     typedef odt::Stage_clock Clock;
-    record.row("Table 2", text("elephant of %zu vertices: CPU seconds of meshing, and of the default call; of these: remesh, search, "
-                               "minimize, restrict, slivers, other", points.size()), "-",
+    record.row("Table 2", text("elephant of %zu vertices: CPU seconds of meshing, and of the default call; of these: remesh, "
+                               "search, minimize, restrict, slivers, other", points.size()), "-",
                text("%.2f, %.2f; %.2f, %.2f, %.2f, %.2f, %.2f, %.2f", meshing, all, stage(Clock::REMESH), stage(Clock::SEARCH),
-                    stage(Clock::MINIMIZE), stage(Clock::TRIANGULATE) + stage(Clock::CHECK) + stage(Clock::FLATTEN), stage(Clock::REMOVE_SLIVERS),
+                    stage(Clock::MINIMIZE), stage(Clock::TRIANGULATE) + stage(Clock::CHECK) + stage(Clock::FLATTEN),
+                    stage(Clock::REMOVE_SLIVERS),
                     stage(Clock::READ) + stage(Clock::DENSITY) + stage(Clock::WRITE) + stage(Clock::OTHER)));
-    record.row("21", text("CPU seconds of CGAL's exact triangulation of %zu vertices", points.size()), "-", text("%.3f", triangulating));
+    record.row("21", text("CPU seconds of CGAL's exact triangulation of %zu vertices", points.size()), "-",
+               text("%.3f", triangulating));
     totals.emplace_back(double(points.size()), all);
   }
-  const double growth = std::log(totals.back().second / totals.front().second) / std::log(totals.back().first / totals.front().first);
+  const double growth = std::log(totals.back().second / totals.front().second)
+                      / std::log(totals.back().first / totals.front().first);
   record.row("Table 2", "exponent of the time over the number of vertices", "-", text("%.2f", growth));
   record.claim("Table 2", growth < 1.5, "the time grows not much faster than the number of vertices");
 }

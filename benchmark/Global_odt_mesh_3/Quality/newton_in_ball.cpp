@@ -115,14 +115,13 @@ int main(int argc, char* argv[])
       print(name, run, trace);
     }
   }
-  record.row("9", text("energy after %d iterations over that at first: L-BFGS; approximate Newton with full steps, with 0.7 of them",
-                       iterations), "L-BFGS is lower", text("%+.2f %%; %+.2f, %+.2f %%", gains[0], gains[1], gains[2]));
+  record.row("9", text("energy after %d iterations over that at first: L-BFGS; approximate Newton with full steps, and with "
+                       "0.7 of them", iterations), "L-BFGS is lower", text("%+.2f %%; %+.2f, %+.2f %%", gains[0], gains[1], gains[2]));
   record.row("9", "time of an iteration over that of L-BFGS", "2", text("%.1f, %.1f", times[1] / times[0], times[2] / times[0]));
   record.claim("9", is_lower, "L-BFGS is lower after as many iterations");
+  const std::vector<std::string> titles = { "L-BFGS", "Newton, full steps", "Newton, steps x 0.7" };
   record.draw("figure_9", "set multiplot layout 1,2\nset xlabel 'CPU s'\nset title 'energy'\nset logscale x\n"
-              "plot data index 0 using 2:3 with lines lw 2 title 'L-BFGS', data index 1 using 2:3 with lines title 'Newton, full steps', "
-              "data index 2 using 2:3 with lines title 'Newton, steps x 0.7'\nset title 'gradient'\nset logscale y\n"
-              "plot data index 0 using 2:4 with lines lw 2 title 'L-BFGS', data index 1 using 2:4 with lines title 'Newton, full steps', "
-              "data index 2 using 2:4 with lines title 'Newton, steps x 0.7'\nunset multiplot\n");
+              + Paper_record::plot("2:3", titles) + "set title 'gradient'\nset logscale y\n" + Paper_record::plot("2:4", titles)
+              + "unset multiplot\n");
   return record.result();
 }

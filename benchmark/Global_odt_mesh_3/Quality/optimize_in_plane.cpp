@@ -5,9 +5,9 @@
 
 // What the paper shows in two dimensions, on CGAL's constrained Delaunay triangulation:
 //   3       the energies of eight vertices, one of which moves along a line
-//   10, 18  random vertices in a square with evenly spaced ones on its boundary, which stay: AVV, L-BFGS and Algorithm 2, and the same on
-//           the energy of the centroidal Voronoi tessellation, with the minimizer and the perturbations that serve in space; beside
-//           CGAL's lloyd_optimize_mesh_2()
+//   10, 18  random vertices in a square with evenly spaced ones on its boundary, which stay: AVV, L-BFGS and Algorithm 2, and
+//           the same on the energy of the centroidal Voronoi tessellation, with the minimizer and the perturbations that serve
+//           in space; beside CGAL's lloyd_optimize_mesh_2()
 //
 //   optimize_in_plane [number of seeds, default 3 [number of vertices, default 1000 [rounds of Algorithm 2, default 100
 //                     [directory for rows and pictures]]]]
@@ -124,7 +124,7 @@ static std::vector<double> search(Planar_objective& f, unsigned int seed, int ro
 }
 
 static const std::array<const char*, 7> ways
-  = {{ "AVV", "local ODT", "global ODT", "Lloyd", "local CVT", "global CVT", "CGAL's lloyd_optimize_mesh_2" }};
+  = {{ "AVV", "local ODT", "global ODT", "Lloyd", "local CVT", "global CVT", "lloyd_optimize_mesh_2 of CGAL" }};
 enum { AVV, LOCAL_ODT, GLOBAL_ODT, LLOYD, LOCAL_CVT, GLOBAL_CVT, LLOYD_OF_MESH_2 };
 
 // Outcomes[way][seed].
@@ -182,7 +182,8 @@ static void figures_10_and_18(Paper_record& record, unsigned int seeds, int vert
   const double avv = mean(outcomes[AVV], &Planar_outcome::energy);
   const auto gain = [&](int way) { return 100 * (mean(outcomes[way], &Planar_outcome::energy) / avv - 1); };
   record.row("10", "energy of L-BFGS over that of AVV", "-", text("%+.2f %%", gain(LOCAL_ODT)));
-  record.row("10", text("energy of %d rounds of global ODT over that of AVV", rounds), "-4.68 % (100 rounds)", text("%+.2f %%", gain(GLOBAL_ODT)));
+  record.row("10", text("energy of %d rounds of global ODT over that of AVV", rounds), "-4.68 % (100 rounds)",
+             text("%+.2f %%", gain(GLOBAL_ODT)));
   record.row("10", "time of global ODT over that of AVV", "2.2",
              text("%.1f", mean(outcomes[GLOBAL_ODT], &Planar_outcome::time) / mean(outcomes[AVV], &Planar_outcome::time)));
   for(int way = 0; way < 7; ++way)
@@ -208,10 +209,8 @@ static void figures_10_and_18(Paper_record& record, unsigned int seeds, int vert
     }
   }
   record.draw("figure_10", "set xlabel 'round of global ODT'\nset ylabel 'energy'\nplot data with lines lw 2 notitle\n", 700);
-  std::string commands = "set title 'angles'\nset xrange [0:140]\nset key top left\nplot ";
-  for(int way : { AVV, LOCAL_ODT, GLOBAL_ODT, LOCAL_CVT, GLOBAL_CVT })
-    commands += (way == AVV ? "" : ", ") + text("data index %d with histeps lw 2 title '", way) + ways[way] + "'";
-  record.draw("figure_18", commands + "\n", 800);
+  record.draw("figure_18", "set title 'angles'\nset xrange [0:140]\nset key top left\n"
+              + Paper_record::plot("1:2", std::vector<std::string>(ways.begin(), ways.end()), "histeps lw 2"), 800);
 }
 
 // At these positions of the vertex that moves.
@@ -280,9 +279,11 @@ static void figure_3(Paper_record& record)
   record.claim("3", crossings > 0 && largest.jump_of_discrete > 1e-4 && largest.jump_of_continuous < 1e-9
                     && largest.kink_of_continuous > 1e-2 && largest.kink_of_cvt < 1e-3,
                "(2.4) jumps, (2.5) is continuous with a kink, the CVT energy is smooth");
-  record.draw("figure_3", "set multiplot layout 1,3\nset xlabel 't'\nset title 'CVT'\nplot data using 1:2 with lines lw 2 notitle\n"
-              "set title '(2.4)'\nplot data using 1:3 with lines lw 2 notitle\nset title '(2.5)'\nplot data using 1:4 with lines lw 2 notitle\n"
-              "unset multiplot\n");
+  std::string commands = "set multiplot layout 1,3\nset xlabel 't'\nunset key\n";
+  int column = 1;
+  for(const char* title : { "CVT", "(2.4)", "(2.5)" })
+    commands += text("set title '%s'\n", title) + Paper_record::plot(text("1:%d", ++column), { title });
+  record.draw("figure_3", commands + "unset multiplot\n");
 }
 
 int main(int argc, char* argv[])

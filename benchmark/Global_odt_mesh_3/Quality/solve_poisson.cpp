@@ -3,9 +3,9 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Table 1 of the paper: linear finite elements for Poisson's equation in the cube [-1, 1]^3 on the meshes of different methods, with
-// about the same number of vertices in all and on the boundary. Beside the paper's u = xyz, which is harmonic, so that a structured grid is
-// exact at its vertices, stands a product of cosines.
+// Table 1 of the paper: linear finite elements for Poisson's equation in the cube [-1, 1]^3 on the meshes of different
+// methods, with about the same number of vertices in all and on the boundary. Beside the paper's u = xyz, which is harmonic,
+// so that a structured grid is exact at its vertices, stands a product of cosines.
 //
 //   solve_poisson [number of sizes, default 5 [number of seeds, default 3 [most vertices, default 10000
 //                 [directory for rows, pictures and what other programs write, default the current one]]]]
@@ -82,7 +82,8 @@ struct Mean_errors
 // Errors[method], from the largest size to the smallest.
 typedef std::map<std::string, std::vector<Mean_errors> > Errors;
 
-static Tetrahedral_mesh run_on(const Moving_triangulation_3& cube, Method& method, unsigned int seed, int iterations, bool removes_slivers)
+static Tetrahedral_mesh run_on(const Moving_triangulation_3& cube, Method& method, unsigned int seed, int iterations,
+                               bool removes_slivers)
 {
   Moving_triangulation_3 mesh = cube;
   run(method, mesh, seed, iterations);
@@ -94,7 +95,8 @@ static Tetrahedral_mesh run_on(const Moving_triangulation_3& cube, Method& metho
 static const char *const ours = "ours", *const structured = "structured";
 
 // All methods on one size, which is added to their errors.
-static void measure(std::size_t vertices, unsigned int seeds, const std::string& directory, std::vector<std::string>& names, Errors& errors)
+static void measure(std::size_t vertices, unsigned int seeds, const std::string& directory, std::vector<std::string>& names,
+                    Errors& errors)
 {
   std::map<std::string, Mean_errors> all;
   const auto add = [&](const std::string& name, const Tetrahedral_mesh& mesh)
@@ -158,12 +160,12 @@ static void record_table(Paper_record& record, const std::vector<std::string>& n
                text("%.0f, %.0f; %.4f", largest.vertices, largest.boundary_vertices, largest.radius_ratio));
     for(int n = 0; n < 2; ++n)
     {
-      std::string here = text("%.2f, %.2f; %.2e, %.2e; %.0f", mean_scaled(e, &Mean_errors::l2, n), mean_scaled(e, &Mean_errors::h1, n),
-                              largest.l2[n], largest.h1[n], largest.iterations[n]);
+      std::string here = text("%.2f, %.2f; %.2e, %.2e; %.0f", mean_scaled(e, &Mean_errors::l2, n),
+                              mean_scaled(e, &Mean_errors::h1, n), largest.l2[n], largest.h1[n], largest.iterations[n]);
       if(e.size() > 1)
         here += text("; %.2f, %.2f", order(e, &Mean_errors::l2, n), order(e, &Mean_errors::h1, n));
-      record.row("Table 1", name + ", " + problems()[n].name + ": L2 N^2/3, H1 N^1/3; errors and CG iterations with most vertices; orders",
-                 "-", here);
+      record.row("Table 1", name + ", " + problems()[n].name + ": L2 N^2/3, H1 N^1/3; with most vertices L2, H1; CG iterations; "
+                 "orders", "-", here);
     }
   }
   for(const char* peer : { "TetGen", "Gmsh, Delaunay", "Gmsh, HXT", "Netgen" })
@@ -176,8 +178,8 @@ static void record_table(Paper_record& record, const std::vector<std::string>& n
       const double best = mean_scaled(errors.at(ours), what, n);
       std::string below;
       for(const std::string& name : names)
-        if(name != ours && mean_scaled(errors.at(name), what, n) < best)
-          below += (below.empty() ? "" : ", ") + name + text(" by %.1f %%", 100 * (1 - mean_scaled(errors.at(name), what, n) / best));
+        if(const double other = mean_scaled(errors.at(name), what, n); other < best)
+          below += (below.empty() ? "" : ", ") + name + text(" by %.1f %%", 100 * (1 - other / best));
       record.row("Table 1", norm + ": methods below ours", "-", below.empty() ? "none" : below);
       record.claim("Table 1", best < mean_scaled(errors.at("AVV"), what, n) && best < mean_scaled(errors.at("L-BFGS"), what, n),
                    norm + ": ours is below AVV and L-BFGS");
@@ -189,12 +191,7 @@ static void draw_table(const Paper_record& record, const std::vector<std::string
   std::ofstream out = record.data("table_1");
   std::string commands = "set logscale xy\nset key left bottom\nset xlabel 'vertices'\nset multiplot layout 1,2\n";
   for(int n = 0; n < 2; ++n)
-  {
-    commands += "set title 'L2 error, " + problems()[n].name + "'\nplot ";
-    for(std::size_t m = 0; m < names.size(); ++m)
-      commands += (m > 0 ? ", " : "") + text("data index %zu using 1:%d with linespoints title '", m, 2 + n) + names[m] + "'";
-    commands += "\n";
-  }
+    commands += "set title 'L2 error, " + problems()[n].name + "'\n" + Paper_record::plot(text("1:%d", 2 + n), names, "linespoints");
   for(const std::string& name : names)
   {
     for(const Mean_errors& e : errors.at(name))

@@ -11,8 +11,8 @@
 
 #include <string>
 
-// Every vertex goes to the volume-weighted mean of the circumcenters around it (AVV, (2.3) of the paper) or, with the energy of the
-// centroidal Voronoi tessellation, to the centroid of its Voronoi cell, which is Lloyd's method.
+// Every vertex goes to the volume-weighted mean of the circumcenters around it (AVV, (2.3) of the paper) or, with the energy
+// of the centroidal Voronoi tessellation, to the centroid of its Voronoi cell, which is Lloyd's method.
 class Averaging
   : public Method
 {
