@@ -123,7 +123,7 @@ inline std::vector<Peer_mesher> peer_meshers(const Tetrahedral_mesh& cube, const
   const auto gmsh = [=](int algorithm, double size)
   {
     const std::string result = prefix + "_gmsh.mesh";
-    std::ofstream(prefix + ".geo") << "Merge \"" << prefix << ".stl\";\nSurface Loop(1)={1};\nVolume(1)={1};\nMesh.Algorithm3D="
+    std::ofstream(prefix + ".geo") << "Merge \"peer.stl\";\nSurface Loop(1)={1};\nVolume(1)={1};\nMesh.Algorithm3D="
                                    << algorithm << ";\nField[1]=MathEval;\nField[1].F=\"" << size
                                    << "\";\nBackground Field=1;\nMesh.CharacteristicLengthExtendFromBoundary=0;\n";
     const bool is_done = call("gmsh -3 -v 2 -format mesh -o " + result + " " + prefix + ".geo", result);
@@ -132,13 +132,13 @@ inline std::vector<Peer_mesher> peer_meshers(const Tetrahedral_mesh& cube, const
   const auto netgen = [=](double size)
   {
     const std::string result = prefix + ".neutral";
-    std::ofstream(prefix + ".csg") << "algebraic3d\nsolid cube = orthobrick(-1,-1,-1;1,1,1) -maxh=" << size
+    std::ofstream(prefix + "_netgen.geo") << "algebraic3d\nsolid cube = orthobrick(-1,-1,-1;1,1,1) -maxh=" << size
                                    << ";\ntlo cube;\n";
     // Debian's program looks for libraries under names that only the package for developers has.
     const std::string libraries = "/usr/lib/$(uname -m)-linux-gnu/netgen";
     const std::string command = "ln -sf $(ls " + libraries + "/libgui.so.*.*.* | head -n 1) " + directory + "/libgui.so; "
       "NETGENDIR=/usr/share/netgen LD_LIBRARY_PATH=" + directory + ":" + libraries + " netgen -batchmode -geofile=" + prefix
-      + ".csg -meshfile=" + result + " -meshfiletype='Neutral Format'";
+      + "_netgen.geo -meshfile=" + result + " -meshfiletype='Neutral Format'";
     return call("(" + command + ")", result) ? read_neutral(result) : Tetrahedral_mesh();
   };
   return { { "TetGen", true, tetgen },

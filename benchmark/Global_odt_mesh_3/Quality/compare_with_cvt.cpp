@@ -82,7 +82,6 @@ static Result result(const Way& way, Moving_triangulation_3 mesh, unsigned int s
   double time = 0;
   for(const Maker& m : way.methods)
     time += run(*m(), mesh, seed, 300).time;
-  std::fprintf(stderr, "retreats %zu\n", mesh.statistics().retreats);
   Result r = { outcome(mesh, time), 0 };
   mesh.set_voronoi_energy(true);
   mesh.is_regular();

@@ -82,10 +82,13 @@ struct Mean_errors
 // Errors[method], from the largest size to the smallest.
 typedef std::map<std::string, std::vector<Mean_errors> > Errors;
 
-static Tetrahedral_mesh run_on(const Moving_triangulation_3& cube, Method& method, unsigned int seed, int iterations,
-                               bool removes_slivers)
+// What a method, made with these arguments, makes of the cube.
+template <class M, class... Arguments>
+Tetrahedral_mesh run_on(const Moving_triangulation_3& cube, unsigned int seed, int iterations, bool removes_slivers,
+                        const Arguments&... arguments)
 {
   Moving_triangulation_3 mesh = cube;
+  M method(arguments...);
   run(method, mesh, seed, iterations);
   if(removes_slivers)
     Sliver_removal_3(mesh, 20, seed).run();
@@ -116,14 +119,10 @@ static void measure(std::size_t vertices, unsigned int seeds, const std::string&
         if(!mesh.cells.empty())
           add(peer.name, mesh);
       }
-    Averaging averaging(Energy::ODT);
-    add("AVV", run_on(cube, averaging, seed, 499, false));
-    Quasi_newton minimizer(Energy::ODT);
-    add("L-BFGS", run_on(cube, minimizer, seed, 300, false));
-    Global_search_method paper(Energy::ODT, CGAL::Metropolis_annealing_schedule());
-    add("Algorithm 2", run_on(cube, paper, seed, 100, false));
-    Global_search_method search(Energy::ODT, CGAL::Momentum_annealing_schedule());
-    add(ours, run_on(cube, search, seed, 100, true));
+    add("AVV", run_on<Averaging>(cube, seed, 499, false, Energy::ODT));
+    add("L-BFGS", run_on<Quasi_newton>(cube, seed, 300, false, Energy::ODT));
+    add("Algorithm 2", run_on<Global_search_method>(cube, seed, 100, false, Energy::ODT, CGAL::Metropolis_annealing_schedule()));
+    add(ours, run_on<Global_search_method>(cube, seed, 100, true, Energy::ODT, CGAL::Momentum_annealing_schedule()));
   }
   for(const auto& a : all)
     errors[a.first].push_back(a.second);

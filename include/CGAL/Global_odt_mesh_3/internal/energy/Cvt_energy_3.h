@@ -29,7 +29,8 @@ namespace internal {
 // For each facet of the cell and each edge of that, the middle of the edge, the circumcenter of the facet and that of the
 // cell make an orthoscheme with each end of the edge. Its legs a, b and h are orthogonal, its volume is a b h / 6, and its
 // second moment about that end a b h / 60 (6 a^2 + 3 b^2 + h^2). Volumes have signs, so that the sum over a cell and its
-// neighbors is right although circumcenters lie beyond facets. The boundary cuts Voronoi cells off in the same sense.
+// neighbors is right although circumcenters lie beyond facets. At the boundary it is that of Voronoi cells which are cut off
+// there, provided that no circumcenter lies beyond it: a mesh of which this is minimized is to know where its surface is.
 inline Cell_energy cvt_energy(const Cell_products& t)
 {
   // An edge and the third vertex of a facet which, seen from the fourth vertex, is counterclockwise.

@@ -20,7 +20,7 @@ namespace Global_odt_mesh_3 {
 namespace internal {
 
 // Which energy the cells of a mesh have: that of the optimal Delaunay triangulation, with a density or without, or that of
-// the centroidal Voronoi tessellation, which is for uniform density and sites without weights.
+// the centroidal Voronoi tessellation, which is for uniform density, sites without weights, and vertices of the interior alone.
 class Energy_choice_3
 {
 public:
