@@ -114,7 +114,9 @@ inline Tetrahedral_mesh read_medit(const std::string& file)
   {
     std::size_t number = 0;
     double reference = 0;
-    if(word == "Vertices" && in >> number)
+    if(word[0] == '#')
+      std::getline(in, word);
+    else if(word == "Vertices" && in >> number)
     {
       points.resize(number);
       for(Eigen::Vector3d& p : points)

@@ -152,7 +152,7 @@ inline Tetrahedral_mesh mesh_of_size(const Peer_mesher& peer, std::size_t vertic
 {
   Tetrahedral_mesh best;
   double low = 0, high = 0, size = 2 * std::cbrt(1.4 / double(vertices));
-  for(int n = 0; n < 12; ++n)
+  for(int n = 0; n < 8; ++n)
   {
     Tetrahedral_mesh mesh = peer.run(size);
     const double number = double(mesh.points.size()), wanted = double(vertices);
@@ -163,7 +163,7 @@ inline Tetrahedral_mesh mesh_of_size(const Peer_mesher& peer, std::size_t vertic
     size = low == 0 ? size * 0.85 : high == 0 ? size * 1.15 : std::sqrt(low * high);
     if(is_better)
       best = std::move(mesh);
-    if(std::abs(number / wanted - 1) < 0.01)
+    if(std::abs(number / wanted - 1) < 0.02)
       break;
   }
   return best;

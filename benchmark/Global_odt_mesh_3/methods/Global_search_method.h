@@ -14,6 +14,7 @@
 
 #include <memory>
 #include <string>
+#include <variant>
 
 // Algorithm 2 of the paper or momentum annealing. An iteration is a round of the search, and the last one the
 // iterations of L-BFGS that follow it.
