@@ -186,7 +186,7 @@ static void record_table(Paper_record& record, const std::vector<std::string>& n
 static void draw_table(const Paper_record& record, const std::vector<std::string>& names, const Errors& errors)
 {
   std::ofstream out = record.data("table_1");
-  std::string commands = "set logscale xy\nset key left bottom\nset xlabel 'vertices'\nset multiplot layout 1,2\n";
+  std::string commands = "set logscale xy\nset xrange [400:20000]\nset key left bottom\nset xlabel 'vertices'\nset multiplot layout 1,2\n";
   for(int n = 0; n < 2; ++n)
     commands += "set title 'L2 error, " + problems()[n].name + "'\n" + Paper_record::plot(text("1:%d", 2 + n), names, "linespoints");
   for(const std::string& name : names)
