@@ -85,7 +85,8 @@ struct Planar_input
     for(int n = side; n > 0; --n) boundary.emplace_back(at(n), 1);
     for(int n = side; n > 0; --n) boundary.emplace_back(0, at(n));
     std::mt19937 random(seed);
-    std::uniform_real_distribution<double> u(0.01, 0.99);
+    // Far enough from the boundary for its edges to see all Voronoi cells that it cuts.
+    std::uniform_real_distribution<double> u(0.62 / side, 1 - 0.62 / side);
     while(static_cast<int>(inside.size() + boundary.size()) < vertices)
     {
       const double x = u(random), y = u(random);
