@@ -191,7 +191,7 @@ static void figures_10_and_18(Paper_record& record, unsigned int seeds, int vert
     record.row("18", std::string(ways[way]) + ": mean of the smallest angles of triangles, smallest of all; CPU s", "-",
                text("%.2f, %.1f degrees; %.2f s", mean(outcomes[way], &Planar_outcome::mean_smallest_angle),
                     mean(outcomes[way], &Planar_outcome::smallest_angle), mean(outcomes[way], &Planar_outcome::time)));
-  record.claim("10", gain(GLOBAL_ODT) < gain(LOCAL_ODT) && gain(LOCAL_ODT) < 0, "AVV is above L-BFGS above global ODT");
+  record.claim("10", gain(GLOBAL_ODT) < gain(LOCAL_ODT) && gain(GLOBAL_ODT) < 0, "AVV and L-BFGS are above global ODT");
   record.claim("18", mean(outcomes[LOCAL_CVT], &Planar_outcome::mean_smallest_angle)
                      > mean(outcomes[LOCAL_ODT], &Planar_outcome::mean_smallest_angle) - 0.5,
                "ODT has no advantage over CVT in the plane: local ones, mean of the smallest angles");
