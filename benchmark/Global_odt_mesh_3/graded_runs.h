@@ -20,6 +20,7 @@
 #include <cstddef>
 #include <limits>
 #include <memory>
+#include <ostream>
 #include <utility>
 #include <vector>
 
@@ -85,12 +86,18 @@ private:
   int iterations_ = 0;
 };
 
-// What becomes of the true energy from one iteration to the next.
+// What becomes of the true energy from one iteration of a run to the next.
 class Energy_trace
 {
 public:
-  void add(double energy)
+  struct Step
   {
+    double time, energy, gradient;
+  };
+
+  void add(double energy, Graded_run& run)
+  {
+    steps_.push_back({ run.time(), energy, run.objective().gradient().norm() });
     if(energy > last_)
     {
       ++rises_;
@@ -104,10 +111,22 @@ public:
   double lowest() const { return lowest_; }
   int rises() const { return rises_; }
   double largest_rise() const { return largest_rise_; }   // relatively
+  const std::vector<Step>& steps() const { return steps_; }
 
 private:
   double last_ = (std::numeric_limits<double>::max)(), lowest_ = last_, largest_rise_ = 0;
   int rises_ = 0;
+  std::vector<Step> steps_;
 };
+
+// As a block of a data file: iteration, time, energy, gradient.
+inline void write_trace(const Energy_trace& trace, std::ostream& out)
+{
+  int n = 0;
+  out.precision(10);
+  for(const Energy_trace::Step& s : trace.steps())
+    out << ++n << ' ' << s.time << ' ' << s.energy << ' ' << s.gradient << '\n';
+  out << "\n\n";
+}
 
 #endif // GLOBAL_ODT_MESH_3_BENCHMARK_GRADED_RUNS_H

@@ -26,6 +26,16 @@ void odt_of_mesh_3(C3t3& c3t3, const Domain& domain)
   odt_of_mesh_3(c3t3, domain, 0.01, true, 0.02, 1000);
 }
 
+// So many iterations, whatever they gain, each of which a visitor is told of.
+template <class C3t3, class Domain, class Visitor>
+void odt_of_mesh_3(C3t3& c3t3, const Domain& domain, int iterations, const Visitor& visitor)
+{
+  typedef CGAL::Mesh_3::Mesh_sizing_field<typename C3t3::Triangulation> Sizing;
+  typedef CGAL::Mesh_3::Odt_move<C3t3, Sizing> Move;
+  CGAL::Mesh_3::Mesh_global_optimizer<C3t3, Domain, Move, Visitor> optimizer(c3t3, domain, 0., false, 0.);
+  optimizer(iterations, visitor);
+}
+
 // So many iterations, whatever they gain.
 template <class C3t3, class Domain>
 void odt_of_mesh_3(C3t3& c3t3, const Domain& domain, int iterations)

@@ -91,17 +91,17 @@ void add_random_points(unsigned int seed, std::size_t number, const Density& den
   }
 }
 
-// The unit cube with this number of vertices, random in the interior. With 18,083 vertices,
-// there are 3,752 on a surface of squares, 3,782 on one of shifted rows.
+// The unit cube with this number of vertices, random in the interior, but not closer to the surface than that part of
+// an edge on it. With 18,083 vertices, there are 3,752 on a surface of squares, 3,782 on one of shifted rows.
 inline CGAL::Global_odt_mesh_3::internal::Moving_triangulation_3
-random_cube(unsigned int seed, std::size_t number_of_vertices = 18083, Cube_surface surface = Cube_surface::SQUARES)
+random_cube(unsigned int seed, std::size_t number_of_vertices = 18083, Cube_surface surface = Cube_surface::SQUARES,
+            double least_distance = 0)
 {
   const double growth = std::cbrt(static_cast<double>(number_of_vertices) / 18083);
-  std::vector<Coordinates> points = surface == Cube_surface::SQUARES
-                                   ? squares_on_cube(static_cast<int>(std::lround(25 * growth)))
-                                   : shifted_rows_on_cube(static_cast<int>(std::lround(23 * growth)));
+  const int grid = static_cast<int>(std::lround((surface == Cube_surface::SQUARES ? 25 : 23) * growth));
+  std::vector<Coordinates> points = surface == Cube_surface::SQUARES ? squares_on_cube(grid) : shifted_rows_on_cube(grid);
   std::mt19937 random(seed);
-  std::uniform_real_distribution<double> u(0, 1);
+  std::uniform_real_distribution<double> u(least_distance / grid, 1 - least_distance / grid);
   while(points.size() < number_of_vertices)
   {
     const double x = u(random), y = u(random), z = u(random);

@@ -84,7 +84,7 @@ static void sums()
   for(int c = 0; c < mesh.topology.number_of_cell_slots(); ++c)
   {
     const int* const v = mesh.topology.vertices(c);
-    const Cell_energy e = Fused_pass_3::cell_energy(mesh.products(c), c, v, mesh.sites.data(), nullptr);
+    const Cell_energy e = Uniform_odt_energy_3()(mesh.products(c), c, v, mesh.sites.data());
     energy += e.energy;
     for(int i = 0; i < 4; ++i)
       gradient[v[i]] += e.gradient[i];

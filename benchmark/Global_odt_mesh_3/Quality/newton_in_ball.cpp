@@ -7,10 +7,11 @@
 // exact gradient beside 50 of the approximate Newton method of Chen and Holst, with the full step and with the shorter one that
 // serves it best: exact energy, and process CPU time of an iteration.
 //
-//   newton_in_ball [number of seeds, default 3 [number of iterations, default 50]]
+//   newton_in_ball [number of seeds, default 3 [number of iterations, default 50 [directory for rows and pictures]]]
 
 #include "Approximate_newton.h"
 #include "graded_runs.h"
+#include "paper_record.h"
 #include "random_points.h"
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
@@ -22,6 +23,7 @@
 #include <cstddef>
 #include <cstdio>
 #include <cstdlib>
+#include <fstream>
 #include <memory>
 #include <vector>
 
@@ -58,6 +60,10 @@ int main(int argc, char* argv[])
   const Quadratic_polynomial_3 polynomial = Quadratic_density::squared_distance().polynomial();
   Function_density_3 density([&polynomial](const Site& s) { return polynomial(s); });
   Quadratic_density_quadrature_3 exact(polynomial);
+  Paper_record record(argc > 3 ? argv[3] : "");
+  // Of L-BFGS, and of the approximate Newton method with full and with shorter steps.
+  std::vector<double> gains(3, 0), times(3, 0);
+  bool is_lower = true;
   std::printf("seed  %-20s %12s %12s %6s %9s %6s %16s\n", "method", "E at first", "E at last", "its", "gradient", "rises",
               "CPU ms/iteration");
   for(unsigned int seed = 1; seed <= seeds; ++seed)
@@ -70,8 +76,21 @@ int main(int argc, char* argv[])
       return rho < 0.98 ? rho : 0;
     }, points);
     const Moving_triangulation_3 ball = triangulate(points);
+    std::ofstream traces;
+    if(seed == 1 && record.has_directory())
+      traces = record.data("figure_9");
+    std::size_t method = 0;
+    double lowest = 0;
     const auto print = [&](const char* name, Graded_run& run, const Energy_trace& trace)
     {
+      if(method == 0)
+        lowest = trace.last();
+      is_lower = is_lower && lowest <= trace.last();
+      gains[method] += 100 * (trace.last() / exact_energy(ball, exact) - 1) / seeds;
+      times[method] += 1e3 * run.time() / run.iterations() / seeds;
+      ++method;
+      if(traces.is_open())
+        write_trace(trace, traces);
       std::printf("%4u  %-20s %12.8f %12.8f %6d %9.1e %6d %16.2f\n", seed, name, exact_energy(ball, exact), trace.last(),
                   run.iterations(), run.objective().gradient().norm(), trace.rises(), 1e3 * run.time() / run.iterations());
       std::fflush(stdout);
@@ -81,7 +100,7 @@ int main(int argc, char* argv[])
       Limited_memory_bfgs minimizer;
       Energy_trace trace;
       run.repeat(iterations, [&](int) { return minimizer.iterate(run.objective()) == Limited_memory_bfgs::STEP_TAKEN; },
-                 [&] { trace.add(exact_energy(run.mesh(), exact)); });
+                 [&] { trace.add(exact_energy(run.mesh(), exact), run); });
       print("L-BFGS", run, trace);
     }
     for(double step_length : { 1., 0.7 })
@@ -90,11 +109,19 @@ int main(int argc, char* argv[])
       Approximate_newton newton(step_length);
       Energy_trace trace;
       run.repeat(iterations, [&](int) { return newton.iterate(run.mesh(), run.objective()); },
-                 [&] { trace.add(exact_energy(run.mesh(), exact)); });
+                 [&] { trace.add(exact_energy(run.mesh(), exact), run); });
       char name[40];
       std::snprintf(name, sizeof name, "Newton, steps x %.2f", step_length);
       print(name, run, trace);
     }
   }
-  return EXIT_SUCCESS;
+  record.row("9", text("energy after %d iterations over that at first: L-BFGS; approximate Newton with full steps, and with "
+                       "0.7 of them", iterations), "L-BFGS is lower", text("%+.2f %%; %+.2f, %+.2f %%", gains[0], gains[1], gains[2]));
+  record.row("9", "time of an iteration over that of L-BFGS", "2", text("%.1f, %.1f", times[1] / times[0], times[2] / times[0]));
+  record.claim("9", is_lower, "L-BFGS is lower after as many iterations");
+  const std::vector<std::string> titles = { "L-BFGS", "Newton, full steps", "Newton, steps x 0.7" };
+  record.draw("figure_9", "set multiplot layout 1,2\nset xlabel 'CPU s'\nset title 'energy'\nset logscale x\n"
+              + Paper_record::plot("2:3", titles) + "set title 'gradient'\nset logscale y\n" + Paper_record::plot("2:4", titles)
+              + "unset multiplot\n");
+  return record.result();
 }

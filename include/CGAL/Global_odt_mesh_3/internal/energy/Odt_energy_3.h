@@ -91,6 +91,28 @@ inline Cell_energy odt_energy(const Cell_products& t,
   return r;
 }
 
+// The same as functions of a cell, its number and those of its vertices, into `s`. They are polynomials in the coordinates,
+// so that the energy of a cell may be taken off again, whatever its shape.
+struct Uniform_odt_energy_3
+{
+  Cell_energy operator()(const Cell_products& t, int, const int* v, const Site* s) const
+  {
+    return uniform_odt_energy(t, s[v[0]], s[v[1]], s[v[2]], s[v[3]]);
+  }
+};
+
+// The quadrature is a pointer, or what behaves like one.
+template <class Quadrature>
+struct Weighted_odt_energy_3
+{
+  Quadrature quadrature;
+
+  Cell_energy operator()(const Cell_products& t, int cell, const int* v, const Site* s) const
+  {
+    return odt_energy(t, s[v[0]], s[v[1]], s[v[2]], s[v[3]], quadrature->moments(cell, v, s));
+  }
+};
+
 } // namespace internal
 } // namespace Global_odt_mesh_3
 } // namespace CGAL

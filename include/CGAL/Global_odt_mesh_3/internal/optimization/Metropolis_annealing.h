@@ -8,7 +8,6 @@
 
 #include <CGAL/Annealing_schedules_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/geometry/Random_source.h>
-#include <CGAL/Global_odt_mesh_3/internal/optimization/Odt_objective_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/optimization/Vertex_noise.h>
 
 #include <Eigen/Core>
@@ -22,7 +21,7 @@ namespace internal {
 // What Algorithm 2 of the paper, the global ODT method, does between minimizations: it perturbs all vertices, and
 // accepts the minimum to which they go then if it is lower than the one before or, with the
 // probability of Metropolis, a little higher. The temperature is relative to the energy, so that
-// the scale of the mesh does not matter.
+// the scale of the mesh does not matter. The function is Odt_objective_3 or what offers the same.
 class Metropolis_annealing
 {
 public:
@@ -41,7 +40,8 @@ public:
 
   // Step (1): whether the current point is close to a minimum, that is, what an AVV move (2.3) gains in first order
   // is little against the rises that are accepted.
-  bool is_near_minimum(const Odt_objective_3& f) const
+  template <class Function>
+  bool is_near_minimum(const Function& f) const
   {
     const double gain = (f.gradient().array().square() / f.diagonal().array()).sum();
     return gain <= small_part * temperature_ * f.value();
@@ -49,7 +49,8 @@ public:
 
   // Step (3): the perturbed point becomes the current one. Noise that breaks the triangulation
   // is halved and, if that does not help, left.
-  void perturb(Odt_objective_3& f)
+  template <class Function>
+  void perturb(Function& f)
   {
     noise_.measure_edges(f);
     noise_.draw();

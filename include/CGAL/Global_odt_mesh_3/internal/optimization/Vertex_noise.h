@@ -8,7 +8,6 @@
 
 #include <CGAL/Global_odt_mesh_3/internal/geometry/Random_source.h>
 #include <CGAL/Global_odt_mesh_3/internal/geometry/Split_mix_engine.h>
-#include <CGAL/Global_odt_mesh_3/internal/optimization/Odt_objective_3.h>
 
 #include <Eigen/Core>
 
@@ -21,14 +20,16 @@ namespace Global_odt_mesh_3 {
 namespace internal {
 
 // Random displacements of the vertices, in the scale of their mean incident edges (section 4.3
-// of the paper). Those of one vertex do not depend on whether and when others are asked for.
+// of the paper). Those of one vertex do not depend on whether and when others are asked for. The function is
+// Odt_objective_3 or what offers the same.
 class Vertex_noise
 {
 public:
   explicit Vertex_noise(unsigned int seed) : seeds_(seed) { draw(); }
 
   // To be called first and when the edges have got other lengths.
-  void measure_edges(const Odt_objective_3& f) { f.mean_edge_lengths(edge_length_); }
+  template <class Function>
+  void measure_edges(const Function& f) { f.mean_edge_lengths(edge_length_); }
   // The same with lengths that have been measured.
   void set_edges(std::vector<double> lengths) { edge_length_ = std::move(lengths); }
   double mean_edge_length(int v) const { return edge_length_[v]; }
@@ -38,7 +39,8 @@ public:
 
   // In a random direction, its tangential part on surfaces, of a length uniform between zero and
   // the amplitude times the mean edge. Frozen vertices stay.
-  Eigen::Vector3d displacement(const Odt_objective_3& f, int v, double interior_amplitude, double surface_amplitude) const
+  template <class Function>
+  Eigen::Vector3d displacement(const Function& f, int v, double interior_amplitude, double surface_amplitude) const
   {
     if(f.is_frozen(v))
       return Eigen::Vector3d::Zero();

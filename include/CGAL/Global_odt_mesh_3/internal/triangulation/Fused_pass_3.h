@@ -19,7 +19,6 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
-#include <type_traits>
 #include <vector>
 
 namespace CGAL {
@@ -41,20 +40,10 @@ public:
   Fused_pass_3(const Fused_pass_3&) {}
   Fused_pass_3& operator=(const Fused_pass_3&) { return *this; }
 
-  // The quadrature is that of the mesh, by its type as far as that is faster, or null.
-  template <class Quadrature>
-  static Cell_energy cell_energy(const Cell_products& t, int cell, const int* v, const Site* s, Quadrature quadrature)
-  {
-    if constexpr (std::is_same_v<Quadrature, std::nullptr_t>)
-      return uniform_odt_energy(t, s[v[0]], s[v[1]], s[v[2]], s[v[3]]);
-    else
-      return odt_energy(t, s[v[0]], s[v[1]], s[v[2]], s[v[3]], quadrature->moments(cell, v, s));
-  }
-
-  // Gives the energy. The gradient has a part more than there are chunks, the last, with nothing in it.
-  template <class Quadrature>
-  double run(const Constrained_triangulation_3& mesh, Quadrature quadrature, const Thread_policy& threads,
-             Gradient& gradient)
+  // Gives the energy, which is a sum over cells: energy(t, cell, v, s) is that of one, given its products, its number and
+  // those of its vertices. The gradient has a part more than there are chunks, the last, with nothing in it.
+  template <class Energy>
+  double run(const Constrained_triangulation_3& mesh, Energy energy, const Thread_policy& threads, Gradient& gradient)
   {
     const Chunks cells(mesh.topology.number_of_cell_slots(), least_cells, most_chunks);
     gradient.resize(mesh.sites.size(), cells.number() + 1);
@@ -64,12 +53,12 @@ public:
     {
       gradient.clear(n);
       parts_[n].clear();
-      parts_[n].energy = add_cells(mesh, quadrature, 4 * cells.begin(n), 4 * cells.end(n), gradient.part(n), parts_[n]);
+      parts_[n].energy = add_cells(mesh, energy, 4 * cells.begin(n), 4 * cells.end(n), gradient.part(n), parts_[n]);
     });
-    double energy = 0;
+    double sum = 0;
     for(const Part& p : parts_)
-      energy += p.energy;
-    return energy;
+      sum += p.energy;
+    return sum;
   }
 
   // The cells that are not positive, slots of the facets that are not locally regular, and vertices of the interior
@@ -109,28 +98,28 @@ private:
     }
   };
 
-  // The cells of these slots; gives their energy.
-  template <class Quadrature>
-  static double add_cells(const Constrained_triangulation_3& mesh, Quadrature quadrature, int first_slot, int end,
+  // The cells of these slots; gives the sum of their energies.
+  template <class Energy>
+  static double add_cells(const Constrained_triangulation_3& mesh, Energy energy, int first_slot, int end,
                           const Gradient::Part& gradient, Part& part)
   {
     std::array<Cell_sphere, slots_in_batch / 4> spheres;
     std::array<int, slots_in_batch> facets;
-    double energy = 0;
+    double sum = 0;
     for(int begin = first_slot; begin < end; begin += slots_in_batch)
     {
-      const int number_of_facets = add_batch(mesh, quadrature, begin, (std::min)(end, begin + slots_in_batch), gradient, part,
-                                             spheres.data(), facets.data(), energy);
+      const int number_of_facets = add_batch(mesh, energy, begin, (std::min)(end, begin + slots_in_batch), gradient, part,
+                                             spheres.data(), facets.data(), sum);
       test_facets(mesh, begin, spheres.data(), facets.data(), number_of_facets, part.irregular);
     }
-    return energy;
+    return sum;
   }
 
   // Gives the number of the facets that are to be tested. Which ones is as good as random, so that
   // branches on that would take longer than the tests.
-  template <class Quadrature>
-  static int add_batch(const Constrained_triangulation_3& mesh, Quadrature quadrature, int begin, int end,
-                       Gradient::Part gradient, Part& part, Cell_sphere* spheres, int* facets, double& energy)
+  template <class Energy>
+  static int add_batch(const Constrained_triangulation_3& mesh, Energy energy, int begin, int end,
+                       Gradient::Part gradient, Part& part, Cell_sphere* spheres, int* facets, double& sum)
   {
     const int* const vertices = mesh.topology.cell_vertices();
     const int* const neighbors = mesh.topology.neighbors();
@@ -142,8 +131,8 @@ private:
       if(v[0] == Flat_triangulation_3::no_vertex)
         continue;
       const Cell_products t(s[v[0]], s[v[1]], s[v[2]], s[v[3]]);
-      const Cell_energy e = cell_energy(t, slot / 4, v, s, quadrature);
-      energy += e.energy;
+      const Cell_energy e = energy(t, slot / 4, v, s);
+      sum += e.energy;
       for(int i = 0; i < 4; ++i)
         gradient.add(v[i], e.gradient[i]);
       if(!(t.determinant > 0))

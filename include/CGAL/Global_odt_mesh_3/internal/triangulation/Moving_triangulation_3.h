@@ -7,7 +7,7 @@
 #define CGAL_GLOBAL_ODT_MESH_3_INTERNAL_TRIANGULATION_MOVING_TRIANGULATION_3_H
 
 #include <CGAL/Global_odt_mesh_3/internal/density/Density_quadrature_3.h>
-#include <CGAL/Global_odt_mesh_3/internal/density/Linear_density_quadrature_3.h>
+#include <CGAL/Global_odt_mesh_3/internal/energy/Energy_choice_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/energy/Odt_energy_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/geometry/Cell_products_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/geometry/Site.h>
@@ -48,13 +48,11 @@ class Moving_triangulation_3
 {
 public:
   // The density, null where it is one everywhere. A quadrature serves one mesh at a time.
-  void set_quadrature(Density_quadrature_3* quadrature)
-  {
-    quadrature_ = quadrature;
-    linear_quadrature_ = dynamic_cast<Linear_density_quadrature_3*>(quadrature);
-  }
+  void set_quadrature(Density_quadrature_3* quadrature) { choice_.set_quadrature(quadrature); }
+  Density_quadrature_3* quadrature() const { return choice_.quadrature(); }
 
-  Density_quadrature_3* quadrature() const { return quadrature_; }
+  // Instead of the energy of the optimal Delaunay triangulation, that of the centroidal Voronoi tessellation.
+  void set_voronoi_energy(bool is_voronoi) { choice_.set_voronoi(is_voronoi); }
 
   // One thread, unless this is called. What comes out does not depend on them.
   void set_threads(const Thread_policy& threads) { threads_ = threads; }
@@ -85,8 +83,7 @@ public:
   {
     kept_sites_.keep();
     kept_energy_ = energy_;
-    if(quadrature_ != nullptr)
-      quadrature_->keep();
+    choice_.keep();
     topology.begin_trial();
   }
 
@@ -109,8 +106,7 @@ public:
   {
     kept_sites_.restore(sites);
     energy_ = kept_energy_;
-    if(quadrature_ != nullptr)
-      quadrature_->restore();
+    choice_.restore();
     topology.undo_trial();
     CGAL_expensive_assertion(topology.is_valid());
     ++statistics_.restorations;
@@ -122,8 +118,7 @@ public:
     const Statistics statistics = statistics_;
     *this = before;
     statistics_ = statistics;
-    if(quadrature_ != nullptr)
-      quadrature_->update(sites, number_of_movable_vertices, threads_);
+    choice_.update(sites, number_of_movable_vertices, threads_);
   }
 
   // Energy and gradient at the current positions after repairing the topology; false if some cells
@@ -135,8 +130,7 @@ public:
     kept_sites_.prepare_changes(sites);
     retreated_.clear();
     asked_for_sites_.clear();
-    if(quadrature_ != nullptr)
-      quadrature_->update(sites, number_of_movable_vertices, threads_);
+    choice_.update(sites, number_of_movable_vertices, threads_);
     pass();
     const std::size_t number_of_inverted_cells = inverted_.size();
     if(number_of_inverted_cells > most_inverted_cells())
@@ -148,6 +142,8 @@ public:
     retreat_from_surfaces();
     const bool is_regular = make_regular();
     CGAL_expensive_assertion(topology.is_valid());
+    if(!choice_.is_polynomial())
+      pass();
     return is_regular;
   }
 
@@ -177,33 +173,29 @@ private:
 
   void pass()
   {
-    if(quadrature_ == nullptr)
-      energy_ = pass_.run(*this, nullptr, threads_, gradient_);
-    else if(linear_quadrature_ != nullptr)
-      energy_ = pass_.run(*this, linear_quadrature_->view(), threads_, gradient_);
-    else                        // which may ask the user
-      energy_ = pass_.run(*this, quadrature_, Thread_policy(), gradient_);
+    const Thread_policy threads = choice_.is_safe_for_threads() ? threads_ : Thread_policy();
+    choice_.visit([&](auto energy) { energy_ = pass_.run(*this, energy, threads, gradient_); });
     energy_of_pass_ = energy_;
     pass_.lists(inverted_, irregular_, intruders_);
   }
 
-  // Adds (or, with sign -1, removes) what a cell contributes.
+  // Adds (or, with sign -1, removes) what a cell contributes. Energies with poles are left to a pass over the regular mesh.
   void add_cell(int cell, int sign)
   {
+    if(!choice_.is_polynomial())
+      return;
     const int* const v = topology.vertices(cell);
-    const Cell_products t = products(cell);
-    const Site* const s = sites.data();
-    const Cell_energy e
-      = quadrature_ == nullptr ? Fused_pass_3::cell_energy(t, cell, v, s, nullptr)
-      : linear_quadrature_ != nullptr ? Fused_pass_3::cell_energy(t, cell, v, s, linear_quadrature_->view())
-                                      : Fused_pass_3::cell_energy(t, cell, v, s, quadrature_);
-    energy_ += sign * e.energy;
-    const Fused_pass_3::Gradient::Part repairs = gradient_.part(gradient_.number_of_parts() - 1);
-    for(int i = 0; i < 4; ++i)
+    choice_.visit([&](auto energy)
     {
-      const Site_gradient& c = e.gradient[i];
-      repairs.add(v[i], { sign * c.x, sign * c.y, sign * c.z, sign * c.diagonal });
-    }
+      const Cell_energy e = energy(products(cell), cell, v, sites.data());
+      energy_ += sign * e.energy;
+      const Fused_pass_3::Gradient::Part repairs = gradient_.part(gradient_.number_of_parts() - 1);
+      for(int i = 0; i < 4; ++i)
+      {
+        const Site_gradient& c = e.gradient[i];
+        repairs.add(v[i], { sign * c.x, sign * c.y, sign * c.z, sign * c.diagonal });
+      }
+    });
   }
 
   std::array<int, 3> flip_2_3(Slot s)
@@ -330,8 +322,7 @@ private:
 
   Thread_policy threads_;
   Fused_pass_3 pass_;
-  Density_quadrature_3* quadrature_ = nullptr;
-  Linear_density_quadrature_3* linear_quadrature_ = nullptr;    // the same, if it is one
+  Energy_choice_3 choice_;
   Fused_pass_3::Gradient gradient_;   // the last part is what repairs add
   double energy_ = 0, kept_energy_ = 0, energy_of_pass_ = 0;
   std::vector<int> inverted_, intruders_, stuck_, retreated_;

@@ -1,0 +1,285 @@
+// Copyright (c) 2026 The Global_odt_mesh_3 authors.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+// What the paper shows on models, on those of CGAL's data, by figure:
+//   12      the energy of CGAL's odt (NODT) after each of its iterations, and where Algorithms 1 and 2 of the paper and the default
+//           call of odt_optimize_mesh_3() end: the elephant, of two sizes
+//   14, 15  CAD parts, and meshes of many cells: joint and fandisk; the armadillo, of two sizes
+//   17      interleaved refinement and optimization, global ODT, both with CGAL's perturb_mesh_3(), Lloyd's method, and the
+//           default call: the elephant
+//   2       the seconds of each stage of the default call on four sizes of the elephant (Table 2), and those of CGAL's exact
+//           triangulation of the vertices (Figure 21)
+//
+//   improve_models 12|14|15|17|2 [factor on the sizes of cells, default 1 [directory for rows and pictures]]
+//
+// Times are of the process. Environment: CGAL_DATA_DIR, the directory of CGAL's data.
+
+#include "benchmark_inputs.h"
+#include "cpu_seconds.h"
+#include "mesh_picture.h"
+#include "odt_of_mesh_3.h"
+#include "paper_record.h"
+
+#include <CGAL/Annealing_schedules_3.h>
+#include <CGAL/Mesh_quality_report_3.h>
+#include <CGAL/lloyd_optimize_mesh_3.h>
+#include <CGAL/odt_optimize_mesh_3.h>
+#include <CGAL/perturb_mesh_3.h>
+#include <CGAL/refine_mesh_3.h>
+#include <CGAL/remesh_boundary_mesh_3.h>
+
+#include <cmath>
+#include <cstdlib>
+#include <fstream>
+#include <string>
+#include <utility>
+#include <vector>
+
+using namespace inputs;
+namespace odt = CGAL::Global_odt_mesh_3::internal;
+
+typedef Polyhedral_domain Domain;
+typedef Polyhedral_c3t3 C3t3;
+typedef CGAL::Mesh_criteria_3<Polyhedral_triangulation> Criteria;
+
+// The size of the elephant's cells, relative to the diagonal of its bounding box.
+static const double elephant_size = 0.0102, elephant_distance = 1 / 6.;
+
+static CGAL::Mesh_quality_report_3 report(const C3t3& c3t3) { return CGAL::mesh_quality_report_3(c3t3, { 10, 20 }); }
+
+// The uniform energy, without its dimension: the volume below the facets and the number of vertices differ. That of a lattice
+// of body-centered cubes is .3969.
+static double energy(const C3t3& c3t3)
+{
+  const CGAL::Mesh_quality_report_3 r = report(c3t3);
+  return r.total().energy * std::pow(double(r.number_of_vertices), 2 / 3.) / std::pow(r.total().volume, 5 / 3.);
+}
+
+// What the paper's table shows of a mesh that took so long.
+static std::string properties(const C3t3& c3t3, double time)
+{
+  const CGAL::Mesh_quality_report_3 r = report(c3t3);
+  return text("%zu vertices; %.2f - %.2f degrees; 3r/R from %.2f, mean %.4f; %zu and %zu cells below 10 and 20 degrees; %.1f s",
+              r.number_of_vertices, r.smallest_angle, r.largest_angle, r.smallest_radius_ratio, r.mean_radius_ratio,
+              r.cells_below[0].second, r.cells_below[1].second, time);
+}
+
+static void perturb(C3t3& c3t3, const Domain& domain)
+{
+  CGAL::perturb_mesh_3(c3t3, domain, params::sliver_bound = 20, params::time_limit = 120);
+}
+
+// Algorithm 1 of the paper, or Algorithm 2 if there are rounds: the boundary is remeshed and fixed then.
+static void run_algorithm(C3t3& c3t3, const Domain& domain, std::size_t rounds)
+{
+  CGAL::remesh_boundary_mesh_3(c3t3, domain);
+  CGAL::odt_optimize_mesh_3(c3t3, domain, params::optimize_boundary = false, params::do_remove_slivers = false,
+                            params::do_freeze = false, params::convergence = 0, params::max_iteration_number = 700,
+                            params::number_of_rounds = rounds,
+                            params::annealing_schedule = CGAL::Metropolis_annealing_schedule());
+}
+
+struct Energy_visitor
+{
+  const C3t3* c3t3;
+  std::vector<double>* energies;
+
+  void after_compute_moves() {}
+  void after_move_points() {}
+  void after_rebuild_restricted_delaunay() {}
+  void end_of_iteration(int) { energies->push_back(energy(*c3t3)); }
+};
+
+static void figure_12(Paper_record& record, double factor)
+{
+  const Polyhedron elephant = read_polyhedron(CGAL::data_file_path("meshes/elephant.off"));
+  const Domain domain(elephant);
+  for(double size : { 1.6, 1. })
+  {
+    const C3t3 input = polyhedral_mesh(domain, size * factor * elephant_size, false, elephant_distance);
+    const std::string name = text("elephant of %zu vertices", std::size_t(input.triangulation().number_of_vertices()));
+    std::vector<double> energies = { energy(input) };
+    C3t3 nodt(input), local(input), global(input), ours(input);
+    odt_of_mesh_3(nodt, domain, 60, Energy_visitor{ &nodt, &energies });
+    run_algorithm(local, domain, 0);
+    run_algorithm(global, domain, 20);
+    CGAL::odt_optimize_mesh_3(ours, domain);
+    int rises = 0;
+    for(std::size_t n = 1; n < energies.size(); ++n)
+      rises += energies[n] > energies[n - 1];
+    const double e[] = { energy(nodt), energy(local), energy(global), energy(ours) };
+    record.row("12", name + ": energy of NODT, Algorithms 1 and 2, and the default call", ".5436, .5347, .5228, -",
+               text("%.4f, %.4f, %.4f, %.4f", e[0], e[1], e[2], e[3]));
+    record.row("12", name + ": Algorithms 1 and 2 against NODT", "-1.64 %, -3.83 %",
+               text("%+.2f %%, %+.2f %%; the default call %+.2f %%", 100 * (e[1] / e[0] - 1), 100 * (e[2] / e[0] - 1),
+                    100 * (e[3] / e[0] - 1)));
+    record.row("12", name + ": the energy rises in iterations of NODT", "some", text("%d of %zu", rises, energies.size() - 1));
+    record.claim("12", e[0] > e[1] && e[1] > e[2], name + ": NODT is above Algorithm 1 above Algorithm 2");
+    record.draw_histograms("figure_12_histograms", { { "NODT", report(nodt) }, { "Algorithm 1", report(local) },
+                                                     { "Algorithm 2", report(global) }, { "default call", report(ours) } });
+    if(!record.has_directory())
+      continue;
+    {
+      std::ofstream out = record.data("figure_12");
+      for(std::size_t n = 0; n < energies.size(); ++n)
+        out << n << ' ' << energies[n] << '\n';
+    }
+    record.draw("figure_12", text("set xlabel 'iteration'\nset ylabel 'energy'\nset yrange [%f:%f]\n"
+                                  "plot data with linespoints title 'NODT', %f title 'Algorithm 1', %f title 'Algorithm 2', "
+                                  "%f title 'default call'\n",
+                                  0.98 * e[3], 1.15 * e[0], e[1], e[2], e[3]), 700);
+  }
+}
+
+static void figure_14(Paper_record& record, double factor)
+{
+  for(const auto& part : { std::make_pair("fandisk", 0.0158), std::make_pair("joint", 0.025) })
+    for_model_with_features([&](const std::string& name, const C3t3& input, const Domain& domain)
+    {
+      C3t3 ours(input);
+      const double time = seconds([&] { CGAL::odt_optimize_mesh_3(ours, domain); });
+      record.row("14", name + ", default call", "17.6 - 155.3 degrees; mean 3r/R .8868", properties(ours, time));
+      record.claim("14", report(ours).smallest_angle > 15 && report(ours).cells_below[0].second == 0,
+                   name + " is left with no angle below 15 degrees");
+      record.draw_cutaways("figure_14_" + name, [&](const std::string& file) { draw_before_and_after(input, ours, file); });
+    }, part.first, part.first, factor * part.second);
+}
+
+static void figure_15(Paper_record& record, double factor)
+{
+  const Polyhedron armadillo = read_polyhedron(CGAL::data_file_path("meshes/armadillo.off"));
+  const Domain domain(armadillo);
+  for(double size : { 0.0067, 0.0043 })
+  {
+    const C3t3 input = polyhedral_mesh(domain, factor * size, false, 1 / 6.);
+    C3t3 ours(input);
+    const double time = seconds([&] { CGAL::odt_optimize_mesh_3(ours, domain); });
+    const std::string name = text("armadillo of %zuk cells", std::size_t(ours.number_of_cells_in_complex()) / 1000);
+    record.row("15", name + ", default call", "277k cells; 15.2 - 157.5 degrees; mean 3r/R .8715", properties(ours, time));
+    record.claim("15", report(ours).smallest_angle > 15 && report(ours).mean_radius_ratio > 0.8715,
+                 name + ": no angle below 15 degrees, and a mean 3r/R above that of the paper");
+    record.draw_cutaways("figure_15", [&](const std::string& file) { draw_before_and_after(input, ours, file); });
+  }
+}
+
+// Refinement in levels, each of which is optimized by CGAL's odt.
+static C3t3 interleave(const Domain& domain, double size)
+{
+  const CGAL::Bbox_3 b = domain.bbox();
+  C3t3 c3t3 = polyhedral_mesh(domain, 2 * size, false, elephant_distance / 2);
+  odt_of_mesh_3(c3t3, domain);
+  for(double level : { 1.5, 1.2, 1. })
+  {
+    const double s = level * size * std::hypot(b.x_span(), b.y_span(), b.z_span());
+    const Criteria criteria(params::facet_angle = 25, params::facet_size = s,
+                            params::facet_distance = elephant_distance / level * s, params::cell_radius_edge_ratio = 3,
+                            params::cell_size = s);
+    CGAL::refine_mesh_3(c3t3, domain, criteria, params::no_exude(), params::no_perturb(), params::no_odt(), params::no_lloyd());
+    odt_of_mesh_3(c3t3, domain);
+  }
+  return c3t3;
+}
+
+static void figure_17(Paper_record& record, double factor)
+{
+  const Polyhedron elephant = read_polyhedron(CGAL::data_file_path("meshes/elephant.off"));
+  const Domain domain(elephant);
+  const double size = factor * elephant_size;
+  const auto show = [&](const std::string& what, const std::string& paper, const C3t3& c3t3, double time)
+  {
+    record.row("17", what, paper, properties(c3t3, time));
+  };
+  C3t3 mesh;
+  double time = seconds([&] { mesh = interleave(domain, size); });
+  const CGAL::Mesh_quality_report_3 interleaved = report(mesh);
+  show("interleaved", ".78 - 178.3; from .02, mean .8818; 21 and 214; 187 s", mesh, time);
+  time += seconds([&] { perturb(mesh, domain); });
+  show("interleaved, perturbed", "20.0 - 150.8; from .30, mean .8685; 0 and 0; 272 s", mesh, time);
+
+  C3t3 input;
+  const double time_of_input = seconds([&] { input = polyhedral_mesh(domain, size, false, elephant_distance); });
+  show("refined to the same size at once", "-", input, time_of_input);
+  mesh = input;
+  time = time_of_input + seconds([&] { odt_of_mesh_3(mesh, domain); });
+  show("CGAL's odt", "-", mesh, time);
+  time += seconds([&] { perturb(mesh, domain); });
+  show("CGAL's odt, perturbed", "-", mesh, time);
+  mesh = input;
+  time = time_of_input + seconds([&]
+  {
+    CGAL::lloyd_optimize_mesh_3(mesh, domain, params::do_freeze = false, params::max_iteration_number = 60);
+  });
+  show("CGAL's Lloyd, 60 iterations", "-", mesh, time);
+  mesh = input;
+  time = time_of_input + seconds([&] { run_algorithm(mesh, domain, 20); });
+  const CGAL::Mesh_quality_report_3 global = report(mesh);
+  show("global ODT (Algorithm 2)", ".71 - 178.9; from .01, mean .9110; 17 and 115; 236 s", mesh, time);
+  time += seconds([&] { perturb(mesh, domain); });
+  show("global ODT, perturbed", "20.0 - 151.5; from .33, mean .9007; 0 and 0; 287 s", mesh, time);
+  C3t3 ours(input);
+  time = time_of_input + seconds([&] { CGAL::odt_optimize_mesh_3(ours, domain); });
+  show("default call", "-", ours, time);
+  record.row("17", "Stellar; global ODT, Stellar (not free, not run)",
+             "37.2 - 139.2; from .29, mean .7648; 447 s; 41.4 - 136.1; from .30, mean .8630; 658 s", "-");
+  record.claim("17", global.mean_radius_ratio > interleaved.mean_radius_ratio, "global ODT has a higher mean 3r/R than interleaving");
+  record.claim("17", report(ours).mean_radius_ratio > global.mean_radius_ratio && report(ours).cells_below[1].second == 0,
+               "the default call has a higher mean 3r/R than both and no cell below 20 degrees");
+  record.draw_histograms("figure_17", { { "interleaved", interleaved }, { "global ODT", global }, { "default call", report(ours) } });
+  record.draw_cutaways("figure_16", [&](const std::string& file) { draw_before_and_after(input, ours, file); });
+}
+
+static void table_2(Paper_record& record, double factor)
+{
+  const Polyhedron elephant = read_polyhedron(CGAL::data_file_path("meshes/elephant.off"));
+  const Domain domain(elephant);
+  std::vector<std::pair<double, double> > totals;
+  for(double size : { 2., 1.6, 1.26, 1. })
+  {
+    C3t3 c3t3;
+    const double meshing = seconds([&] { c3t3 = polyhedral_mesh(domain, factor * size * elephant_size, false, elephant_distance); });
+    std::vector<Polyhedral_triangulation::Weighted_point> points;
+    for(auto v = c3t3.triangulation().finite_vertices_begin(); v != c3t3.triangulation().finite_vertices_end(); ++v)
+      points.push_back(c3t3.triangulation().point(v));
+    const double triangulating = seconds([&] { Polyhedral_triangulation().insert(points.begin(), points.end()); });
+    typedef CGAL::Mesh_3::Null_global_optimizer_visitor<C3t3> Visitor;
+    Visitor visitor;
+    const odt::Odt_parameters parameters;
+    odt::Odt_mesh_optimizer_3<C3t3, Domain, Visitor> optimizer(c3t3, domain, odt::Odt_task::OPTIMIZE, parameters, visitor);
+    const double all = seconds([&] { optimizer(); });
+    const auto stage = [&](int s) { return optimizer.clock().seconds(s).all; };
+    typedef odt::Stage_clock Clock;
+    record.row("Table 2", text("elephant of %zu vertices: CPU seconds of meshing, and of the default call; of these: remesh, "
+                               "search, minimize, restrict, slivers, other", points.size()), "-",
+               text("%.2f, %.2f; %.2f, %.2f, %.2f, %.2f, %.2f, %.2f", meshing, all, stage(Clock::REMESH), stage(Clock::SEARCH),
+                    stage(Clock::MINIMIZE), stage(Clock::TRIANGULATE) + stage(Clock::CHECK) + stage(Clock::FLATTEN),
+                    stage(Clock::REMOVE_SLIVERS),
+                    stage(Clock::READ) + stage(Clock::DENSITY) + stage(Clock::WRITE) + stage(Clock::OTHER)));
+    record.row("21", text("CPU seconds of CGAL's exact triangulation of %zu vertices", points.size()), "-",
+               text("%.3f", triangulating));
+    totals.emplace_back(double(points.size()), all);
+  }
+  const double growth = std::log(totals.back().second / totals.front().second)
+                      / std::log(totals.back().first / totals.front().first);
+  record.row("Table 2", "exponent of the time over the number of vertices", "-", text("%.2f", growth));
+  record.claim("Table 2", growth < 1.5, "the time grows not much faster than the number of vertices");
+}
+
+int main(int argc, char* argv[])
+{
+  const std::string figure = argc > 1 ? argv[1] : "17";
+  const double factor = argc > 2 ? std::atof(argv[2]) : 1;
+  Paper_record record(argc > 3 ? argv[3] : "");
+  if(figure == "12")
+    figure_12(record, factor);
+  else if(figure == "14")
+    figure_14(record, factor);
+  else if(figure == "15")
+    figure_15(record, factor);
+  else if(figure == "17")
+    figure_17(record, factor);
+  else
+    table_2(record, factor);
+  return record.result();
+}
