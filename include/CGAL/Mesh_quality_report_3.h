@@ -6,6 +6,10 @@
 #ifndef CGAL_MESH_QUALITY_REPORT_3_H
 #define CGAL_MESH_QUALITY_REPORT_3_H
 
+#include <CGAL/license/Mesh_3.h>
+
+#include <CGAL/Global_odt_mesh_3/internal/Required_cgal_version.h>
+
 #include <CGAL/Global_odt_mesh_3/internal/energy/Odt_energy_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/geometry/Cell_products_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/geometry/Cell_shape_3.h>

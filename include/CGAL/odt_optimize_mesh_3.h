@@ -16,6 +16,8 @@ is defined by `<CGAL/odt_optimize_mesh_3.h>` of this package, and not by the hea
 
 #include <CGAL/license/Mesh_3.h>
 
+#include <CGAL/Global_odt_mesh_3/internal/Required_cgal_version.h>
+
 #include <CGAL/disable_warnings.h>
 
 #ifdef CGAL_LINKED_WITH_TBB

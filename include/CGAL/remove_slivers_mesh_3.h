@@ -8,6 +8,8 @@
 
 #include <CGAL/license/Mesh_3.h>
 
+#include <CGAL/Global_odt_mesh_3/internal/Required_cgal_version.h>
+
 #include <CGAL/disable_warnings.h>
 
 #include <CGAL/Global_odt_mesh_3/internal/Named_parameters.h>
