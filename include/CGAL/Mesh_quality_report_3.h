@@ -32,19 +32,21 @@
 namespace CGAL {
 
 /*!
-\ingroup PkgGlobalOdtMesh3Classes
+\ingroup PkgGlobalOdtMesh3Quality
 
 The class `Mesh_quality_report_3` holds measures of the shape of the cells and facets of a mesh complex. It is
 filled by `mesh_quality_report_3()` and printed as a table by `operator<<`.
+
+\sa `mesh_quality_report_3()`
 */
 struct Mesh_quality_report_3
 {
-  /// The part of a mesh in one subdomain.
+  /// is the part of a mesh in one subdomain.
   struct Subdomain
   {
     std::size_t number_of_cells = 0;
     double volume = 0;   ///< the sum of the volumes of the cells
-    double energy = 0;   ///< the ODT energy of uniform density, (2.1) of the paper: \f$ \sum |\tau|/20 \sum_{i<j} l_{ij}^2 \f$
+    double energy = 0;   ///< the ODT energy of uniform density, \f$ \sum |\tau|/20 \sum_{i<j} l_{ij}^2 \f$ (equation (2.1) of \cgalCite{cgal:cwlls-rodt-14})
   };
 
   static constexpr int number_of_angle_bins = 180;        ///< of one degree each
@@ -67,7 +69,7 @@ struct Mesh_quality_report_3
   std::vector<std::pair<double, std::size_t> > cells_below;         ///< angle in degrees, and number of cells with a smaller one
   std::map<std::string, Subdomain> subdomains;                      ///< by printed index
 
-  /// The sum over all subdomains.
+  /// returns the sum over all subdomains.
   Subdomain total() const
   {
     Subdomain sum;
@@ -127,7 +129,7 @@ void add_facets(Mesh_quality_report_3& report, const C3T3& c3t3)
 } // namespace Global_odt_mesh_3
 
 /*!
-\ingroup PkgGlobalOdtMesh3Functions
+\ingroup PkgGlobalOdtMesh3Quality
 
 measures the cells and facets of a mesh complex.
 
@@ -135,6 +137,8 @@ measures the cells and facets of a mesh complex.
 
 \param c3t3 the mesh
 \param bounds angles in degrees: cells with a smaller dihedral angle are counted for each
+
+\sa `odt_energy_3()`
 */
 template <class C3T3>
 Mesh_quality_report_3 mesh_quality_report_3(const C3T3& c3t3,
@@ -176,9 +180,9 @@ Mesh_quality_report_3 mesh_quality_report_3(const C3T3& c3t3,
 }
 
 /*!
-\ingroup PkgGlobalOdtMesh3Functions
+\ingroup PkgGlobalOdtMesh3Quality
 
-prints a report as a table with histograms; facets have a place there if there are any.
+prints a report as a table with histograms, without facets if there are none.
 */
 inline std::ostream& operator<<(std::ostream& out, const Mesh_quality_report_3& r)
 {
