@@ -40,8 +40,7 @@ Copies share the values, of which there are eight for each node. Queries may be 
 
 \tparam Kernel a model of the concept `Kernel`, whose coordinates are converted to `double`
 
-\cgalModels{MeshDomainField_3}
-\cgalModels{MeshDensity_3}
+\cgalModels{MeshDomainField_3,MeshDensity_3}
 
 \sa `odt_optimize_mesh_3()`
 \sa `Local_feature_size_field_3`
