@@ -20,7 +20,7 @@
 #include <CGAL/tags.h>
 
 #include <tbb/global_control.h>
-#include <tbb/info.h>
+#include <tbb/task_arena.h>
 
 #include <algorithm>
 #include <cmath>
@@ -45,7 +45,7 @@ double gyroid(const K::Point_3& p)
 
 int main(int argc, char* argv[])
 {
-  const int threads = argc > 1 ? std::atoi(argv[1]) : tbb::info::default_concurrency();
+  const int threads = argc > 1 ? std::atoi(argv[1]) : tbb::this_task_arena::max_concurrency();
   if(threads < 1)
   {
     std::cerr << "the number of threads must be positive\n";

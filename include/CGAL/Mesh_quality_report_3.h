@@ -44,30 +44,31 @@ struct Mesh_quality_report_3
   /// is the part of a mesh in one subdomain.
   struct Subdomain
   {
-    std::size_t number_of_cells = 0;
-    double volume = 0;   ///< the sum of the volumes of the cells
-    double energy = 0;   ///< the ODT energy of uniform density, \f$ \sum |\tau|/20 \sum_{i<j} l_{ij}^2 \f$ (equation (2.1) of \cgalCite{cgal:cwlls-rodt-14})
+    std::size_t number_of_cells = 0;   ///< the number of cells
+    double volume = 0;                 ///< the sum of the volumes of the cells
+    /// the ODT energy of uniform density, \f$ \sum |\tau|/20 \sum_{i<j} l_{ij}^2 \f$ (equation (2.1) of \cgalCite{cgal:cwlls-rodt-14})
+    double energy = 0;
   };
 
-  static constexpr int number_of_angle_bins = 180;        ///< of one degree each
-  static constexpr int number_of_radius_ratio_bins = 50;  ///< of 0.02 each
-  static constexpr int number_of_facet_angle_bins = 60;   ///< of one degree each
+  static constexpr int number_of_angle_bins = 180;        ///< the number of bins of `angles`, of one degree each
+  static constexpr int number_of_radius_ratio_bins = 50;  ///< the number of bins of `radius_ratios`, of 0.02 each
+  static constexpr int number_of_facet_angle_bins = 60;   ///< the number of bins of `facet_angles`, of one degree each
 
-  std::size_t number_of_vertices = 0;
-  std::size_t number_of_cells = 0;
-  std::size_t number_of_facets = 0;      ///< of the complex
+  std::size_t number_of_vertices = 0;    ///< the number of vertices of the triangulation
+  std::size_t number_of_cells = 0;       ///< the number of cells in the complex
+  std::size_t number_of_facets = 0;      ///< the number of facets in the complex
   double smallest_angle = 180;           ///< the smallest dihedral angle, in degrees
   double largest_angle = 0;              ///< the largest dihedral angle, in degrees
-  double mean_radius_ratio = 0;          ///< three times the inradius over the circumradius, 1 for the regular tetrahedron
-  double smallest_radius_ratio = 1;
-  std::array<std::size_t, number_of_angle_bins> angles{};           ///< six dihedral angles a cell
-  std::array<std::size_t, number_of_radius_ratio_bins> radius_ratios{};
+  double mean_radius_ratio = 0;          ///< the mean of three times the inradius over the circumradius, 1 for the regular tetrahedron
+  double smallest_radius_ratio = 1;      ///< the smallest radius ratio
+  std::array<std::size_t, number_of_angle_bins> angles{};                 ///< the histogram of dihedral angles, six for each cell
+  std::array<std::size_t, number_of_radius_ratio_bins> radius_ratios{};   ///< the histogram of radius ratios
   double smallest_facet_angle = 60;      ///< the smallest of the facets' smallest angles, in degrees
-  double largest_facet_angle = 0;        ///< the largest of them, 60 for the equilateral triangle
-  double mean_facet_angle = 0;           ///< the mean of them
-  std::array<std::size_t, number_of_facet_angle_bins> facet_angles{};   ///< the smallest angle of each facet
-  std::vector<std::pair<double, std::size_t> > cells_below;         ///< angle in degrees, and number of cells with a smaller one
-  std::map<std::string, Subdomain> subdomains;                      ///< by printed index
+  double largest_facet_angle = 0;        ///< the largest of the facets' smallest angles, 60 for the equilateral triangle
+  double mean_facet_angle = 0;           ///< the mean of the facets' smallest angles
+  std::array<std::size_t, number_of_facet_angle_bins> facet_angles{};     ///< the histogram of the facets' smallest angles
+  std::vector<std::pair<double, std::size_t> > cells_below;   ///< for each bound in degrees, the number of cells with a smaller angle
+  std::map<std::string, Subdomain> subdomains;                ///< the subdomains, by their indices as they are printed
 
   /// returns the sum over all subdomains.
   Subdomain total() const
