@@ -69,9 +69,10 @@ inline double smallest_dihedral_angle(const std::array<Point_3, 4>& p)
 // Cells with an angle below 10 degrees are red, below 20 orange; others yellowish inside, and blue on the surface.
 inline int color_of_facet(double smallest_angle, bool is_cut, double light)
 {
-  const std::array<double, 3> rgb = smallest_angle < 10 ? std::array<double, 3>{{ 220, 30, 30 }}
-                                  : smallest_angle < 20 ? std::array<double, 3>{{ 250, 150, 30 }}
-                                  : is_cut ? std::array<double, 3>{{ 250, 240, 200 }} : std::array<double, 3>{{ 130, 170, 230 }};
+  typedef std::array<double, 3> Rgb;
+  const Rgb rgb = smallest_angle < 10 ? Rgb{{ 220, 30, 30 }}
+                : smallest_angle < 20 ? Rgb{{ 250, 150, 30 }}
+                : is_cut ? Rgb{{ 250, 240, 200 }} : Rgb{{ 130, 170, 230 }};
   int color = 0;
   for(double x : rgb)
     color = 256 * color + static_cast<int>(x * light);
@@ -185,7 +186,8 @@ inline Window best_window(const std::vector<Polygon>& facets, double relative_wi
   return best;
 }
 
-// Each facet is a dark triangle, and on it a smaller one in its color: so facets farther back are covered, outlines included.
+// Each facet is a dark triangle, and on it a smaller one in its color, so that it covers those farther back, and their
+// outlines.
 inline void write_facets(const std::vector<Polygon>& facets, const Window& window, const std::string& file)
 {
   std::ofstream out(file);
@@ -197,8 +199,9 @@ inline void write_facets(const std::vector<Polygon>& facets, const Window& windo
     for(const bool is_outline : { true, false })
     {
       const double scale = is_outline ? 1.02 : 0.92;
+      const int color = is_outline ? 0x303030 : f.color;
       for(int k : { 0, 1, 2, 0 })
-        out << x + scale * (f.x(k) - x) << ' ' << y + scale * (f.y(k) - y) << ' ' << (is_outline ? 0x303030 : f.color) << '\n';
+        out << x + scale * (f.x(k) - x) << ' ' << y + scale * (f.y(k) - y) << ' ' << color << '\n';
       out << '\n';
     }
   }
@@ -220,8 +223,9 @@ inline void write_histograms(const CGAL::Mesh_quality_report_3& before, const CG
 inline std::string title(const std::string& when, const CGAL::Mesh_quality_report_3& report)
 {
   std::ostringstream out;
-  out << std::fixed << std::setprecision(1) << when << ": angles " << report.smallest_angle << "° - " << report.largest_angle
-      << std::setprecision(2) << "°, mean 3r/R " << report.mean_radius_ratio;
+  out << std::fixed << std::setprecision(1) << when << ": angles "
+      << report.smallest_angle << "° - " << report.largest_angle << std::setprecision(2) << "°, mean 3r/R "
+      << report.mean_radius_ratio;
   return out.str();
 }
 

@@ -73,8 +73,14 @@ public:
   {
     const Ellipsoid& ellipsoid;
 
-    Intersection operator()(const K::Segment_3& s) const { return ellipsoid.intersection(s.source(), s.to_vector(), 0, 1); }
-    Intersection operator()(const K::Ray_3& r) const { return ellipsoid.intersection(r.source(), r.to_vector(), 0, infinity); }
+    Intersection operator()(const K::Segment_3& s) const
+    {
+      return ellipsoid.intersection(s.source(), s.to_vector(), 0, 1);
+    }
+    Intersection operator()(const K::Ray_3& r) const
+    {
+      return ellipsoid.intersection(r.source(), r.to_vector(), 0, infinity);
+    }
     Intersection operator()(const K::Line_3& l) const
     {
       return ellipsoid.intersection(l.point(0), l.to_vector(), -infinity, infinity);

@@ -47,7 +47,8 @@ int main(int argc, char* argv[])
   C3t3 c3t3 = CGAL::make_mesh_3<C3t3>(domain, criteria, params::no_perturb(), params::no_exude());
   std::cout << "--- before ---\n" << CGAL::mesh_quality_report_3(c3t3);
   CGAL::odt_optimize_mesh_3(c3t3, domain);
-  std::cout << "--- after ---\n" << CGAL::mesh_quality_report_3(c3t3) << c3t3.number_of_corners() << " corners and " << c3t3.number_of_edges_in_complex()
+  std::cout << "--- after ---\n" << CGAL::mesh_quality_report_3(c3t3)
+            << c3t3.number_of_corners() << " corners and " << c3t3.number_of_edges_in_complex()
             << " edges of features are where they were\n";
   write_mesh(c3t3, "features");
   return EXIT_SUCCESS;

@@ -19,9 +19,9 @@ namespace CGAL {
 /*!
 \ingroup PkgGlobalOdtMesh3Schedules
 
-The class `Momentum_annealing_schedule` is the default type of the named parameter `annealing_schedule` of `odt_optimize_mesh_3()`.
-The search makes steps along the gradient, with momentum, and with noise whose amplitude falls to zero. Each step is taken, whatever
-the energy.
+The class `Momentum_annealing_schedule` is the default type of the named parameter `annealing_schedule` of
+`odt_optimize_mesh_3()`. The search makes steps along the gradient, with momentum, and with noise whose amplitude falls
+to zero. Each step is taken, whatever the energy.
 
 \sa `Metropolis_annealing_schedule`
 */
@@ -62,8 +62,9 @@ struct Momentum_annealing_schedule
 \ingroup PkgGlobalOdtMesh3Schedules
 
 The class `Metropolis_annealing_schedule` is a type of the named parameter `annealing_schedule` of `odt_optimize_mesh_3()`.
-It selects Algorithm 2 of \cgalCite{cgal:cwlls-rodt-14} (section 4.3). In each round, all vertices are perturbed in random directions and go to
-a minimum nearby, which is accepted if it is lower, or, with the probability of Metropolis, a little higher.
+It selects Algorithm 2 of \cgalCite{cgal:cwlls-rodt-14} (section 4.3). In each round, all vertices are perturbed in
+random directions and go to a minimum nearby, which is accepted if it is lower, or, with the probability of Metropolis,
+a little higher.
 
 \sa `Momentum_annealing_schedule`
 */
@@ -73,7 +74,8 @@ struct Metropolis_annealing_schedule
   double perturbation = 0.2;
   /// the L-BFGS iterations of a round; positive
   int iterations_in_round = 20;
-  /// the temperature at the beginning, relative to the energy, so that the scale of the mesh does not matter; positive and finite
+  /// the temperature at the beginning, relative to the energy, so that the scale of the mesh does not matter; positive
+  /// and finite
   double temperature = 1e-4;
   /// the factor on the temperature at each rejection; in (0, 1]
   double cooling = 0.9;

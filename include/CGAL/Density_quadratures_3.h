@@ -19,9 +19,9 @@ namespace CGAL {
 /*!
 \ingroup PkgGlobalOdtMesh3Fields
 
-The class `Linear_density_rule_3` is the default type of the named parameter `quadrature`: the density is interpolated linearly
-between the vertices of a cell (Theorems 4.1 and 4.2 of \cgalCite{cgal:cwlls-rodt-14}). It is evaluated once for each vertex. The error of
-the gradient falls with the square of the cell size.
+The class `Linear_density_rule_3` is the default type of the named parameter `quadrature`: the density is interpolated
+linearly between the vertices of a cell (Theorems 4.1 and 4.2 of \cgalCite{cgal:cwlls-rodt-14}). It is evaluated once
+for each vertex. The error of the gradient falls with the square of the cell size.
 
 \sa `Four_point_rule_3`
 \sa `Fifteen_point_rule_3`
@@ -33,8 +33,9 @@ struct Linear_density_rule_3
 /*!
 \ingroup PkgGlobalOdtMesh3Fields
 
-The class `Four_point_rule_3` is a type of the named parameter `quadrature`: integrals over a cell are weighted sums of the integrand
-at four points, exact up to degree 2 (rule T3:2-1 of \cgalCite{cgal:s-acmi-71}). The density is evaluated about 20 times for each vertex.
+The class `Four_point_rule_3` is a type of the named parameter `quadrature`: integrals over a cell are weighted sums of
+the integrand at four points, exact up to degree 2 (rule T3:2-1 of \cgalCite{cgal:s-acmi-71}). The density is evaluated
+about 20 times for each vertex.
 
 \sa `Linear_density_rule_3`
 \sa `Fifteen_point_rule_3`
@@ -46,9 +47,9 @@ struct Four_point_rule_3
 /*!
 \ingroup PkgGlobalOdtMesh3Fields
 
-The class `Fifteen_point_rule_3` is a type of the named parameter `quadrature`: integrals over a cell are weighted sums of the integrand
-at fifteen points, exact up to degree 5 (rule T3:5-1 of \cgalCite{cgal:s-acmi-71}). Energy and gradient are exact for densities of degree 3
-or less. The density is evaluated about 80 times for each vertex.
+The class `Fifteen_point_rule_3` is a type of the named parameter `quadrature`: integrals over a cell are weighted sums
+of the integrand at fifteen points, exact up to degree 5 (rule T3:5-1 of \cgalCite{cgal:s-acmi-71}). Energy and
+gradient are exact for densities of degree 3 or less. The density is evaluated about 80 times for each vertex.
 
 \sa `Linear_density_rule_3`
 \sa `Four_point_rule_3`
@@ -60,9 +61,10 @@ struct Fifteen_point_rule_3
 /*!
 \ingroup PkgGlobalOdtMesh3Fields
 
-The class `Adaptive_cubature_3` is a type of the named parameter `quadrature`: integrals over a cell are computed to a tolerance, by
-rules of degree 7, 5, and 3 and adaptive bisection of the cell, as proposed by Genz and Cools \cgalCite{cgal:gc-aanc-03}. It is the
-reference for the other rules. The density is evaluated at least 190 times for each vertex.
+The class `Adaptive_cubature_3` is a type of the named parameter `quadrature`: integrals over a cell are computed to a
+tolerance, by rules of degree 7, 5, and 3 and adaptive bisection of the cell, as proposed by Genz and Cools
+\cgalCite{cgal:gc-aanc-03}. It is the reference for the other rules. The density is evaluated at least 190 times for
+each vertex.
 
 \sa `Linear_density_rule_3`
 \sa `Four_point_rule_3`

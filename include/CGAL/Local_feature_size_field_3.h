@@ -28,8 +28,9 @@ namespace CGAL {
 /*!
 \ingroup PkgGlobalOdtMesh3Fields
 
-The class `Local_feature_size_parameters_3` holds the parameters of `Local_feature_size_field_3`. Lengths are in the unit of the coordinates; those that are 0
-are derived from the diagonal of the bounding box of the domain, of the mesh's surface, or of the points.
+The class `Local_feature_size_parameters_3` holds the parameters of `Local_feature_size_field_3`. Lengths are in the
+unit of the coordinates; those that are 0 are derived from the diagonal of the bounding box of the domain, of the
+mesh's surface, or of the points.
 */
 struct Local_feature_size_parameters_3
 {
@@ -65,8 +66,8 @@ struct Local_feature_size_parameters_3
 /*!
 \ingroup PkgGlobalOdtMesh3Fields
 
-The class `Local_feature_size_field_3` is a sizing field that is computed from the boundary of a domain. Sizes are small where the
-boundary is curved or close to another part of it, and grow with the distance from there. The same
+The class `Local_feature_size_field_3` is a sizing field that is computed from the boundary of a domain. Sizes are
+small where the boundary is curved or close to another part of it, and grow with the distance from there. The same
 object serves as `cell_size` and `facet_size` of `Mesh_criteria_3` and as `sizing_field` of
 `odt_optimize_mesh_3()`, so that mesh and optimizer agree.
 
@@ -82,8 +83,8 @@ It changes by at most \f$ K \f$ times the distance of two points. With \f$ K = 0
 `Mesh_criteria_3` takes sizes for bounds on radii, so that edges come out longer than the size, by a third with the default
 parameters.
 
-At sharp edges and corners the local feature size is zero; the samples nearest to them decide how small the size gets, down to
-`smallest_size`. Noise of the samples in the direction of the normal must be small compared with their distances.
+At sharp edges and corners the local feature size is zero; the samples nearest to them decide how small the size gets,
+down to `smallest_size`. Noise of the samples in the direction of the normal must be small compared with their distances.
 
 Copies share the samples. Queries may be made from several threads at once.
 
@@ -146,7 +147,8 @@ public:
 
   \tparam PointRange a range of points with coordinates `x()`, `y()`, `z()`
 
-  \pre The parameters pass `Local_feature_size_parameters_3::check()`, and there are two different points at least, all finite.
+  \pre The parameters pass `Local_feature_size_parameters_3::check()`, and there are two different points at least, all
+  finite.
   */
   template <class PointRange>
   static Local_feature_size_field_3

@@ -35,7 +35,8 @@ namespace CGAL {
 \ingroup PkgGlobalOdtMesh3Quality
 
 The class `Mesh_quality_report_3` holds measures of the shape of the cells and facets of a mesh complex. It is
-filled by `mesh_quality_report_3()` and printed as a table by `operator<<`.
+filled by `mesh_quality_report_3()` and printed as a table by `operator<<`. The radius ratio of a cell is three times its
+inradius over its circumradius, 3r/R.
 
 \sa `mesh_quality_report_3()`
 */
@@ -46,7 +47,8 @@ struct Mesh_quality_report_3
   {
     std::size_t number_of_cells = 0;   ///< the number of cells
     double volume = 0;                 ///< the sum of the volumes of the cells
-    /// the ODT energy of uniform density, \f$ \sum |\tau|/20 \sum_{i<j} l_{ij}^2 \f$ (equation (2.1) of \cgalCite{cgal:cwlls-rodt-14})
+    /// the ODT energy of uniform density, \f$ \sum |\tau|/20 \sum_{i<j} l_{ij}^2 \f$ (equation (2.1) of
+    /// \cgalCite{cgal:cwlls-rodt-14})
     double energy = 0;
   };
 
@@ -59,16 +61,17 @@ struct Mesh_quality_report_3
   std::size_t number_of_facets = 0;      ///< the number of facets in the complex
   double smallest_angle = 180;           ///< the smallest dihedral angle, in degrees
   double largest_angle = 0;              ///< the largest dihedral angle, in degrees
-  double mean_radius_ratio = 0;          ///< the mean of three times the inradius over the circumradius, 1 for the regular tetrahedron
-  double smallest_radius_ratio = 1;      ///< the smallest radius ratio
-  std::array<std::size_t, number_of_angle_bins> angles{};                 ///< the histogram of dihedral angles, six for each cell
-  std::array<std::size_t, number_of_radius_ratio_bins> radius_ratios{};   ///< the histogram of radius ratios
+  double mean_radius_ratio = 0;          ///< the mean of 3r/R, which is 1 for the regular tetrahedron
+  double smallest_radius_ratio = 1;      ///< the smallest 3r/R
+  std::array<std::size_t, number_of_angle_bins> angles{};               ///< the histogram of dihedral angles, six a cell
+  std::array<std::size_t, number_of_radius_ratio_bins> radius_ratios{}; ///< the histogram of radius ratios
   double smallest_facet_angle = 60;      ///< the smallest of the facets' smallest angles, in degrees
   double largest_facet_angle = 0;        ///< the largest of the facets' smallest angles, 60 for the equilateral triangle
   double mean_facet_angle = 0;           ///< the mean of the facets' smallest angles
-  std::array<std::size_t, number_of_facet_angle_bins> facet_angles{};     ///< the histogram of the facets' smallest angles
-  std::vector<std::pair<double, std::size_t> > cells_below;   ///< for each bound in degrees, the number of cells with a smaller angle
-  std::map<std::string, Subdomain> subdomains;                ///< the subdomains, by their indices as they are printed
+  std::array<std::size_t, number_of_facet_angle_bins> facet_angles{};   ///< the histogram of the facets' smallest angles
+  /// for each bound in degrees, the number of cells with a smaller angle
+  std::vector<std::pair<double, std::size_t> > cells_below;
+  std::map<std::string, Subdomain> subdomains;   ///< the subdomains, by their indices as they are printed
 
   /// returns the sum over all subdomains.
   Subdomain total() const

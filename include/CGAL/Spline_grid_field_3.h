@@ -26,7 +26,8 @@ namespace CGAL {
 \ingroup PkgGlobalOdtMesh3Fields
 
 The class `Spline_grid_field_3` interpolates values on a uniform axis-aligned grid by a trivariate cubic spline, the tensor
-product of cubic splines that are twice continuously differentiable. This is how Chen et al. reconstruct a density (section 5.2 of
+product of cubic splines that are twice continuously differentiable. This is how Chen et al. reconstruct a density
+(section 5.2 of
 \cgalCite{cgal:cwlls-rodt-14}).
 
 An object serves as `sizing_field` of `odt_optimize_mesh_3()` and as a size of `Mesh_criteria_3`, if its values are

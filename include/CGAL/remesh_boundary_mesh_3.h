@@ -31,8 +31,8 @@ typedef Parameter_list<tags::time_limit, tags::max_iteration_number, tags::sizin
 /*!
 \ingroup PkgGlobalOdtMesh3Functions
 
-spaces the vertices of a tetrahedral mesh evenly on its surfaces. Those of dimension 2 approach a centroidal Voronoi tessellation
-restricted to the surface (section 5.1 of \cgalCite{cgal:cwlls-rodt-14}), that is, a minimum of
+spaces the vertices of a tetrahedral mesh evenly on its surfaces. Those of dimension 2 approach a centroidal Voronoi
+tessellation restricted to the surface (section 5.1 of \cgalCite{cgal:cwlls-rodt-14}), that is, a minimum of
 \f$ \sum_i \int_{V_i} \rho\,(\|\mathbf{x} - \mathbf{x}_i\|^2 - w_i) \f$, by the L-BFGS method in the tangential planes.
 The Voronoi cells \f$ V_i \f$ are taken on the surfaces of the complex, which are reconstructed from
 the domain after each round of iterations. The density is \f$ \rho = 1/\mu^4 \f$, where \f$ \mu \f$ is the
@@ -40,8 +40,8 @@ size of the cells of the input, so that a graded mesh stays graded, or the `sizi
 Vertices of the interior follow by a few iterations of `odt_optimize_mesh_3()` in each round.
 
 That function, with `optimize_boundary` set to `false`, completes the procedure of the paper. By default, it
-begins with a round of the same kind, and keeps that energy along with the one of the cells (see its parameter `surface_weight`),
-so that there is no need to call this function before.
+begins with a round of the same kind, and keeps that energy along with the one of the cells (see its parameter
+`surface_weight`), so that there is no need to call this function before.
 
 The guarantees are those of `odt_optimize_mesh_3()`, also if the domain or the callback throws.
 
@@ -76,8 +76,8 @@ The guarantees are those of `odt_optimize_mesh_3()`, also if the domain or the c
     \cgalParamDefault{that of the input's cells}
   \cgalParamNEnd
   \cgalParamNBegin{callback}
-    \cgalParamDescription{a functor called before every iteration with the fraction done; when it returns `false`
-                          the process stops with the mesh found so far}
+    \cgalParamDescription{a functor called before every iteration with the fraction done; when it returns `false` the
+                          process stops with the mesh found so far}
     \cgalParamType{a model of `bool(double)`}
     \cgalParamDefault{none}
   \cgalParamNEnd

@@ -35,7 +35,8 @@ end, without minimizing an energy before. Like `perturb_mesh_3()`, it moves vert
 angles and keeps the triangulation regular without weights; few vertices move.
 
 The bound on the angles rises in steps of 20, 30, 35, 40, ... degrees, as described there. On a mesh that
-comes from Delaunay refinement, where every tenth cell may be a sliver, `odt_optimize_mesh_3()` reaches larger angles in all other cells, too.
+comes from Delaunay refinement, where every tenth cell may be a sliver, `odt_optimize_mesh_3()` reaches larger angles
+in all other cells, too.
 
 The guarantees are those of `odt_optimize_mesh_3()`, also if the domain or the callback throws.
 
@@ -71,8 +72,8 @@ The guarantees are those of `odt_optimize_mesh_3()`, also if the domain or the c
     \cgalParamDefault{0}
   \cgalParamNEnd
   \cgalParamNBegin{callback}
-    \cgalParamDescription{a functor called before every round with the fraction done; when it returns `false`
-                          the process stops with the mesh found so far}
+    \cgalParamDescription{a functor called before every round with the fraction done; when it returns `false` the
+                          process stops with the mesh found so far}
     \cgalParamType{a model of `bool(double)`}
     \cgalParamDefault{none}
   \cgalParamNEnd
