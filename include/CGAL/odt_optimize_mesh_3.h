@@ -194,19 +194,20 @@ version of %CGAL in use accepts: `parameters::time_limit = 10, parameters::do_fr
 \cgalNamedParamsBegin
   \cgalParamNBegin{time_limit}
     \cgalParamDescription{the wall time, in seconds, after which no further iteration is begun; 0 means no limit. The
-                          schedule is shortened in advance, so that the noise of the search fades away in time. From
-                          \cgal 5.6 on also called `maximum_running_time`.}
+                          schedule is shortened in advance, so that the noise of the search fades away in time.}
     \cgalParamType{`double`}
     \cgalParamPrecondition{`time_limit >= 0`}
     \cgalParamDefault{0}
+    \cgalParamExtra{From \cgal 5.6 on also called `maximum_running_time`.}
   \cgalParamNEnd
   \cgalParamNBegin{max_iteration_number}
     \cgalParamDescription{the number of iterations of all stages together, that is, of accepted evaluations of either
                           energy, at most; 0 means 1000 in addition to those of the rounds. If few, the search is
                           shortened in advance, and less or nothing is spent on the CVT of the surface. Removing slivers
-                          does not count. From \cgal 5.6 on also called `number_of_iterations`.}
+                          does not count.}
     \cgalParamType{`std::size_t`}
     \cgalParamDefault{0}
+    \cgalParamExtra{From \cgal 5.6 on also called `number_of_iterations`.}
   \cgalParamNEnd
   \cgalParamNBegin{convergence}
     \cgalParamDescription{the process stops when the mean of the largest displacements (one in 500) falls below this
@@ -248,11 +249,12 @@ version of %CGAL in use accepts: `parameters::time_limit = 10, parameters::do_fr
                           and \f$ 1/\mu^4 \f$ of surfaces. It is evaluated at vertices, with their dimension and index,
                           also near the surface outside of the domain, and never by two threads at once. A `quadrature`
                           also evaluates it inside of cells, with dimension and index of the vertex of the highest
-                          dimension. It is copied; pass `std::cref(field)` to avoid that.}
+                          dimension.}
     \cgalParamType{a model of `MeshDomainField_3`, such as the `cell_size` of the criteria with which the mesh was made,
                    `CGAL::Local_feature_size_field_3` or `CGAL::Spline_grid_field_3`, or a number}
     \cgalParamPrecondition{all sizes are positive and finite; not together with `density`}
     \cgalParamDefault{the sizes of the input's cells}
+    \cgalParamExtra{It is copied; pass `std::cref(field)` to avoid that.}
   \cgalParamNEnd
   \cgalParamNBegin{density}
     \cgalParamDescription{the density \f$ \rho \f$ of the volume; that of surfaces is \f$ \rho^{4/5} \f$. It is
@@ -290,10 +292,11 @@ version of %CGAL in use accepts: `parameters::time_limit = 10, parameters::do_fr
     \cgalParamDescription{the dihedral angle, in degrees, that all cells should exceed in the end; the removal of
                           slivers stops at the first step that is not below it. 0 means as high as possible, as long as
                           slivers are exceptions: above 30 degrees, no step is taken that requires more than one cell in
-                          twenty-five to be improved. From \cgal 5.6 on also called `lower_sliver_bound`.}
+                          twenty-five to be improved.}
     \cgalParamType{`double`}
     \cgalParamPrecondition{`0 <= sliver_bound <= 70.5`, the regular tetrahedron having angles of 70.53 degrees}
     \cgalParamDefault{0}
+    \cgalParamExtra{From \cgal 5.6 on also called `lower_sliver_bound`.}
   \cgalParamNEnd
   \cgalParamNBegin{do_remove_slivers}
     \cgalParamDescription{whether slivers are removed; otherwise the mesh is left where its energy has converged.}
@@ -308,17 +311,18 @@ version of %CGAL in use accepts: `parameters::time_limit = 10, parameters::do_fr
   \cgalParamNBegin{callback}
     \cgalParamDescription{a functor called before every iteration with the fraction done, which never falls; when it
                           returns `false` the process stops with the mesh found so far, as if the time limit were
-                          reached. It is spelled `parameters::callback(f)`.}
+                          reached.}
     \cgalParamType{a model of `bool(double)`}
     \cgalParamDefault{none}
+    \cgalParamExtra{It is spelled `parameters::callback(f)`.}
   \cgalParamNEnd
   \cgalParamNBegin{visitor}
     \cgalParamDescription{an object that is told of the stages of each iteration, and, if it has a member
                           `after_sliver_removal(std::size_t)`, of the number of cells that are left below
-                          `sliver_bound`. It is spelled `parameters::visitor(v)` and copied; pass `std::ref(v)` to keep
-                          its state.}
+                          `sliver_bound`.}
     \cgalParamType{a model of `MeshOptimizationVisitor_3`}
     \cgalParamDefault{a visitor that does nothing}
+    \cgalParamExtra{It is spelled `parameters::visitor(v)` and copied; pass `std::ref(v)` to keep its state.}
   \cgalParamNEnd
 \cgalNamedParamsEnd
 
