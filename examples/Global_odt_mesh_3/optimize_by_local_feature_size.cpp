@@ -7,20 +7,20 @@
 // field goes to the mesh generator and to the optimizer.
 //
 //   optimize_by_local_feature_size [surface.off]
-//
-// Without the elephant of CGAL's data package, and without a file, there is nothing to do.
 
-#include "optimize_and_report.h"
 #include "read_surface.h"
+#include "write_mesh.h"
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Local_feature_size_field_3.h>
 #include <CGAL/Mesh_complex_3_in_triangulation_3.h>
 #include <CGAL/Mesh_criteria_3.h>
 #include <CGAL/Mesh_polyhedron_3.h>
+#include <CGAL/Mesh_quality_report_3.h>
 #include <CGAL/Mesh_triangulation_3.h>
 #include <CGAL/Polyhedral_mesh_domain_3.h>
 #include <CGAL/make_mesh_3.h>
+#include <CGAL/odt_optimize_mesh_3.h>
 
 #include <cstdlib>
 #include <iostream>
@@ -37,11 +37,6 @@ namespace params = CGAL::parameters;
 int main(int argc, char* argv[])
 {
   const std::string file = argc > 1 ? argv[1] : CGAL::data_file_path("meshes/elephant.off");
-  if(argc <= 1 && !can_be_opened(file))
-  {
-    std::cout << file << " is not there\n";
-    return EXIT_SUCCESS;
-  }
   Polyhedron polyhedron;
   if(!read_surface(file, polyhedron))
     return EXIT_FAILURE;
@@ -51,6 +46,9 @@ int main(int argc, char* argv[])
                           params::facet_distance = size.parameters().smallest_size / 2,
                           params::cell_radius_edge_ratio = 2, params::cell_size = size);
   C3t3 c3t3 = CGAL::make_mesh_3<C3t3>(domain, criteria, params::no_perturb(), params::no_exude());
-  optimize_and_report(c3t3, domain, "by_local_feature_size", params::sizing_field = size);
+  std::cout << "--- before ---\n" << CGAL::mesh_quality_report_3(c3t3);
+  CGAL::odt_optimize_mesh_3(c3t3, domain, params::sizing_field = size);
+  std::cout << "--- after ---\n" << CGAL::mesh_quality_report_3(c3t3);
+  write_mesh(c3t3, "by_local_feature_size");
   return EXIT_SUCCESS;
 }

@@ -3,23 +3,24 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// A segmented image with several subdomains: their interfaces stay, each is
-// optimized inside.
+// A segmented image with several subdomains: vertices move inside, and on the interfaces between them.
 //
 //   optimize_labeled_image_mesh [image.inr.gz]
 
-#include "optimize_and_report.h"
-#include "read_surface.h"
+#include "write_mesh.h"
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Image_3.h>
 #include <CGAL/Labeled_mesh_domain_3.h>
 #include <CGAL/Mesh_complex_3_in_triangulation_3.h>
 #include <CGAL/Mesh_criteria_3.h>
+#include <CGAL/Mesh_quality_report_3.h>
 #include <CGAL/Mesh_triangulation_3.h>
 #include <CGAL/make_mesh_3.h>
+#include <CGAL/odt_optimize_mesh_3.h>
 
 #include <cstdlib>
+#include <fstream>
 #include <iostream>
 #include <string>
 
@@ -34,7 +35,7 @@ int main(int argc, char* argv[])
 {
   const std::string file = argc > 1 ? argv[1] : CGAL::data_file_path("images/liver.inr.gz");
   CGAL::Image_3 image;
-  const bool is_there = can_be_opened(file);
+  const bool is_there = std::ifstream(file).good();
   if(!is_there || !image.read(file.c_str()))
   {
     std::cerr << file << (is_there ? " is not an image that ImageIO can read\n" : " cannot be opened\n");
@@ -44,6 +45,9 @@ int main(int argc, char* argv[])
   const Criteria criteria(params::facet_angle = 30, params::facet_size = 6, params::facet_distance = 2,
                           params::cell_radius_edge_ratio = 3, params::cell_size = 8);
   C3t3 c3t3 = CGAL::make_mesh_3<C3t3>(domain, criteria, params::no_perturb(), params::no_exude());
-  optimize_and_report(c3t3, domain, "labeled_image");
+  std::cout << "--- before ---\n" << CGAL::mesh_quality_report_3(c3t3);
+  CGAL::odt_optimize_mesh_3(c3t3, domain);
+  std::cout << "--- after ---\n" << CGAL::mesh_quality_report_3(c3t3);
+  write_mesh(c3t3, "labeled_image");
   return EXIT_SUCCESS;
 }

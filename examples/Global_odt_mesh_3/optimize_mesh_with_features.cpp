@@ -8,16 +8,18 @@
 //
 //   optimize_mesh_with_features [surface.off]
 
-#include "optimize_and_report.h"
 #include "read_surface.h"
+#include "write_mesh.h"
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Mesh_complex_3_in_triangulation_3.h>
 #include <CGAL/Mesh_criteria_3.h>
 #include <CGAL/Mesh_polyhedron_3.h>
+#include <CGAL/Mesh_quality_report_3.h>
 #include <CGAL/Mesh_triangulation_3.h>
 #include <CGAL/Polyhedral_mesh_domain_with_features_3.h>
 #include <CGAL/make_mesh_3.h>
+#include <CGAL/odt_optimize_mesh_3.h>
 
 #include <cstdlib>
 #include <iostream>
@@ -43,8 +45,11 @@ int main(int argc, char* argv[])
                           params::facet_distance = 0.003, params::cell_radius_edge_ratio = 3,
                           params::cell_size = 0.03);
   C3t3 c3t3 = CGAL::make_mesh_3<C3t3>(domain, criteria, params::no_perturb(), params::no_exude());
-  optimize_and_report(c3t3, domain, "features");
-  std::cout << c3t3.number_of_corners() << " corners and " << c3t3.number_of_edges_in_complex()
+  std::cout << "--- before ---\n" << CGAL::mesh_quality_report_3(c3t3);
+  CGAL::odt_optimize_mesh_3(c3t3, domain);
+  std::cout << "--- after ---\n" << CGAL::mesh_quality_report_3(c3t3)
+            << c3t3.number_of_corners() << " corners and " << c3t3.number_of_edges_in_complex()
             << " edges of features are where they were\n";
+  write_mesh(c3t3, "features");
   return EXIT_SUCCESS;
 }

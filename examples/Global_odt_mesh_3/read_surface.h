@@ -12,11 +12,6 @@
 #include <iostream>
 #include <string>
 
-inline bool can_be_opened(const std::string& file)
-{
-  return std::ifstream(file).good();
-}
-
 // Reads a surface in OFF that bounds a volume. If there is none, says why, and gives false.
 template <class Polyhedron>
 bool read_surface(const std::string& file, Polyhedron& polyhedron)

@@ -6,6 +6,7 @@
 // Two ways to a well-spaced boundary: the surface remeshed first and then fixed while the
 // interior is optimized, or all vertices together.
 
+#include "mesh_picture.h"
 #include "torus_mesh.h"
 
 #include <CGAL/Mesh_quality_report_3.h>
@@ -30,5 +31,6 @@ int main()
   C3t3 together(input);
   CGAL::odt_optimize_mesh_3(together, domain);
   std::cout << "--- all together ---\n" << CGAL::mesh_quality_report_3(together);
+  draw_before_and_after(input, together, "remeshed_boundary");
   return EXIT_SUCCESS;
 }

@@ -8,6 +8,8 @@
 
 #include <CGAL/license/Mesh_3.h>
 
+#include <CGAL/Global_odt_mesh_3/internal/Required_cgal_version.h>
+
 #include <CGAL/Global_odt_mesh_3/internal/Parameter_check.h>
 
 #include <cmath>
@@ -15,17 +17,20 @@
 namespace CGAL {
 
 /*!
-\ingroup PkgGlobalOdtMesh3Functions
+\ingroup PkgGlobalOdtMesh3Schedules
 
-is the default value of the named parameter `annealing_schedule` of `odt_optimize_mesh_3()`: steps along
-the gradient with momentum and with noise whose amplitude falls to zero, each of which is taken whatever the energy says.
+The class `Momentum_annealing_schedule` is the default type of the named parameter `annealing_schedule` of
+`odt_optimize_mesh_3()`. The search makes steps along the gradient, with momentum, and with noise whose amplitude falls
+to zero. Each step is taken, whatever the energy.
+
+\sa `Metropolis_annealing_schedule`
 */
 struct Momentum_annealing_schedule
 {
   /// the part of a step that goes on in the next one; in [0, 1)
   double momentum = 0.75;
   /// the length of steps, relative to that of the move to the volume-weighted mean of the circumcenters
-  /// (equation (2.3) of the paper); positive and finite
+  /// (equation (2.3) of \cgalCite{cgal:cwlls-rodt-14}); positive and finite
   double step_length = 1.4;
   /// the length of the noise of interior vertices at the beginning, relative to their mean incident edge; in [0, 1]
   double interior_amplitude = 0.14;
@@ -36,7 +41,7 @@ struct Momentum_annealing_schedule
   /// the longest step of a vertex, relative to its mean incident edge; positive and finite
   double longest_step = 0.3;
 
-  /// refuses values that make no sense, by a precondition that says which.
+  /// checks the values of all members. A value out of range violates a precondition that names it.
   void check() const
   {
     CGAL_GLOBAL_ODT_MESH_3_CHECK_PARAMETER(momentum >= 0 && momentum < 1, "annealing_schedule: momentum must be in [0, 1)");
@@ -54,11 +59,14 @@ struct Momentum_annealing_schedule
 };
 
 /*!
-\ingroup PkgGlobalOdtMesh3Functions
+\ingroup PkgGlobalOdtMesh3Schedules
 
-is a value of the named parameter `annealing_schedule` of `odt_optimize_mesh_3()`: Algorithm 2 of the paper (section 4.3).
-In each round all vertices are perturbed in random directions and go to a minimum nearby, which is accepted if it is lower
-or, with the probability of Metropolis, a little higher.
+The class `Metropolis_annealing_schedule` is a type of the named parameter `annealing_schedule` of `odt_optimize_mesh_3()`.
+It selects Algorithm 2 of \cgalCite{cgal:cwlls-rodt-14} (section 4.3). In each round, all vertices are perturbed in
+random directions and go to a minimum nearby, which is accepted if it is lower, or, with the probability of Metropolis,
+a little higher.
+
+\sa `Momentum_annealing_schedule`
 */
 struct Metropolis_annealing_schedule
 {
@@ -66,14 +74,15 @@ struct Metropolis_annealing_schedule
   double perturbation = 0.2;
   /// the L-BFGS iterations of a round; positive
   int iterations_in_round = 20;
-  /// the temperature at the beginning, relative to the energy, so that the scale of the mesh does not matter; positive and finite
+  /// the temperature at the beginning, relative to the energy, so that the scale of the mesh does not matter; positive
+  /// and finite
   double temperature = 1e-4;
   /// the factor on the temperature at each rejection; in (0, 1]
   double cooling = 0.9;
   /// the L-BFGS iterations after the last round; not negative
   int final_iterations = 30;
 
-  /// refuses values that make no sense, by a precondition that says which.
+  /// checks the values of all members. A value out of range violates a precondition that names it.
   void check() const
   {
     CGAL_GLOBAL_ODT_MESH_3_CHECK_PARAMETER(perturbation >= 0 && perturbation <= 1,

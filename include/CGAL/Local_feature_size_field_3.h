@@ -8,6 +8,8 @@
 
 #include <CGAL/license/Mesh_3.h>
 
+#include <CGAL/Global_odt_mesh_3/internal/Required_cgal_version.h>
+
 #include <CGAL/Global_odt_mesh_3/internal/Parameter_check.h>
 #include <CGAL/Global_odt_mesh_3/internal/sizing/Boundary_poles_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/sizing/Boundary_samples_3.h>
@@ -24,10 +26,11 @@
 namespace CGAL {
 
 /*!
-\ingroup PkgGlobalOdtMesh3Classes
+\ingroup PkgGlobalOdtMesh3Fields
 
-holds the parameters of `Local_feature_size_field_3`. Lengths are in the unit of the coordinates; those that are 0
-are derived from the diagonal of the bounding box of the domain, of the mesh's surface, or of the points.
+The class `Local_feature_size_parameters_3` holds the parameters of `Local_feature_size_field_3`. Lengths are in the
+unit of the coordinates; those that are 0 are derived from the diagonal of the bounding box of the domain, of the
+mesh's surface, or of the points.
 */
 struct Local_feature_size_parameters_3
 {
@@ -44,7 +47,7 @@ struct Local_feature_size_parameters_3
   /// resolve thinner parts; 0: a hundredth of the diagonal
   double sample_spacing = 0;
 
-  /// refuses values that make no sense, by a precondition that says which.
+  /// checks the values of all members. A value out of range violates a precondition that names it.
   void check() const
   {
     CGAL_GLOBAL_ODT_MESH_3_CHECK_PARAMETER(size_factor > 0 && std::isfinite(size_factor), "size_factor must be positive and finite");
@@ -61,32 +64,36 @@ struct Local_feature_size_parameters_3
 };
 
 /*!
-\ingroup PkgGlobalOdtMesh3Classes
+\ingroup PkgGlobalOdtMesh3Fields
 
-The class `Local_feature_size_field_3` is a field of sizes that is designed from the boundary of a domain: small where the
-boundary is curved or close to another part of it, and growing with the distance from there. The same
+The class `Local_feature_size_field_3` is a sizing field that is computed from the boundary of a domain. Sizes are
+small where the boundary is curved or close to another part of it, and grow with the distance from there. The same
 object serves as `cell_size` and `facet_size` of `Mesh_criteria_3` and as `sizing_field` of
 `odt_optimize_mesh_3()`, so that mesh and optimizer agree.
 
 The boundary is sampled. The poles of a sample, the farthest vertices of its Voronoi cell on either side of the
-boundary, are near the medial axis (Amenta and Bern, *Surface Reconstruction by Voronoi Filtering*, 1999), and the distance
+boundary, are near the medial axis \cgalCite{cgal:ab-srvf-99}, and the distance
 from a sample \f$ s \f$ to the nearest pole is the local feature size there. A pole counts only if it sees two of the
 samples that are nearest to it under an angle of 60 degrees at least, so that neither noise nor the edges of a finely
 triangulated surface are taken for features. With \f$ h_s \f$ = `size_factor` times the local feature size, but
 not less than `smallest_size`, and \f$ K \f$ = `gradation`, the size is
 \f[ \mu(\mathbf{x}) = \min\left(\min_s \sqrt{h_s^2 + K^2 |\mathbf{x} - s|^2},\ \mathrm{largest\_size}\right). \f]
-It changes by \f$ K \f$ times the distance of two points at the most. With \f$ K = 0 \f$ it is constant.
+It changes by at most \f$ K \f$ times the distance of two points. With \f$ K = 0 \f$ it is constant.
 
 `Mesh_criteria_3` takes sizes for bounds on radii, so that edges come out longer than the size, by a third with the default
 parameters.
 
-At sharp edges and corners the local feature size is zero; the samples nearest to them decide how small the size gets, down to
-`smallest_size`. Noise of the samples in the direction of the normal must be small compared with their distances.
+At sharp edges and corners the local feature size is zero; the samples nearest to them decide how small the size gets,
+down to `smallest_size`. Noise of the samples in the direction of the normal must be small compared with their distances.
 
-The class is a model of the concept `MeshDomainField_3`. Copies share the samples. Queries may be made from several threads
-at once.
+Copies share the samples. Queries may be made from several threads at once.
 
 \tparam MeshDomain a model of the concept `MeshDomain_3`, whose coordinates are converted to `double`
+
+\cgalModels{MeshDomainField_3}
+
+\sa `odt_optimize_mesh_3()`
+\sa `Spline_grid_field_3`
 */
 template <class MeshDomain>
 class Local_feature_size_field_3
@@ -140,7 +147,8 @@ public:
 
   \tparam PointRange a range of points with coordinates `x()`, `y()`, `z()`
 
-  \pre The parameters pass `Local_feature_size_parameters_3::check()`, and there are two different points at least, all finite.
+  \pre The parameters pass `Local_feature_size_parameters_3::check()`, and there are two different points at least, all
+  finite.
   */
   template <class PointRange>
   static Local_feature_size_field_3

@@ -6,6 +6,10 @@
 #ifndef CGAL_MESH_QUALITY_REPORT_3_H
 #define CGAL_MESH_QUALITY_REPORT_3_H
 
+#include <CGAL/license/Mesh_3.h>
+
+#include <CGAL/Global_odt_mesh_3/internal/Required_cgal_version.h>
+
 #include <CGAL/Global_odt_mesh_3/internal/energy/Odt_energy_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/geometry/Cell_products_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/geometry/Cell_shape_3.h>
@@ -28,42 +32,48 @@
 namespace CGAL {
 
 /*!
-\ingroup PkgGlobalOdtMesh3Classes
+\ingroup PkgGlobalOdtMesh3Quality
 
 The class `Mesh_quality_report_3` holds measures of the shape of the cells and facets of a mesh complex. It is
-filled by `mesh_quality_report_3()` and printed as a table by `operator<<`.
+filled by `mesh_quality_report_3()` and printed as a table by `operator<<`. The radius ratio of a cell is three times its
+inradius over its circumradius, 3r/R.
+
+\sa `mesh_quality_report_3()`
 */
 struct Mesh_quality_report_3
 {
-  /// The part of a mesh in one subdomain.
+  /// is the part of a mesh in one subdomain.
   struct Subdomain
   {
-    std::size_t number_of_cells = 0;
-    double volume = 0;   ///< the sum of the volumes of the cells
-    double energy = 0;   ///< the ODT energy of uniform density, (2.1) of the paper: \f$ \sum |\tau|/20 \sum_{i<j} l_{ij}^2 \f$
+    std::size_t number_of_cells = 0;   ///< the number of cells
+    double volume = 0;                 ///< the sum of the volumes of the cells
+    /// the ODT energy of uniform density, \f$ \sum |\tau|/20 \sum_{i<j} l_{ij}^2 \f$ (equation (2.1) of
+    /// \cgalCite{cgal:cwlls-rodt-14})
+    double energy = 0;
   };
 
-  static constexpr int number_of_angle_bins = 180;        ///< of one degree each
-  static constexpr int number_of_radius_ratio_bins = 50;  ///< of 0.02 each
-  static constexpr int number_of_facet_angle_bins = 60;   ///< of one degree each
+  static constexpr int number_of_angle_bins = 180;        ///< the number of bins of `angles`, of one degree each
+  static constexpr int number_of_radius_ratio_bins = 50;  ///< the number of bins of `radius_ratios`, of 0.02 each
+  static constexpr int number_of_facet_angle_bins = 60;   ///< the number of bins of `facet_angles`, of one degree each
 
-  std::size_t number_of_vertices = 0;
-  std::size_t number_of_cells = 0;
-  std::size_t number_of_facets = 0;      ///< of the complex
+  std::size_t number_of_vertices = 0;    ///< the number of vertices of the triangulation
+  std::size_t number_of_cells = 0;       ///< the number of cells in the complex
+  std::size_t number_of_facets = 0;      ///< the number of facets in the complex
   double smallest_angle = 180;           ///< the smallest dihedral angle, in degrees
   double largest_angle = 0;              ///< the largest dihedral angle, in degrees
-  double mean_radius_ratio = 0;          ///< three times the inradius over the circumradius, 1 for the regular tetrahedron
-  double smallest_radius_ratio = 1;
-  std::array<std::size_t, number_of_angle_bins> angles{};           ///< six dihedral angles a cell
-  std::array<std::size_t, number_of_radius_ratio_bins> radius_ratios{};
+  double mean_radius_ratio = 0;          ///< the mean of 3r/R, which is 1 for the regular tetrahedron
+  double smallest_radius_ratio = 1;      ///< the smallest 3r/R
+  std::array<std::size_t, number_of_angle_bins> angles{};               ///< the histogram of dihedral angles, six a cell
+  std::array<std::size_t, number_of_radius_ratio_bins> radius_ratios{}; ///< the histogram of radius ratios
   double smallest_facet_angle = 60;      ///< the smallest of the facets' smallest angles, in degrees
-  double largest_facet_angle = 0;        ///< the largest of them, 60 for the equilateral triangle
-  double mean_facet_angle = 0;           ///< the mean of them
-  std::array<std::size_t, number_of_facet_angle_bins> facet_angles{};   ///< the smallest angle of each facet
-  std::vector<std::pair<double, std::size_t> > cells_below;         ///< angle in degrees, and number of cells with a smaller one
-  std::map<std::string, Subdomain> subdomains;                      ///< by printed index
+  double largest_facet_angle = 0;        ///< the largest of the facets' smallest angles, 60 for the equilateral triangle
+  double mean_facet_angle = 0;           ///< the mean of the facets' smallest angles
+  std::array<std::size_t, number_of_facet_angle_bins> facet_angles{};   ///< the histogram of the facets' smallest angles
+  /// for each bound in degrees, the number of cells with a smaller angle
+  std::vector<std::pair<double, std::size_t> > cells_below;
+  std::map<std::string, Subdomain> subdomains;   ///< the subdomains, by their indices as they are printed
 
-  /// The sum over all subdomains.
+  /// returns the sum over all subdomains.
   Subdomain total() const
   {
     Subdomain sum;
@@ -123,7 +133,7 @@ void add_facets(Mesh_quality_report_3& report, const C3T3& c3t3)
 } // namespace Global_odt_mesh_3
 
 /*!
-\ingroup PkgGlobalOdtMesh3Functions
+\ingroup PkgGlobalOdtMesh3Quality
 
 measures the cells and facets of a mesh complex.
 
@@ -131,6 +141,8 @@ measures the cells and facets of a mesh complex.
 
 \param c3t3 the mesh
 \param bounds angles in degrees: cells with a smaller dihedral angle are counted for each
+
+\sa `odt_energy_3()`
 */
 template <class C3T3>
 Mesh_quality_report_3 mesh_quality_report_3(const C3T3& c3t3,
@@ -172,9 +184,9 @@ Mesh_quality_report_3 mesh_quality_report_3(const C3T3& c3t3,
 }
 
 /*!
-\ingroup PkgGlobalOdtMesh3Functions
+\ingroup PkgGlobalOdtMesh3Quality
 
-prints a report as a table with histograms; facets have a place there if there are any.
+prints a report as a table with histograms, without facets if there are none.
 */
 inline std::ostream& operator<<(std::ostream& out, const Mesh_quality_report_3& r)
 {

@@ -8,6 +8,8 @@
 
 #include <CGAL/license/Mesh_3.h>
 
+#include <CGAL/Global_odt_mesh_3/internal/Required_cgal_version.h>
+
 #include <CGAL/Global_odt_mesh_3/internal/density/Quadratic_polynomial_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/geometry/Point_coordinates.h>
 
@@ -20,16 +22,23 @@
 namespace CGAL {
 
 /*!
-\ingroup PkgGlobalOdtMesh3Classes
+\ingroup PkgGlobalOdtMesh3Fields
 
-The class `Quadratic_density_3` is a polynomial of degree two or less. Given as `density` to `odt_optimize_mesh_3()` or `odt_energy_3()`,
-it is integrated over cells exactly, up to rounding, so that the energy is that of the paper's equation (2.5) and the gradient that of
-equation (3.1), unless the named parameter `quadrature` says otherwise. Unlike other densities, it may be zero at points.
+The class `Quadratic_density_3` is a polynomial of degree two or less. Given as `density` to `odt_optimize_mesh_3()` or
+`odt_energy_3()`, it is integrated over cells exactly, up to rounding, so that the energy is that of equation (2.5) of
+\cgalCite{cgal:cwlls-rodt-14} and the gradient that of equation (3.1), unless the named parameter `quadrature` says
+otherwise. Unlike other densities, it may be zero at points.
 
-With \f$ \mathbf d = \mathbf x - \mathbf c \f$, it is \f$ \rho(\mathbf x) = a + \mathbf b \cdot \mathbf d + q_{xx} d_x^2 + q_{yy} d_y^2 + q_{zz} d_z^2
+With \f$ \mathbf d = \mathbf x - \mathbf c \f$, it is
+\f$ \rho(\mathbf x) = a + \mathbf b \cdot \mathbf d + q_{xx} d_x^2 + q_{yy} d_y^2 + q_{zz} d_z^2
 + q_{yz} d_y d_z + q_{zx} d_z d_x + q_{xy} d_x d_y \f$.
 
 \tparam Kernel a model of `Kernel`
+
+\cgalModels{MeshDensity_3}
+
+\sa `odt_energy_3()`
+\sa `odt_optimize_mesh_3()`
 */
 template <class Kernel>
 class Quadratic_density_3
@@ -39,7 +48,8 @@ public:
   typedef typename Kernel::Point_3 Point_3;     ///< point type
   typedef typename Kernel::Vector_3 Vector_3;   ///< vector type
 
-  /// the polynomial \f$ a \f$ = `constant`, \f$ \mathbf b \f$ = `linear`, with the `quadratic` coefficients of xx, yy, zz, yz, zx and xy.
+  /// constructs the polynomial with \f$ a \f$ = `constant`, \f$ \mathbf b \f$ = `linear`, and the `quadratic`
+  /// coefficients of xx, yy, zz, yz, zx and xy.
   Quadratic_density_3(const FT& constant, const Vector_3& linear, const std::array<FT, 6>& quadratic,
                       const Point_3& center = Point_3(CGAL::ORIGIN))
   {
@@ -50,13 +60,13 @@ public:
       polynomial_.quadratic[n] = to_double(quadratic[n]);
   }
 
-  /// the squared distance from `center`, as in Figure 9 of the paper.
+  /// returns the squared distance from `center`, the density of Figure 9 of \cgalCite{cgal:cwlls-rodt-14}.
   static Quadratic_density_3 squared_distance(const Point_3& center = Point_3(CGAL::ORIGIN))
   {
     return Quadratic_density_3(0, Vector_3(0, 0, 0), {{ 1, 1, 1, 0, 0, 0 }}, center);
   }
 
-  /// the density at a point.
+  /// returns the density at a point.
   FT operator()(const Point_3& p) const
   {
     return polynomial_(Global_odt_mesh_3::internal::site_at(Global_odt_mesh_3::internal::coordinates(p), 0));

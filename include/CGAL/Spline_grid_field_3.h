@@ -8,6 +8,8 @@
 
 #include <CGAL/license/Mesh_3.h>
 
+#include <CGAL/Global_odt_mesh_3/internal/Required_cgal_version.h>
+
 #include <CGAL/Global_odt_mesh_3/internal/geometry/Point_coordinates.h>
 #include <CGAL/Global_odt_mesh_3/internal/sizing/Tricubic_spline_3.h>
 
@@ -21,11 +23,12 @@
 namespace CGAL {
 
 /*!
-\ingroup PkgGlobalOdtMesh3Classes
+\ingroup PkgGlobalOdtMesh3Fields
 
 The class `Spline_grid_field_3` interpolates values on a uniform axis-aligned grid by a trivariate cubic spline, the tensor
-product of cubic splines that are twice continuously differentiable. This is how Chen, Wang, L&eacute;vy, Liu and Sun
-reconstruct a density (*Revisiting Optimal Delaunay Triangulation for 3D Graded Mesh Generation*, section 5.2).
+product of cubic splines that are twice continuously differentiable. This is how Chen et al. reconstruct a density
+(section 5.2 of
+\cgalCite{cgal:cwlls-rodt-14}).
 
 An object serves as `sizing_field` of `odt_optimize_mesh_3()` and as a size of `Mesh_criteria_3`, if its values are
 sizes, in the unit of the coordinates, and as `density`, if they are densities.
@@ -34,10 +37,14 @@ Polynomials of degree three in each variable are reproduced. The error at smooth
 distance of nodes. Where values jump, a spline overshoots, possibly below zero; sizes and densities should change
 little from one node to the next. Points outside of the box have the value of the closest point of the box.
 
-The class is a model of the concept `MeshDomainField_3`. Copies share the values, of which there are eight for each node.
-Queries may be made from several threads at once.
+Copies share the values, of which there are eight for each node. Queries may be made from several threads at once.
 
 \tparam Kernel a model of the concept `Kernel`, whose coordinates are converted to `double`
+
+\cgalModels{MeshDomainField_3,MeshDensity_3}
+
+\sa `odt_optimize_mesh_3()`
+\sa `Local_feature_size_field_3`
 */
 template <class Kernel>
 class Spline_grid_field_3
@@ -73,7 +80,7 @@ public:
   \param nx,ny,nz the numbers of nodes along the axes
   \param values the values at the nodes, x running fastest: that of node `(i, j, k)` is at place `i + nx * (j + ny * k)`
 
-  \pre `nx`, `ny`, and `nz` are five at least.
+  \pre `nx`, `ny`, and `nz` are at least five.
   \pre The box has a positive, finite extent along each axis.
   \pre There are `nx * ny * nz` values, which are finite.
   */

@@ -8,6 +8,8 @@
 
 #include <CGAL/license/Mesh_3.h>
 
+#include <CGAL/Global_odt_mesh_3/internal/Required_cgal_version.h>
+
 #include <CGAL/disable_warnings.h>
 
 #include <CGAL/Density_quadratures_3.h>
@@ -108,9 +110,10 @@ double odt_energy(const C3t3& c3t3, const User_fields_3<C3t3>& fields, Quadratur
 /*!
 \ingroup PkgGlobalOdtMesh3Functions
 
-computes the energy \f$ E^\rho_{ODT} = \sum_\tau \int_\tau \rho\,(f_I - \mathbf{x}^2) \f$ of the cells of a mesh complex (equation (2.5) of
-the paper) for the density that the named parameters stand for, which is 1 without any. On weighted vertices, as on
-features, \f$ f_I \f$ interpolates \f$ \mathbf{x}^2 \f$ minus the weight.
+computes the energy of optimal Delaunay triangulations of a mesh complex. It is
+\f$ E^\rho_{ODT} = \sum_\tau \int_\tau \rho\,(f_I - \mathbf{x}^2) \f$ (equation (2.5) of \cgalCite{cgal:cwlls-rodt-14})
+with the density that the named parameters stand for, which is 1 without any. On weighted vertices, as on features,
+\f$ f_I \f$ interpolates \f$ \mathbf{x}^2 \f$ minus the weight.
 
 \tparam C3T3 a model of the concept `MeshComplex_3InTriangulation_3`
 \tparam NamedParameters a sequence of named parameters
@@ -120,25 +123,31 @@ features, \f$ f_I \f$ interpolates \f$ \mathbf{x}^2 \f$ minus the weight.
 
 \cgalNamedParamsBegin
   \cgalParamNBegin{sizing_field}
-    \cgalParamDescription{the size \f$ \mu \f$ that stands for the density \f$ 1/\mu^5 \f$; as for `odt_optimize_mesh_3()`}
+    \cgalParamDescription{the size \f$ \mu \f$ that stands for the density \f$ 1/\mu^5 \f$; as for
+                          `odt_optimize_mesh_3()`}
     \cgalParamType{a model of `MeshDomainField_3`, or a number}
     \cgalParamPrecondition{all sizes are positive and finite; not together with `density`}
     \cgalParamDefault{none}
   \cgalParamNEnd
   \cgalParamNBegin{density}
     \cgalParamDescription{the density \f$ \rho \f$; as for `odt_optimize_mesh_3()`}
-    \cgalParamType{a model of `FT(Point_3)`}
+    \cgalParamType{a model of `MeshDensity_3`}
     \cgalParamPrecondition{all densities are positive and finite; not together with `sizing_field`}
     \cgalParamDefault{1}
   \cgalParamNEnd
   \cgalParamNBegin{quadrature}
     \cgalParamDescription{how the density is integrated over cells}
-    \cgalParamType{`CGAL::Linear_density_rule_3`, `CGAL::Four_point_rule_3`, `CGAL::Fifteen_point_rule_3` or `CGAL::Adaptive_cubature_3`}
-    \cgalParamDefault{`CGAL::Adaptive_cubature_3` with a tolerance of \f$ 10^{-8} \f$; exact integrals for `CGAL::Quadratic_density_3`}
+    \cgalParamType{`CGAL::Linear_density_rule_3`, `CGAL::Four_point_rule_3`, `CGAL::Fifteen_point_rule_3` or
+                   `CGAL::Adaptive_cubature_3`}
+    \cgalParamDefault{`CGAL::Adaptive_cubature_3` with a tolerance of \f$ 10^{-8} \f$; exact integrals for
+                      `CGAL::Quadratic_density_3`}
   \cgalParamNEnd
 \cgalNamedParamsEnd
 
 \return the energy, in the unit of length to the power of five times that of the density
+
+\sa `odt_optimize_mesh_3()`
+\sa `mesh_quality_report_3()`
 */
 template <class C3T3, class... NamedParameters>
 double odt_energy_3(const C3T3& c3t3, const NamedParameters&... np)

@@ -9,12 +9,14 @@
 /*!
 \ingroup PkgGlobalOdtMesh3Functions
 
-is defined by `<CGAL/odt_optimize_mesh_3.h>` of this package, and not by the header of the same name of Mesh_3, as
-10000 times the major, plus 100 times the minor, plus the patch version of the package.
+The version of this package: 10000 times the major, plus 100 times the minor, plus the patch version. The header of the
+same name of the package 3D Mesh Generation does not define it.
 */
 #define CGAL_GLOBAL_ODT_MESH_3 100
 
 #include <CGAL/license/Mesh_3.h>
+
+#include <CGAL/Global_odt_mesh_3/internal/Required_cgal_version.h>
 
 #include <CGAL/disable_warnings.h>
 
@@ -120,40 +122,40 @@ optimize(C3T3& c3t3, const MeshDomain& domain, Odt_task task, const Odt_paramete
 /*!
 \ingroup PkgGlobalOdtMesh3Functions
 
-improves the cells of a tetrahedral mesh by moving its vertices far below a nearby
+improves the cells of a tetrahedral mesh by global optimization and removal of slivers. Vertices move far below a nearby
 local minimum of the optimal Delaunay triangulation energy
 \f$ E^\rho_{ODT} = \sum_\tau \int_\tau \rho\,(f_I - \mathbf{x}^2) \f$,
 the \f$ L^1 \f$ error of interpolating \f$ \mathbf{x}^2 \f$ linearly in each cell,
-by a global search and the L-BFGS method of Chen, Wang, L&eacute;vy, Liu and Sun (*Revisiting Optimal Delaunay
-Triangulation for 3D Graded Mesh Generation*, SIAM J. Sci. Comput. 36, 2014), and then removes the
-slivers that are left.
+by a global search and the L-BFGS method, as proposed by Chen et al. \cgalCite{cgal:cwlls-rodt-14}. Then the slivers
+that are left are removed.
 
-The function takes the place of the one of the same name of the package Mesh_3.
-The density \f$ \rho \f$ is \f$ 1/\mu^5 \f$, \f$ \mu \f$ being the size of the cells, since the minimizer
-of \f$ E^\rho_{ODT} \f$ equidistributes the integral of \f$ \rho^{3/5} \f$. Without a word of the user, the sizes are
-those of the input's cells, so that a graded mesh stays graded; see `sizing_field` and `density`. As the number of vertices is that of the
-input, only the ratios of sizes or densities matter.
+The function takes the place of the function of the same name of the package 3D Mesh Generation.
+The density \f$ \rho \f$ is \f$ 1/\mu^5 \f$, where \f$ \mu \f$ is the size of the cells, since the minimizer
+of \f$ E^\rho_{ODT} \f$ equidistributes the integral of \f$ \rho^{3/5} \f$. By default, the sizes are
+those of the input's cells, so that a graded mesh stays graded; see `sizing_field` and `density`. As the number of
+vertices is that of the input, only the ratios of sizes or densities matter.
 
-The global search comes in rounds (see `number_of_rounds` and `annealing_schedule`). At the end, slivers are removed: vertices of
-cells with dihedral angles below a bound try positions around them, one by one. The bound rises in steps of 20, 30, 35, 40, ... degrees,
-and a step is kept only if the smallest angle of all cells and the numbers of cells below the steps before have not become worse,
-so that a higher `sliver_bound` never leads to smaller angles. The number of tries is a share of the work of the stages before;
-where the bound is not reached with these, longer stages, that is, a higher `number_of_rounds`, buy more.
+The global search consists of rounds (see `number_of_rounds` and `annealing_schedule`). At the end, slivers are
+removed: vertices of cells with dihedral angles below a bound try positions around them, one by one. The bound rises in
+steps of 20, 30, 35, 40, ... degrees, and a step is kept only if the smallest angle of all cells and the numbers of
+cells below the previous steps have not become worse, so that a higher `sliver_bound` never leads to smaller angles.
+The number of trials is a fraction of the work of the previous stages; where it does not suffice for the bound, a
+higher `number_of_rounds` leads to more trials.
 
-Vertices in dimension 2 move on the surface, first toward a centroidal Voronoi tessellation of it
-(see `remesh_boundary_mesh_3()`) and then together with the interior, the energy of that tessellation being a term
-beside \f$ E^\rho_{ODT} \f$ (see `surface_weight`). They end on the surface:
-of polyhedral domains exactly, else within the error bound of the domain. Vertices in
-dimension 0 and 1, that is, corners and vertices on features, stay where they are. Vertices where
-surfaces meet, where one bends sharply, or of one that separates no subdomains move only to remove a sliver, those where
-surfaces meet on the surface that their index tells. The result has as many vertices of each dimension and index, and
-as many facets of each patch, the Euler characteristic, the components and the junctions of patches and
-subdomains are those of the input, and the centroids of facets are as close to a polyhedral surface
-as in the input at the worst. No facet of the boundary gets an angle below the smallest in those of the input or below
-30 degrees, whichever is less, unless the rest, or sizes that differ from those of the input, cannot be had with that.
-Where that cannot be had, vertices move less, or not at all.
-It is an exact regular triangulation in which a cell with a vertex of the interior is in the
-subdomain where its dual point lies; a flat cell with all vertices on the surface may be labelled otherwise.
+Vertices of dimension 2 move on the surface, first toward a centroidal Voronoi tessellation of it
+(see `remesh_boundary_mesh_3()`) and then together with the interior, where the energy of that tessellation is added
+to \f$ E^\rho_{ODT} \f$ (see `surface_weight`). They end on the surface, exactly for polyhedral domains, and
+otherwise within the error bound of the domain. Vertices of
+dimension 0 and 1, that is, corners and vertices on features, stay. Vertices where
+surfaces meet, where a surface bends sharply, or on a surface that separates no subdomains move only to remove a
+sliver; those where surfaces meet move on the surface of their index. The result has as many vertices of each dimension
+and index and as many facets of each patch as the input. The Euler characteristic, the components, and the junctions of
+patches and subdomains are those of the input, and no centroid of a facet is farther from a polyhedral surface
+than the worst of the input. No facet of the boundary gets an angle below the smallest of the input or below
+30 degrees, whichever is less, unless no valid mesh, or no mesh with sizes that differ from those of the input, can be
+obtained otherwise. Where these conditions cannot be met, vertices move less, or not at all.
+The result is an exact regular triangulation in which a cell with a vertex of the interior is in the
+subdomain that contains its dual point; a flat cell with all vertices on the surface may be labeled otherwise.
 
 With `optimize_boundary` set to `false`, vertices on surfaces stay, too, and with them all facets of the
 complex, their patch indices and surface centers, and the volume of each subdomain.
@@ -164,24 +166,25 @@ cells of `c3t3` become invalid.
 
 If `C3T3::Triangulation::Concurrency_tag` is convertible to `CGAL::Parallel_tag` and the program links TBB, search and
 minimization run on several threads, within the limits of the caller's `tbb::global_control` and `tbb::task_arena`: meshes
-of more than 40,000 vertices are searched in blocks, for which the threads need not wait for each other, unless the fields
-of the user are asked. Surfaces are restricted to the domain, and slivers removed, on one thread.
+of more than 40,000 vertices are searched in blocks, on which threads work independently, unless fields
+of the user are evaluated. Surfaces are restricted to the domain, and slivers removed, on one thread.
 The result is the same, bit for bit, for any number of threads, and for the same mesh with `CGAL::Sequential_tag`.
 The domain, fields, the callback and the visitor are only called from the thread that calls this function; in a search
 in blocks, the visitor is told of ten iterations at once.
 
 Meshes in periodic triangulations are handed over to `CGAL::Mesh_3::Mesh_global_optimizer`, which
-knows of the first five parameters only. As with the function of Mesh_3, a program that uses them must not link TBB.
+knows the first five parameters only. As with the function of Mesh_3, a program that uses them must not link TBB.
 
 An argument that is no named parameter, one that is not listed below, and one that is given twice are refused at compile
 time. From `parameters::odt()`, `make_mesh_3()` and `refine_mesh_3()` pass on only `time_limit`, `max_iteration_number`,
-`convergence` and `freeze_bound`; for any other parameter give them `parameters::no_odt()`, and call this function afterwards, before
-`perturb_mesh_3()` and `exude_mesh_3()`. Bad values violate preconditions, which are checked in each build.
+`convergence` and `freeze_bound`; for any other parameter give them `parameters::no_odt()`, and call this function
+afterwards, before `perturb_mesh_3()` and `exude_mesh_3()`. Bad values violate preconditions, which are checked in each
+build.
 
 \tparam C3T3 a model of the concept `MeshComplex_3InTriangulation_3`
 \tparam MeshDomain a model of the concept `MeshDomain_3`
-\tparam NamedParameters a sequence of named parameters, in each of the styles that the
-version of %CGAL in use knows: `parameters::time_limit = 10, parameters::do_freeze = false` in all,
+\tparam NamedParameters a sequence of named parameters, in each of the notations that the
+version of %CGAL in use accepts: `parameters::time_limit = 10, parameters::do_freeze = false` in all,
 `parameters::time_limit(10).do_freeze(false)` from 5.6 on. In 5.5, the first five may also be given as numbers, by position.
 
 \param c3t3 the mesh, which is modified
@@ -190,101 +193,110 @@ version of %CGAL in use knows: `parameters::time_limit = 10, parameters::do_free
 
 \cgalNamedParamsBegin
   \cgalParamNBegin{time_limit}
-    \cgalParamDescription{the wall time, in seconds, after which no further iteration is begun; 0 means no limit.
-                          The schedule is shortened in advance, so that the noise of the search fades away in time.
-                          From \cgal 5.6 on also called `maximum_running_time`.}
+    \cgalParamDescription{the wall time, in seconds, after which no further iteration is begun; 0 means no limit. The
+                          schedule is shortened in advance, so that the noise of the search fades away in time.}
     \cgalParamType{`double`}
     \cgalParamPrecondition{`time_limit >= 0`}
     \cgalParamDefault{0}
+    \cgalParamExtra{From \cgal 5.6 on also called `maximum_running_time`.}
   \cgalParamNEnd
   \cgalParamNBegin{max_iteration_number}
-    \cgalParamDescription{the number of iterations of all stages together, that is, of accepted evaluations of either energy, at the
-                          most; 0 means 1000 beside those of the rounds. If few, the search is shortened in advance,
-                          and less or nothing is spent on the CVT of the surface. Removing slivers does not count.
-                          From \cgal 5.6 on also called `number_of_iterations`.}
+    \cgalParamDescription{the number of iterations of all stages together, that is, of accepted evaluations of either
+                          energy, at most; 0 means 1000 in addition to those of the rounds. If few, the search is
+                          shortened in advance, and less or nothing is spent on the CVT of the surface. Removing slivers
+                          does not count.}
     \cgalParamType{`std::size_t`}
     \cgalParamDefault{0}
+    \cgalParamExtra{From \cgal 5.6 on also called `number_of_iterations`.}
   \cgalParamNEnd
   \cgalParamNBegin{convergence}
-    \cgalParamDescription{the process stops when the mean of the largest displacements (one in 500) falls below this ratio.
-                          The displacement of a vertex is the length of its move to the volume-weighted mean of the
-                          circumcenters around it, relative to its shortest incident edge.}
+    \cgalParamDescription{the process stops when the mean of the largest displacements (one in 500) falls below this
+                          ratio. The displacement of a vertex is the length of its move to the volume-weighted mean of
+                          the circumcenters around it, relative to its shortest incident edge.}
     \cgalParamType{`double`}
     \cgalParamPrecondition{`0 <= convergence <= 1`}
     \cgalParamDefault{0.02}
   \cgalParamNEnd
   \cgalParamNBegin{freeze_bound}
-    \cgalParamDescription{a vertex whose displacement is below this ratio for six iterations in a row is frozen, if `do_freeze` is `true`.}
+    \cgalParamDescription{a vertex whose displacement is below this ratio for six iterations in a row is frozen, if
+                          `do_freeze` is `true`.}
     \cgalParamType{`double`}
     \cgalParamPrecondition{`0 <= freeze_bound <= 1`}
     \cgalParamDefault{0.01}
   \cgalParamNEnd
   \cgalParamNBegin{do_freeze}
-    \cgalParamDescription{whether frozen vertices do not move any more.}
+    \cgalParamDescription{whether vertices that are frozen stay.}
     \cgalParamType{`bool`}
     \cgalParamDefault{`true`}
   \cgalParamNEnd
   \cgalParamNBegin{optimize_boundary}
-    \cgalParamDescription{whether vertices in dimension 2 move on the surface.}
+    \cgalParamDescription{whether vertices of dimension 2 move on the surface.}
     \cgalParamType{`bool`}
     \cgalParamDefault{`true`}
   \cgalParamNEnd
   \cgalParamNBegin{surface_weight}
-    \cgalParamDescription{what the triangles on surfaces count for against the cells: the weight of the energy of the surfaces'
-                          centroidal Voronoi tessellation. With a weight of 1, both energies are equally stiff, by the sums of their
-                          second derivatives, so that a mesh with few vertices in the interior spends no more on its triangles
-                          than the cells can bear. More gives better triangles and worse cells, 0 leaves the triangles to the cells.}
+    \cgalParamDescription{the importance of the triangles on surfaces relative to that of the cells: the weight of the
+                          energy of the surfaces' centroidal Voronoi tessellation. With a weight of 1, both energies are
+                          equally stiff, by the sums of their second derivatives, so that a mesh with few vertices in
+                          the interior spends no more on its triangles than the cells can bear. More gives better
+                          triangles and worse cells, 0 leaves the triangles to the cells.}
     \cgalParamType{`double`}
     \cgalParamPrecondition{`surface_weight >= 0`, and finite}
     \cgalParamDefault{1.2}
   \cgalParamNEnd
   \cgalParamNBegin{sizing_field}
-    \cgalParamDescription{the size \f$ \mu \f$ of the cells, which goes into the densities \f$ 1/\mu^5 \f$ of the volume and
-                          \f$ 1/\mu^4 \f$ of surfaces. It is asked at vertices, with their dimension and index, on the way also near the surface
-                          outside of the domain, and never from two threads at once. A `quadrature` also asks it inside of cells, with
-                          dimension and index of the vertex of the highest dimension. It is copied; pass `std::cref(field)`
-                          to avoid that.}
+    \cgalParamDescription{the size \f$ \mu \f$ of the cells, which goes into the densities \f$ 1/\mu^5 \f$ of the volume
+                          and \f$ 1/\mu^4 \f$ of surfaces. It is evaluated at vertices, with their dimension and index,
+                          also near the surface outside of the domain, and never by two threads at once. A `quadrature`
+                          also evaluates it inside of cells, with dimension and index of the vertex of the highest
+                          dimension.}
     \cgalParamType{a model of `MeshDomainField_3`, such as the `cell_size` of the criteria with which the mesh was made,
                    `CGAL::Local_feature_size_field_3` or `CGAL::Spline_grid_field_3`, or a number}
     \cgalParamPrecondition{all sizes are positive and finite; not together with `density`}
     \cgalParamDefault{the sizes of the input's cells}
+    \cgalParamExtra{It is copied; pass `std::cref(field)` to avoid that.}
   \cgalParamNEnd
   \cgalParamNBegin{density}
-    \cgalParamDescription{the density \f$ \rho \f$ of the volume; that of surfaces is \f$ \rho^{4/5} \f$. It is asked and copied like `sizing_field`.}
-    \cgalParamType{a model of `FT(Point_3)`, such as `CGAL::Spline_grid_field_3`, or `CGAL::Quadratic_density_3`}
-    \cgalParamPrecondition{all densities are positive and finite, though a `CGAL::Quadratic_density_3` may be zero at points; not together with
-                           `sizing_field`}
+    \cgalParamDescription{the density \f$ \rho \f$ of the volume; that of surfaces is \f$ \rho^{4/5} \f$. It is
+                          evaluated and copied like `sizing_field`.}
+    \cgalParamType{a model of `MeshDensity_3`, such as a lambda, `CGAL::Spline_grid_field_3`, or
+                   `CGAL::Quadratic_density_3`}
+    \cgalParamPrecondition{all densities are positive and finite, though a `CGAL::Quadratic_density_3` may be zero at
+                           points; not together with `sizing_field`}
     \cgalParamDefault{that of the input's cells}
   \cgalParamNEnd
   \cgalParamNBegin{quadrature}
-    \cgalParamDescription{how the density is integrated over cells in energy and gradient (equations (2.5) and (3.1) of the paper). Where
-                          a density varies much within a cell, more points lead to a lower energy. It is not asked again in cells
-                          whose vertices have not moved.}
-    \cgalParamType{`CGAL::Linear_density_rule_3`, `CGAL::Four_point_rule_3`, `CGAL::Fifteen_point_rule_3` or `CGAL::Adaptive_cubature_3`}
+    \cgalParamDescription{how the density is integrated over cells in energy and gradient (equations (2.5) and (3.1) of
+                          \cgalCite{cgal:cwlls-rodt-14}). Where a density varies much within a cell, more points lead to
+                          a lower energy. It is not evaluated again in cells whose vertices have not moved.}
+    \cgalParamType{`CGAL::Linear_density_rule_3`, `CGAL::Four_point_rule_3`, `CGAL::Fifteen_point_rule_3` or
+                   `CGAL::Adaptive_cubature_3`}
     \cgalParamPrecondition{that of its members}
     \cgalParamDefault{`CGAL::Linear_density_rule_3()`; exact integrals if `density` is a `CGAL::Quadratic_density_3`}
   \cgalParamNEnd
   \cgalParamNBegin{annealing_schedule}
-    \cgalParamDescription{the way of the global search, with its constants.}
-    \cgalParamType{`CGAL::Momentum_annealing_schedule` or `CGAL::Metropolis_annealing_schedule` (Algorithm 2 of the paper)}
+    \cgalParamDescription{the method of the global search, with its constants.}
+    \cgalParamType{`CGAL::Momentum_annealing_schedule` or `CGAL::Metropolis_annealing_schedule` (Algorithm 2 of
+                   \cgalCite{cgal:cwlls-rodt-14})}
     \cgalParamPrecondition{that of their members}
     \cgalParamDefault{`CGAL::Momentum_annealing_schedule()`}
   \cgalParamNEnd
   \cgalParamNBegin{number_of_rounds}
-    \cgalParamDescription{the length of the global search. A round of momentum annealing has 50 iterations; one
-                          of Algorithm 2 has as many as its schedule says. 0 means no
-                          search: the mesh goes to a local minimum nearby.}
+    \cgalParamDescription{the length of the global search. A round of momentum annealing has 50 iterations; one of
+                          Algorithm 2 has as many as its schedule says. 0 means no search: the mesh goes to a local
+                          minimum nearby.}
     \cgalParamType{`std::size_t`}
     \cgalParamDefault{4 for momentum annealing, 20 for Algorithm 2}
   \cgalParamNEnd
   \cgalParamNBegin{sliver_bound}
-    \cgalParamDescription{the dihedral angle, in degrees, that all cells should exceed in the end; the removal of slivers stops at the first
-                          step that is not below it. 0 means as high as can be had, as long as slivers are exceptions: above 30 degrees, no step
-                          is taken that asks for more than one cell in thirty to be improved.
-                          From \cgal 5.6 on also called `lower_sliver_bound`.}
+    \cgalParamDescription{the dihedral angle, in degrees, that all cells should exceed in the end; the removal of
+                          slivers stops at the first step that is not below it. 0 means as high as possible, as long as
+                          slivers are exceptions: above 30 degrees, no step is taken that requires more than one cell in
+                          twenty-five to be improved.}
     \cgalParamType{`double`}
     \cgalParamPrecondition{`0 <= sliver_bound <= 70.5`, the regular tetrahedron having angles of 70.53 degrees}
     \cgalParamDefault{0}
+    \cgalParamExtra{From \cgal 5.6 on also called `lower_sliver_bound`.}
   \cgalParamNEnd
   \cgalParamNBegin{do_remove_slivers}
     \cgalParamDescription{whether slivers are removed; otherwise the mesh is left where its energy has converged.}
@@ -292,26 +304,25 @@ version of %CGAL in use knows: `parameters::time_limit = 10, parameters::do_free
     \cgalParamDefault{`true`}
   \cgalParamNEnd
   \cgalParamNBegin{random_seed}
-    \cgalParamDescription{the seed of all that is left to chance.}
+    \cgalParamDescription{the seed of all random choices.}
     \cgalParamType{`unsigned int`}
     \cgalParamDefault{0}
   \cgalParamNEnd
   \cgalParamNBegin{callback}
-    \cgalParamDescription{a functor called before every iteration with the fraction done, which never falls;
-                          when it returns `false` the process stops with the mesh found so far, as if the
-                          time limit were reached. It is spelled `parameters::callback(f)`.}
+    \cgalParamDescription{a functor called before every iteration with the fraction done, which never falls; when it
+                          returns `false` the process stops with the mesh found so far, as if the time limit were
+                          reached.}
     \cgalParamType{a model of `bool(double)`}
     \cgalParamDefault{none}
+    \cgalParamExtra{It is spelled `parameters::callback(f)`.}
   \cgalParamNEnd
   \cgalParamNBegin{visitor}
-    \cgalParamDescription{an object with the member functions `after_compute_moves()`, `after_move_points()` and
-                          `end_of_iteration(int)`, called in each iteration in this order, and
-                          `after_rebuild_restricted_delaunay()`, called when `c3t3` is final. If it has a member
-                          `after_sliver_removal(std::size_t)`, that is called before, with the number of cells that are left below
-                          `sliver_bound`, hence 0 if that is 0.
-                          It is spelled `parameters::visitor(v)` and copied; pass `std::ref(v)` to keep its state.}
-    \cgalParamType{a class like `CGAL::Mesh_3::Null_global_optimizer_visitor`}
+    \cgalParamDescription{an object that is told of the stages of each iteration, and, if it has a member
+                          `after_sliver_removal(std::size_t)`, of the number of cells that are left below
+                          `sliver_bound`.}
+    \cgalParamType{a model of `MeshOptimizationVisitor_3`}
     \cgalParamDefault{a visitor that does nothing}
+    \cgalParamExtra{It is spelled `parameters::visitor(v)` and copied; pass `std::ref(v)` to keep its state.}
   \cgalParamNEnd
 \cgalNamedParamsEnd
 
@@ -319,12 +330,20 @@ version of %CGAL in use knows: `parameters::time_limit = 10, parameters::do_free
 - `CGAL::TIME_LIMIT_REACHED` when `time_limit` has passed, or `callback` returned `false`;
 - `CGAL::MAX_ITERATION_NUMBER_REACHED` when `max_iteration_number` iterations have been made;
 - `CGAL::CONVERGENCE_REACHED` when the largest displacements are below `convergence`;
-- `CGAL::ALL_VERTICES_FROZEN` when `do_freeze` is `true` and all vertices that may move are frozen, also when there are none;
-- `CGAL::CANT_IMPROVE_ANYMORE` when cells below a positive `sliver_bound` are left, when no step along the search direction, nor
-  along the gradient, lowers the energy, or when no valid mesh can be made, in which case `c3t3` is as before.
+- `CGAL::ALL_VERTICES_FROZEN` when `do_freeze` is `true` and all vertices that may move are frozen, also when there are
+  none;
+- `CGAL::CANT_IMPROVE_ANYMORE` when cells below a positive `sliver_bound` are left, when no step along the search
+  direction, nor along the gradient, lowers the energy, or when no valid mesh can be made, in which case `c3t3` is as
+  before.
 
 \pre No vertex but those on features carries a weight, that is, `exude_mesh_3()` has not been called before.
 \pre The triangulation has at most \f$ 2^{28} \f$ cells.
+
+\sa `remesh_boundary_mesh_3()`
+\sa `remove_slivers_mesh_3()`
+\sa `mesh_quality_report_3()`
+\sa `odt_energy_3()`
+\sa `make_mesh_3()`
 */
 template <class C3T3, class MeshDomain, class... NamedParameters>
 Mesh_optimization_return_code

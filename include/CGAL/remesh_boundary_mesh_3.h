@@ -8,6 +8,8 @@
 
 #include <CGAL/license/Mesh_3.h>
 
+#include <CGAL/Global_odt_mesh_3/internal/Required_cgal_version.h>
+
 #include <CGAL/disable_warnings.h>
 
 #include <CGAL/Global_odt_mesh_3/internal/Named_parameters.h>
@@ -29,24 +31,23 @@ typedef Parameter_list<tags::time_limit, tags::max_iteration_number, tags::sizin
 /*!
 \ingroup PkgGlobalOdtMesh3Functions
 
-spaces the vertices of a tetrahedral mesh evenly on its surfaces, in place: those in
-dimension 2 go toward a centroidal Voronoi tessellation restricted to the surface (Chen, Wang, L&eacute;vy, Liu
-and Sun, *Revisiting Optimal Delaunay Triangulation for 3D Graded Mesh Generation*, section 5.1), that is, to a minimum of
-\f$ \sum_i \int_{V_i} \rho\,(\|\mathbf{x} - \mathbf{x}_i\|^2 - w_i) \f$, by L-BFGS in the tangential planes.
-The Voronoi cells \f$ V_i \f$ are taken on the surfaces of the complex, which are made anew from
-the domain after each round of iterations. The density is \f$ \rho = 1/\mu^4 \f$, \f$ \mu \f$ being the
-size of the cells of the input, so that a graded mesh stays graded, or what `sizing_field` says.
-Vertices of the interior follow by some iterations of `odt_optimize_mesh_3()` in each round.
+spaces the vertices of a tetrahedral mesh evenly on its surfaces. Those of dimension 2 approach a centroidal Voronoi
+tessellation restricted to the surface (section 5.1 of \cgalCite{cgal:cwlls-rodt-14}), that is, a minimum of
+\f$ \sum_i \int_{V_i} \rho\,(\|\mathbf{x} - \mathbf{x}_i\|^2 - w_i) \f$, by the L-BFGS method in the tangential planes.
+The Voronoi cells \f$ V_i \f$ are taken on the surfaces of the complex, which are reconstructed from
+the domain after each round of iterations. The density is \f$ \rho = 1/\mu^4 \f$, where \f$ \mu \f$ is the
+size of the cells of the input, so that a graded mesh stays graded, or the `sizing_field`.
+Vertices of the interior follow by a few iterations of `odt_optimize_mesh_3()` in each round.
 
-That function, with `optimize_boundary` set to `false`, completes the way that the paper goes. By default it
-begins with a round of the same kind, and keeps that energy beside the one of the cells (see its parameter `surface_weight`),
-so that there is no need to call this one before.
+That function, with `optimize_boundary` set to `false`, completes the procedure of the paper. By default, it
+begins with a round of the same kind, and keeps that energy along with the one of the cells (see its parameter
+`surface_weight`), so that there is no need to call this function before.
 
-What is kept is what `odt_optimize_mesh_3()` keeps, also if the domain or the callback throws.
+The guarantees are those of `odt_optimize_mesh_3()`, also if the domain or the callback throws.
 
 \tparam C3T3 a model of the concept `MeshComplex_3InTriangulation_3`, not periodic
 \tparam MeshDomain a model of the concept `MeshDomain_3`
-\tparam NamedParameters a sequence of named parameters, in the styles that `odt_optimize_mesh_3()` knows
+\tparam NamedParameters a sequence of named parameters, in the notations that `odt_optimize_mesh_3()` accepts
 
 \param c3t3 the mesh, which is modified
 \param domain the domain from which `c3t3` was made
@@ -60,7 +61,7 @@ What is kept is what `odt_optimize_mesh_3()` keeps, also if the domain or the ca
     \cgalParamDefault{0}
   \cgalParamNEnd
   \cgalParamNBegin{max_iteration_number}
-    \cgalParamDescription{the number of iterations, on surfaces and inside, at the most; 0 means 1000}
+    \cgalParamDescription{the number of iterations, on surfaces and in the interior, at most; 0 means 1000}
     \cgalParamType{`std::size_t`}
     \cgalParamDefault{0}
   \cgalParamNEnd
@@ -71,18 +72,18 @@ What is kept is what `odt_optimize_mesh_3()` keeps, also if the domain or the ca
   \cgalParamNEnd
   \cgalParamNBegin{density}
     \cgalParamDescription{as for `odt_optimize_mesh_3()`}
-    \cgalParamType{a model of `FT(Point_3)`}
+    \cgalParamType{a model of `MeshDensity_3`}
     \cgalParamDefault{that of the input's cells}
   \cgalParamNEnd
   \cgalParamNBegin{callback}
-    \cgalParamDescription{a functor called before every iteration with the fraction done; when it returns `false`
-                          the process stops with the mesh found so far}
+    \cgalParamDescription{a functor called before every iteration with the fraction done; when it returns `false` the
+                          process stops with the mesh found so far}
     \cgalParamType{a model of `bool(double)`}
     \cgalParamDefault{none}
   \cgalParamNEnd
   \cgalParamNBegin{visitor}
     \cgalParamDescription{as for `odt_optimize_mesh_3()`}
-    \cgalParamType{a class like `CGAL::Mesh_3::Null_global_optimizer_visitor`}
+    \cgalParamType{a model of `MeshOptimizationVisitor_3`}
     \cgalParamDefault{a visitor that does nothing}
   \cgalParamNEnd
 \cgalNamedParamsEnd
@@ -94,6 +95,8 @@ What is kept is what `odt_optimize_mesh_3()` keeps, also if the domain or the ca
 - `CGAL::CANT_IMPROVE_ANYMORE` when no valid mesh can be made, in which case `c3t3` is as before.
 
 \pre No vertex but those on features carries a weight, that is, `exude_mesh_3()` has not been called before.
+
+\sa `odt_optimize_mesh_3()`
 */
 template <class C3T3, class MeshDomain, class... NamedParameters>
 Mesh_optimization_return_code

@@ -8,6 +8,8 @@
 
 #include <CGAL/license/Mesh_3.h>
 
+#include <CGAL/Global_odt_mesh_3/internal/Required_cgal_version.h>
+
 #include <CGAL/disable_warnings.h>
 
 #include <CGAL/Global_odt_mesh_3/internal/Named_parameters.h>
@@ -28,18 +30,19 @@ typedef Parameter_list<tags::time_limit, tags::sliver_bound, internal_np::optimi
 /*!
 \ingroup PkgGlobalOdtMesh3Functions
 
-removes the slivers of a tetrahedral mesh, in place, and leaves all else as it is: what `odt_optimize_mesh_3()` does at its
+removes the slivers of a tetrahedral mesh and leaves the rest as it is. This is what `odt_optimize_mesh_3()` does at its
 end, without minimizing an energy before. Like `perturb_mesh_3()`, it moves vertices of cells with small dihedral
 angles and keeps the triangulation regular without weights; few vertices move.
 
 The bound on the angles rises in steps of 20, 30, 35, 40, ... degrees, as described there. On a mesh that
-was just made, where every tenth cell may be a sliver, `odt_optimize_mesh_3()` reaches larger angles in all other cells, too.
+comes from Delaunay refinement, where every tenth cell may be a sliver, `odt_optimize_mesh_3()` reaches larger angles
+in all other cells, too.
 
-What is kept is what `odt_optimize_mesh_3()` keeps, also if the domain or the callback throws.
+The guarantees are those of `odt_optimize_mesh_3()`, also if the domain or the callback throws.
 
 \tparam C3T3 a model of the concept `MeshComplex_3InTriangulation_3`, not periodic
 \tparam MeshDomain a model of the concept `MeshDomain_3`
-\tparam NamedParameters a sequence of named parameters, in the styles that `odt_optimize_mesh_3()` knows
+\tparam NamedParameters a sequence of named parameters, in the notations that `odt_optimize_mesh_3()` accepts
 
 \param c3t3 the mesh, which is modified
 \param domain the domain from which `c3t3` was made
@@ -56,27 +59,27 @@ What is kept is what `odt_optimize_mesh_3()` keeps, also if the domain or the ca
     \cgalParamDescription{as for `odt_optimize_mesh_3()`}
     \cgalParamType{`double`}
     \cgalParamPrecondition{`0 <= sliver_bound <= 70.5`}
-    \cgalParamDefault{0, that is, as high as can be had}
+    \cgalParamDefault{0, that is, as high as possible}
   \cgalParamNEnd
   \cgalParamNBegin{optimize_boundary}
-    \cgalParamDescription{whether vertices in dimension 2 move on the surface}
+    \cgalParamDescription{whether vertices of dimension 2 move on the surface}
     \cgalParamType{`bool`}
     \cgalParamDefault{`true`}
   \cgalParamNEnd
   \cgalParamNBegin{random_seed}
-    \cgalParamDescription{the seed of all that is left to chance}
+    \cgalParamDescription{the seed of all random choices}
     \cgalParamType{`unsigned int`}
     \cgalParamDefault{0}
   \cgalParamNEnd
   \cgalParamNBegin{callback}
-    \cgalParamDescription{a functor called before every round with the fraction done; when it returns `false`
-                          the process stops with the mesh found so far}
+    \cgalParamDescription{a functor called before every round with the fraction done; when it returns `false` the
+                          process stops with the mesh found so far}
     \cgalParamType{a model of `bool(double)`}
     \cgalParamDefault{none}
   \cgalParamNEnd
   \cgalParamNBegin{visitor}
-    \cgalParamDescription{as for `odt_optimize_mesh_3()`; there are no iterations to hear of}
-    \cgalParamType{a class like `CGAL::Mesh_3::Null_global_optimizer_visitor`}
+    \cgalParamDescription{as for `odt_optimize_mesh_3()`; there are no iterations to be told of}
+    \cgalParamType{a model of `MeshOptimizationVisitor_3`}
     \cgalParamDefault{a visitor that does nothing}
   \cgalParamNEnd
 \cgalNamedParamsEnd
@@ -87,6 +90,8 @@ What is kept is what `odt_optimize_mesh_3()` keeps, also if the domain or the ca
 - `CGAL::CONVERGENCE_REACHED` otherwise.
 
 \pre No vertex but those on features carries a weight, that is, `exude_mesh_3()` has not been called before.
+
+\sa `odt_optimize_mesh_3()`
 */
 template <class C3T3, class MeshDomain, class... NamedParameters>
 Mesh_optimization_return_code

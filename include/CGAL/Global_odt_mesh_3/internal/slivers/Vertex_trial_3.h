@@ -9,7 +9,7 @@
 #include <CGAL/Global_odt_mesh_3/internal/geometry/Angle_deficit_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/geometry/Angle_step_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/geometry/Site.h>
-#include <CGAL/Global_odt_mesh_3/internal/parallel/Chunks.h>
+#include <CGAL/Global_odt_mesh_3/internal/parallel/For_each_in_chunks.h>
 #include <CGAL/Global_odt_mesh_3/internal/parallel/Thread_policy.h>
 #include <CGAL/Global_odt_mesh_3/internal/triangulation/Constrained_triangulation_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/triangulation/Flips_3.h>
@@ -42,12 +42,7 @@ public:
     , angle_deficit_(bound)
   {
     make_room();
-    const Chunks cells(mesh.topology.number_of_cell_slots(), least_cells, most_chunks);
-    threads.for_each_chunk(cells.number(), [&](int n)
-    {
-      for(int c = cells.begin(n); c < cells.end(n); ++c)
-        deficit_[c] = measure(c);
-    });
+    for_each_in_chunks(mesh.topology.number_of_cell_slots(), threads, [this](int c) { deficit_[c] = measure(c); });
   }
 
   // Zero for cells that are not alive.
@@ -161,8 +156,6 @@ public:
   }
 
 private:
-  static constexpr int least_cells = 10000, most_chunks = 64;
-
   friend class Lawson_flips_3<Vertex_trial_3>;
 
   std::array<int, 3> flip_2_3(Slot s)

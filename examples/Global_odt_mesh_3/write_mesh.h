@@ -1,0 +1,30 @@
+// Copyright (c) 2026 The Global_odt_mesh_3 authors.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef GLOBAL_ODT_MESH_3_EXAMPLES_WRITE_MESH_H
+#define GLOBAL_ODT_MESH_3_EXAMPLES_WRITE_MESH_H
+
+#include <CGAL/IO/output_to_vtu.h>
+
+#include <fstream>
+#include <iostream>
+#include <string>
+
+// Writes a mesh as prefix.mesh, the format of Medit, and as prefix.vtu, that of ParaView.
+// Cells and facets keep the numbers of their subdomain and patch.
+template <class C3t3>
+void write_mesh(const C3t3& c3t3, const std::string& prefix)
+{
+  std::ofstream medit(prefix + ".mesh");
+  c3t3.output_to_medit(medit, false /* rebind */, true /* show_patches: each facet is written once */);
+  std::ofstream vtu(prefix + ".vtu", std::ios::binary);
+  CGAL::IO::output_to_vtu(vtu, c3t3);
+  if(medit && vtu)
+    std::cout << "mesh: " << prefix << ".mesh, " << prefix << ".vtu\n";
+  else
+    std::cerr << prefix << ".mesh and " << prefix << ".vtu cannot be written\n";
+}
+
+#endif // GLOBAL_ODT_MESH_3_EXAMPLES_WRITE_MESH_H
