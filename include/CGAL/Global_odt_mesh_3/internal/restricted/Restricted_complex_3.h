@@ -155,6 +155,7 @@ public:
 
 private:
   typedef Restricted_candidate_3<Triangulation> Candidate;
+  typedef Numbered_triangulation_3<Triangulation> Numbered_triangulation;
   typedef Restricted_report_3<Candidate> Report;
   typedef Surface_projection_3<Domain> Surface_projection;
 
@@ -167,7 +168,7 @@ private:
   // If more vertices go back, a new triangulation is faster than moving them.
   static constexpr double most_moved_one_by_one = 1 / 20.;
 
-  void restore(State& state, std::unique_ptr<Numbered_triangulation_3<Triangulation> > lent, const std::vector<Site>& sites) const
+  void restore(State& state, std::unique_ptr<Numbered_triangulation> lent, const std::vector<Site>& sites) const
   {
     Triangulation_restorer_3<Domain>(state, domain_)(std::move(lent), sites, threads_);
   }
@@ -183,7 +184,7 @@ private:
   {
     const Stage_clock::In_stage in_stage(threads_.clock(), Stage_clock::CHECK);
     Candidate candidate(state_, target, motion_, is_final, threads_);
-    candidate.numbered = state_.is_input() ? std::make_unique<Numbered_triangulation_3<Triangulation> >() : std::move(state_.own);
+    candidate.numbered = state_.is_input() ? std::make_unique<Numbered_triangulation>() : std::move(state_.own);
     try
     {
       if(complete(candidate, mesh))

@@ -1,0 +1,262 @@
+// Copyright (c) 2026 The Global_odt_mesh_3 authors.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+// Random domains, criteria and parameters: no run may crash, hang, or break what is promised of the mesh. Each run is
+// a process of its own, and is determined by its seed.
+//
+//   random_runs FILE [ours|cgal] [runs, default 1000] [first seed, default 1] [jobs, default 1]
+//   random_runs --repeat SEED [ours|cgal]
+//
+// appends a line for each run to the file, and passes over seeds that are there already; then it prints what became of
+// all runs in the file. The exit status says whether all are well.
+//
+// Environment: CGAL_DATA_DIR, the directory of CGAL's data.
+
+#include "random_domains.h"
+
+#include "mesh_contract.h"
+#include "odt_of_mesh_3.h"
+
+#include <CGAL/Real_timer.h>
+#include <CGAL/exude_mesh_3.h>
+#include <CGAL/odt_optimize_mesh_3.h>
+#include <CGAL/perturb_mesh_3.h>
+#include <CGAL/refine_mesh_3.h>
+
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <csignal>
+#include <cstddef>
+#include <cstdio>
+#include <cstdlib>
+#include <fstream>
+#include <iostream>
+#include <map>
+#include <sstream>
+#include <string>
+
+using namespace random_domains;
+
+static const unsigned int most_seconds = 600;           // a run that takes longer hangs
+
+// Of legal values: half of the runs are calls of the default kind.
+struct Random_parameters
+{
+  double time_limit = 0, convergence = 0.02, freeze_bound = 0.01, sliver_bound = 0, surface_weight = 1.2;
+  int max_iteration_number = 0, number_of_rounds = 4;
+  bool do_freeze = true, optimize_boundary = true, do_remove_slivers = true;
+  long callback_stops_after = -1, callback_throws_after = -1;
+  unsigned int random_seed = 0;
+
+  explicit Random_parameters(Draw& draw)
+  {
+    random_seed = static_cast<unsigned int>(draw.integer(0, 1000000));
+    if(draw.chance(0.5))
+      return;
+    time_limit = draw.chance(0.3) ? draw.power(1e-3, 1) : 0;
+    convergence = draw.chance(0.3) ? draw.uniform(0, 1) : 0.02;
+    freeze_bound = draw.chance(0.3) ? draw.uniform(0, 1) : 0.01;
+    sliver_bound = draw.chance(0.3) ? draw.uniform(0, 70) : 0;
+    surface_weight = draw.chance(0.3) ? draw.power(1e-3, 100) : 1.2;
+    max_iteration_number = draw.chance(0.3) ? draw.integer(1, 300) : 0;
+    number_of_rounds = draw.integer(0, 4);
+    do_freeze = draw.chance(0.7);
+    optimize_boundary = draw.chance(0.8);
+    do_remove_slivers = draw.chance(0.8);
+    if(draw.chance(0.2))
+      (draw.chance(0.5) ? callback_stops_after : callback_throws_after) = draw.integer(0, 100);
+  }
+
+  friend std::ostream& operator<<(std::ostream& out, const Random_parameters& p)
+  {
+    return out << "time_limit " << p.time_limit << ", convergence " << p.convergence << ", freeze_bound " << p.freeze_bound
+               << ", sliver_bound " << p.sliver_bound << ", surface_weight " << p.surface_weight << ", max_iteration_number "
+               << p.max_iteration_number << ", number_of_rounds " << p.number_of_rounds << ", do_freeze " << p.do_freeze
+               << ", optimize_boundary " << p.optimize_boundary << ", do_remove_slivers " << p.do_remove_slivers
+               << ", callback stops, throws after " << p.callback_stops_after << ", " << p.callback_throws_after
+               << ", random_seed " << p.random_seed;
+  }
+};
+
+template <class C3t3, class Domain>
+void optimize(C3t3& c3t3, const Domain& domain, const Random_parameters& p)
+{
+  long calls = 0;
+  const auto callback = [&](double)
+  {
+    if(p.callback_throws_after >= 0 && calls >= p.callback_throws_after)
+      throw Planned_failure();
+    return p.callback_stops_after < 0 || calls++ < p.callback_stops_after;
+  };
+  CGAL::odt_optimize_mesh_3(c3t3, domain, params::time_limit = p.time_limit, params::convergence = p.convergence,
+                            params::freeze_bound = p.freeze_bound, params::max_iteration_number = p.max_iteration_number,
+                            params::do_freeze = p.do_freeze, params::sliver_bound = p.sliver_bound,
+                            params::surface_weight = p.surface_weight, params::number_of_rounds = p.number_of_rounds,
+                            params::optimize_boundary = p.optimize_boundary,
+                            params::do_remove_slivers = p.do_remove_slivers, params::callback(callback),
+                            params::random_seed(p.random_seed));
+}
+
+// What users call next has to find a mesh that it can go on with.
+template <class C3t3, class Domain, class Criteria>
+void go_on(C3t3& c3t3, const Domain& domain, const Criteria& criteria, Draw& draw)
+{
+  switch(draw.integer(0, 5))
+  {
+  case 0: CGAL::refine_mesh_3(c3t3, domain, criteria, params::no_exude(), params::no_perturb()); break;
+  case 1: CGAL::perturb_mesh_3(c3t3, domain, params::time_limit = 2); break;
+  case 2: CGAL::exude_mesh_3(c3t3, params::time_limit = 2); break;
+  default: return;
+  }
+  check::that(c3t3.triangulation().is_valid(), "not a valid triangulation after what followed");
+}
+
+// Of one run.
+struct Outcome
+{
+  std::string what;
+  std::size_t vertices = 0;
+  double seconds = 0;
+};
+
+template <class Input>
+void run(Input& input, const std::string& method, Draw& draw, Outcome& outcome)
+{
+  auto c3t3 = input.mesh();
+  const auto original = c3t3;
+  const Mesh_contract<typename Input::C3t3, typename Input::Domain> contract(c3t3, input.domain, input.name);
+  outcome.vertices = c3t3.triangulation().number_of_vertices();
+  const Random_parameters parameters(draw);
+  std::cerr << input.name << ", " << outcome.vertices << " vertices: " << parameters << std::endl;
+  input.fail_sometimes(draw);
+  bool has_thrown = false;
+  CGAL::Real_timer timer;
+  timer.start();
+  try
+  {
+    if(method == "cgal")
+      odt_of_mesh_3(c3t3, input.domain);
+    else
+      optimize(c3t3, input.domain, parameters);
+  }
+  catch(const Planned_failure&)
+  {
+    has_thrown = true;
+  }
+  timer.stop();
+  outcome.seconds = timer.time();
+  input.stop_failing();
+  if(has_thrown)
+    contract.check_untouched(c3t3);
+  else if(method != "cgal" && !parameters.optimize_boundary)
+    contract.check(c3t3);
+  else
+    contract.check_moved(c3t3, 0.5, 0.3, input.tolerance);
+  if(!has_thrown)
+    go_on(c3t3, input.domain, input.criteria(), draw);
+}
+
+static Outcome run(unsigned int seed, const std::string& method)
+{
+  Draw draw(seed);
+  Outcome outcome;
+  with_random_input(draw, [&](auto& input)
+  {
+    outcome.what = input.name;
+    run(input, method, draw, outcome);
+  });
+  return outcome;
+}
+
+// Of a child process, whose complaints go to a file beside the other.
+static int run_and_tell(const std::string& file, unsigned int seed, const std::string& method)
+{
+  const std::string complaints = file + "." + std::to_string(seed);
+  if(std::freopen(complaints.c_str(), "w", stderr) == nullptr)
+    return EXIT_FAILURE;
+  alarm(most_seconds);
+  const Outcome outcome = run(seed, method);
+  if(check::failures() > 0)
+    return EXIT_FAILURE;
+  std::remove(complaints.c_str());
+  std::ostringstream line;
+  line << seed << " well " << outcome.vertices << " " << outcome.seconds << " " << outcome.what << "\n";
+  std::ofstream(file, std::ios::app) << line.str() << std::flush;
+  return EXIT_SUCCESS;
+}
+
+// The seeds that have been, and how those runs ended.
+static std::map<unsigned int, std::string> read(const std::string& file)
+{
+  std::map<unsigned int, std::string> ends;
+  std::ifstream in(file);
+  unsigned int seed;
+  std::string end, rest;
+  while(in >> seed >> end && std::getline(in, rest))
+    ends[seed] = end;
+  return ends;
+}
+
+static void wait_for_one(const std::string& file, std::map<pid_t, unsigned int>& running)
+{
+  int status = 0;
+  const pid_t child = wait(&status);
+  const auto it = running.find(child);
+  if(it == running.end())
+    return;
+  const bool hangs = WIFSIGNALED(status) && WTERMSIG(status) == SIGALRM;
+  const std::string end = hangs ? "hangs" : WIFSIGNALED(status) ? "crashes" : WEXITSTATUS(status) != 0 ? "breaks" : "";
+  if(!end.empty())
+    std::ofstream(file, std::ios::app) << it->second << " " << end << " random_runs --repeat " << it->second << std::endl;
+  running.erase(it);
+}
+
+static void run_all(const std::string& file, const std::string& method, unsigned int runs, unsigned int first_seed,
+                    std::size_t jobs)
+{
+  const std::map<unsigned int, std::string> before = read(file);
+  std::map<pid_t, unsigned int> running;
+  for(unsigned int seed = first_seed; seed < first_seed + runs; ++seed)
+  {
+    if(before.count(seed) > 0)
+      continue;
+    while(running.size() >= jobs)
+      wait_for_one(file, running);
+    std::cout.flush();
+    const pid_t child = fork();
+    if(child == 0)
+      _exit(run_and_tell(file, seed, method));
+    if(child > 0)
+      running[child] = seed;
+  }
+  while(!running.empty())
+    wait_for_one(file, running);
+}
+
+int main(int argc, char* argv[])
+{
+  if(argc < 2)
+  {
+    std::cerr << "usage: " << argv[0] << " FILE [ours|cgal] [runs] [first seed] [jobs], or --repeat SEED [ours|cgal]"
+              << std::endl;
+    return EXIT_FAILURE;
+  }
+  const std::string file = argv[1];
+  if(file == "--repeat" && argc > 2)
+  {
+    const Outcome outcome = run(static_cast<unsigned int>(std::atol(argv[2])), argc > 3 ? argv[3] : "ours");
+    std::cout << outcome.what << ", " << outcome.vertices << " vertices, " << outcome.seconds << " s" << std::endl;
+    return check::result();
+  }
+  run_all(file, argc > 2 ? argv[2] : "ours", argc > 3 ? std::atoi(argv[3]) : 1000, argc > 4 ? std::atoi(argv[4]) : 1,
+          argc > 5 ? std::atoi(argv[5]) : 1);
+  std::map<std::string, int> tally;
+  for(const auto& e : read(file))
+    ++tally[e.second];
+  for(const auto& t : tally)
+    std::cout << t.second << " " << t.first << std::endl;
+  return tally.size() == 1 && tally.count("well") == 1 ? EXIT_SUCCESS : EXIT_FAILURE;
+}
