@@ -10,10 +10,12 @@
 #include "load_triangulation_3.h"
 #include "check.h"
 
+#include <CGAL/Global_odt_mesh_3/internal/geometry/Vertex_tuples.h>
 #include <CGAL/Global_odt_mesh_3/internal/optimization/Limited_memory_bfgs.h>
 #include <CGAL/Global_odt_mesh_3/internal/optimization/Odt_objective_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/surface/Boundary_complex_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/surface/Boundary_topology_3.h>
+#include <CGAL/Global_odt_mesh_3/internal/surface/Exchangeable_boundary_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/surface/Surface_cvt_objective_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/surface/Surface_cvt_term_3.h>
 
@@ -428,6 +430,29 @@ static void topology_guard()
       for(int& v : f.vertices)
         v = v == 11 ? 1 : v;
     differs("touching in a vertex", touching, { 1 });
+  }
+  {
+    // Between the poles is an edge where two other surfaces meet: the flip that was harmless touches them along it.
+    std::vector<Boundary_facet> wings = { { {{ 0, 1, 17 }}, {{ 0, 1 }}, 3 }, { {{ 1, 0, 18 }}, {{ 0, 1 }}, 4 } };
+    std::vector<Boundary_facet> pinched = wings;
+    wings.insert(wings.end(), one.begin(), one.end());
+    pinched.insert(pinched.end(), one.begin(), one.end());
+    pinched[2].vertices = {{ 2, 0, 1 }};
+    pinched[3].vertices = {{ 0, 3, 1 }};
+    const Boundary_complex_3 apart(wings, vertices), touching(pinched, vertices);
+    const std::set<int> poles = { 0, 1 };
+    check::that(topology_changes(apart, touching) == poles, "touching along a junction: not noticed");
+
+    Exchangeable_boundary_3 boundary(apart);
+    const auto number = [&boundary](const Boundary_facet& f) { return boundary.find(sorted(f.vertices)); };
+    const auto exchanged = [](const Boundary_facet& f)
+    { return Exchangeable_boundary_3::Facet{ sorted(f.vertices), sorted(f.labels), f.patch }; };
+    check::that(!boundary.keeps_topology({ number(wings[2]), number(wings[3]) }, { exchanged(pinched[2]), exchanged(pinched[3]) }),
+                "an exchange of facets that touch along a junction is permitted");
+    Exchangeable_boundary_3 alone(Boundary_complex_3(one, vertices));
+    const auto number_alone = [&alone](const Boundary_facet& f) { return alone.find(sorted(f.vertices)); };
+    check::that(alone.keeps_topology({ number_alone(one[0]), number_alone(one[1]) }, { exchanged(pinched[2]), exchanged(pinched[3]) }),
+                "an exchange of facets for the two others is not permitted");
   }
 }
 

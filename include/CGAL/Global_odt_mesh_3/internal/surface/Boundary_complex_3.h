@@ -54,6 +54,7 @@ public:
   typedef Boundary_umbrella Umbrella;
   typedef std::array<int, 3> Triple;
   typedef std::pair<int, int> Edge;
+  typedef std::pair<Edge, int> Junction;      // with the number of its facets
 
   Boundary_complex_3() {}
 
@@ -66,7 +67,7 @@ public:
   }
 
   const std::vector<Facet>& facets() const { return facets_; }
-  const std::vector<Edge>& junctions() const { return junctions_; }
+  const std::vector<Junction>& junctions() const { return junctions_; }
   // The facet beyond the edge opposite to vertex k of facet n, for corner 3 n + k, or -1 for a junction.
   int facet_beyond(int corner) const { return beyond_[corner]; }
   int number_of_vertices() const { return static_cast<int>(first_umbrella_.size()) - 1; }
@@ -151,7 +152,7 @@ private:
         beyond_[edges[n + 1].corner] = f;
       }
       else
-        junctions_.push_back(edges[n].edge);
+        junctions_.emplace_back(edges[n].edge, static_cast<int>(m - n));
     }
   }
 
@@ -238,7 +239,7 @@ private:
   }
 
   std::vector<Facet> facets_;
-  std::vector<Edge> junctions_;
+  std::vector<Junction> junctions_;
   std::vector<int> beyond_;         // each corner's facet beyond the opposite edge, or -1
   std::vector<int> first_umbrella_, umbrella_of_corner_;
   std::vector<Umbrella> umbrellas_;

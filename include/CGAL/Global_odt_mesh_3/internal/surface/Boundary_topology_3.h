@@ -21,9 +21,9 @@ namespace internal {
 
 // Whether two boundary complexes on the same vertices have the same topology, and where they have not.
 //
-// They have if they have the same junctions, as many umbrellas at each vertex, and as many
+// They have if they have the same junctions with as many facets, as many umbrellas at each vertex, and as many
 // facets and components of each patch: then the patches have the same boundary, Euler
-// characteristic and number of components.
+// characteristic and number of components, and do not touch where they have not.
 
 inline std::vector<std::array<int, 3> > sorted_facets(const Boundary_complex_3& boundary)
 {
@@ -71,11 +71,11 @@ inline std::set<int> topology_changes(const Boundary_complex_3& before, const Bo
 {
   CGAL_assertion(before.number_of_vertices() == after.number_of_vertices());
   std::set<int> result;
-  std::vector<Boundary_complex_3::Edge> edges;
+  std::vector<Boundary_complex_3::Junction> junctions;
   std::set_symmetric_difference(before.junctions().begin(), before.junctions().end(), after.junctions().begin(),
-                                after.junctions().end(), std::back_inserter(edges));
-  for(const Boundary_complex_3::Edge& e : edges)
-    result.insert({ e.first, e.second });
+                                after.junctions().end(), std::back_inserter(junctions));
+  for(const Boundary_complex_3::Junction& j : junctions)
+    result.insert({ j.first.first, j.first.second });
   for(int v = 0; v < before.number_of_vertices(); ++v)
     if(before.number_of_umbrellas(v) != after.number_of_umbrellas(v))
       result.insert(v);

@@ -54,8 +54,8 @@ public:
     const Pattern p = pattern(v, before_);
     if(p.junctions.empty())
       return p.umbrellas == 1;
-    return p.junctions.size() == 2 && std::all_of(p.junctions.begin(), p.junctions.end(), [this](int w)
-      { return std::count_if(edges_.begin(), edges_.end(), [w](const auto& e) { return e.first == w; }) > 1; });
+    return p.junctions.size() == 2
+           && std::all_of(p.junctions.begin(), p.junctions.end(), [](const auto& j) { return j.second > 1; });
   }
 
   // The number of the facet with these vertices, which are sorted, or -1.
@@ -119,7 +119,7 @@ private:
   struct Pattern
   {
     int umbrellas;
-    std::vector<int> junctions;     // the other ends
+    std::vector<std::pair<int, int> > junctions;      // the other ends, and how many facets they have
     bool operator==(const Pattern& o) const { return umbrellas == o.umbrellas && junctions == o.junctions; }
   };
 
@@ -182,7 +182,7 @@ private:
       if(m == n + 2 && same_surface(facets[f], facets[g]))
         result.umbrellas -= join(f, g);
       else
-        result.junctions.push_back(edges_[n].first);
+        result.junctions.emplace_back(edges_[n].first, static_cast<int>(m - n));
     }
     return result;
   }
