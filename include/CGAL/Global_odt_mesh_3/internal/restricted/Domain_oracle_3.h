@@ -162,7 +162,9 @@ public:
     const Oracle_stopwatch stopwatch(statistics_);
     const Vector from = p - half_length * direction, to = p + half_length * direction;
     const Segment_3 s(Point_3(from[0], from[1], from[2]), Point_3(to[0], to[1], to[2]));
-    if(may_intersect(s))
+    // That of cospherical cells is a point, which domains do not expect.
+    const bool is_segment = (to - from).norm() > 0;
+    if(is_segment && may_intersect(s))
     {
       const typename Mesh_domain::Intersection i = domain_.construct_intersection_object()(s);
       if(std::get<2>(i) >= 2)
