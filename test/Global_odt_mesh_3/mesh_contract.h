@@ -211,18 +211,20 @@ private:
   }
 
   // Whether the surface crosses one of some short segments around the point: along the
-  // axes and, for points just off a sharp edge, along the diagonals between them.
+  // axes and, for points just off a sharp edge, along the diagonals between them. Longer ones may have both ends beside a
+  // speck of noise.
   static bool is_on_surface(const Domain& domain, const Point& p, double reach)
   {
     typedef typename Domain::Point_3 Point_3;
-    for(const std::array<int, 3>& d : { std::array<int, 3>{{ 1, 0, 0 }}, {{ 0, 1, 0 }}, {{ 0, 0, 1 }},
-                                        {{ 1, 1, 1 }}, {{ 1, 1, -1 }}, {{ 1, -1, 1 }}, {{ -1, 1, 1 }} })
-    {
-      const Point_3 a(p[0] - reach * d[0], p[1] - reach * d[1], p[2] - reach * d[2]),
-                    b(p[0] + reach * d[0], p[1] + reach * d[1], p[2] + reach * d[2]);
-      if(domain.do_intersect_surface_object()(typename Domain::Segment_3(a, b)))
-        return true;
-    }
+    for(double r : { reach, reach / 8, reach / 64, reach / 512 })
+      for(const std::array<int, 3>& d : { std::array<int, 3>{{ 1, 0, 0 }}, {{ 0, 1, 0 }}, {{ 0, 0, 1 }},
+                                          {{ 1, 1, 1 }}, {{ 1, 1, -1 }}, {{ 1, -1, 1 }}, {{ -1, 1, 1 }} })
+      {
+        const Point_3 a(p[0] - r * d[0], p[1] - r * d[1], p[2] - r * d[2]),
+                      b(p[0] + r * d[0], p[1] + r * d[1], p[2] + r * d[2]);
+        if(domain.do_intersect_surface_object()(typename Domain::Segment_3(a, b)))
+          return true;
+      }
     return false;
   }
 

@@ -14,6 +14,7 @@
 
 #include <CGAL/Bbox_3.h>
 #include <CGAL/Mesh_quality_report_3.h>
+#include <CGAL/Random.h>
 #include <CGAL/odt_optimize_mesh_3.h>
 #include <CGAL/remesh_boundary_mesh_3.h>
 #include <CGAL/tags.h>
@@ -85,6 +86,23 @@ static void plate()
     name << "plate of thickness " << 2 * half;
     test(name.str(), mesh, domain, edged);
   }
+}
+
+// Where the mesh is too coarse for the surface, dual lines of facets may miss it. In the end, all facets have centers.
+static void facets_without_centers()
+{
+  const domains::Labeled_domain domain = domains::labeled([](const Point_3& p)
+  { return std::abs(p.x()) < 0.9 && std::abs(p.y()) < 0.8 && std::abs(p.z()) < 0.05 ? 1 : 0; });
+  const double size = 0.5;
+  const domains::Labeled_criteria criteria(params::facet_angle = 20, params::facet_size = size,
+                                           params::facet_distance = size / 3, params::cell_radius_edge_ratio = 3,
+                                           params::cell_size = size);
+  CGAL::get_default_random() = CGAL::Random(7);
+  domains::Labeled_c3t3 c3t3
+    = CGAL::make_mesh_3<domains::Labeled_c3t3>(domain, criteria, params::no_exude(), params::no_perturb());
+  const Mesh_contract<domains::Labeled_c3t3, domains::Labeled_domain> contract(c3t3, domain, "coarse plate");
+  CGAL::odt_optimize_mesh_3(c3t3, domain);
+  contract.check_moved(c3t3, 1, 1, 1e-2);
 }
 
 // Surfaces closer than the mesh size, or crossing, are to be neither joined nor parted.
@@ -456,6 +474,10 @@ static void projection(const char* name, const Domain& domain, const Point_3& fr
   check::that(!project(2 * distance, typename Domain::Surface_patch_index()) && p == start, name,
               ": projected onto another patch");
   check::that(oracle.statistics().failures > 0, name, ": failures are not counted");
+  // Between the dual points of cospherical cells, there is no segment that a domain could be asked for.
+  const Vector on_surface(expected.x(), expected.y(), expected.z());
+  p = on_surface;
+  check::that(!oracle.intersect(p, normal, 0, index) && p == on_surface, name, ": a point is taken for a segment");
 }
 
 static void projection()
@@ -522,6 +544,7 @@ int main()
   triangles();
   projection();
   plate();
+  facets_without_centers();
   touching();
   junctions();
   features();

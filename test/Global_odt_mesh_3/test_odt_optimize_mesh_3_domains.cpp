@@ -12,6 +12,7 @@
 
 #include <CGAL/Density_quadratures_3.h>
 #include <CGAL/Quadratic_density_3.h>
+#include <CGAL/Random.h>
 #include <CGAL/odt_energy_3.h>
 #include <CGAL/odt_optimize_mesh_3.h>
 
@@ -216,6 +217,39 @@ static void wanted_sizes(const domains::Labeled_domain& domain)
   check::that(questions > 0, "a field passed by reference is not asked");
 }
 
+// Of holes that are smaller than cells, the mesher finds those with a dual point in them. No vertex may move so that there
+// are more.
+static void holes()
+{
+  using namespace domains;
+  const int number_of_holes = 300;
+  const double radius = 0.04, size = 0.3;
+  for(unsigned int seed : { 2, 3 })
+  {
+    CGAL::Random random(seed);
+    std::vector<Point_3> centers;
+    for(int n = 0; n < number_of_holes; ++n)
+    {
+      const double x = random.get_double(-1, 1), y = random.get_double(-1, 1), z = random.get_double(-1, 1);
+      centers.emplace_back(x, y, z);
+    }
+    const Labeled_domain domain = labeled([centers, radius](const Point_3& p)
+    {
+      const auto is_around = [&](const Point_3& c) { return CGAL::squared_distance(p, c) < radius * radius; };
+      return squared(p) < 1 && std::none_of(centers.begin(), centers.end(), is_around) ? 1 : 0;
+    });
+    CGAL::get_default_random() = CGAL::Random(seed);
+    const Labeled_c3t3 input = mesh(domain, size);
+    const Mesh_contract<Labeled_c3t3, Labeled_domain> contract(input, domain, "holes, seed " + std::to_string(seed));
+    Labeled_c3t3 c3t3(input);
+    CGAL::odt_optimize_mesh_3(c3t3, domain);
+    contract.check_moved(c3t3, 0.3, 0.3, 1e-2);
+    c3t3 = input;
+    CGAL::odt_optimize_mesh_3(c3t3, domain, params::optimize_boundary = false);
+    contract.check(c3t3);
+  }
+}
+
 int main()
 {
   using namespace domains;
@@ -258,5 +292,6 @@ int main()
     domain.detect_features();
     test("polyhedron with features", mesh(domain, 0.25, true), domain, smooth);
   }
+  holes();
   return check::result();
 }

@@ -12,8 +12,8 @@ namespace internal {
 
 // How the vertices on surfaces move, and with that, what is believed about the domain.
 //
-// By normals: vertices follow tangential planes and are projected to the surface now and then, and normals tell on
-// which side of the surface a dual point lies; the domain is asked where that is not clear. On
+// By normals: vertices follow tangential planes and are projected to the surface now and then, and until the final state
+// normals tell on which side of the surface a dual point lies; the domain is asked where that is not clear. On
 // surfaces that are rough compared with the mesh, as those of images are, normals mean
 // little, and the domain is asked every time.
 enum class Boundary_motion { BY_NORMALS, BY_DOMAIN, NONE };

@@ -10,9 +10,11 @@
 #include <CGAL/Global_odt_mesh_3/internal/geometry/Vertex_tuples.h>
 #include <CGAL/Global_odt_mesh_3/internal/restricted/Boundary_extraction_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/restricted/Cell_knowledge.h>
+#include <CGAL/Global_odt_mesh_3/internal/restricted/Estimated_surface_center_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/restricted/Facet_shape_check_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/restricted/Fidelity_check_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/restricted/Restricted_candidate_3.h>
+#include <CGAL/Global_odt_mesh_3/internal/restricted/Surface_center_search_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/restricted/Topology_check_3.h>
 
 #include <algorithm>
@@ -29,7 +31,7 @@ namespace internal {
 //
 // A sliver with two facets on the boundary stems from four vertices in nearly one
 // plane and on one circle, so that it may as well be on the other side: where that keeps
-// the topology, two boundary facets are replaced by the two others.
+// the topology, two boundary facets are replaced by the two others, whose dual lines have to meet the surface.
 template <class Domain>
 class Boundary_peeling_3
 {
@@ -43,6 +45,7 @@ public:
     , extraction_(extraction)
     , fidelity_(fidelity)
     , shapes_(shapes)
+    , centers_(candidate, domain)
   {}
 
   void peel()
@@ -70,6 +73,7 @@ public:
 
 private:
   typedef typename Candidate::Cell_handle Cell_handle;
+  typedef typename Candidate::Facet Facet;
   typedef typename Candidate::Quadruple Quadruple;
   typedef std::map<Cell_handle, std::pair<int, int> > Peeled_cells;     // with old and new label
 
@@ -79,7 +83,7 @@ private:
 
   // Cells to be peeled that have no vertices in common: the first ones by the numbers of their vertices, since the order
   // of cells depends on how the triangulation has been made.
-  Peeled_cells flat_cells() const
+  Peeled_cells flat_cells()
   {
     std::map<Quadruple, typename Peeled_cells::value_type> flat;
     for(const auto& c : candidate_.boundary_cells)
@@ -102,7 +106,7 @@ private:
   }
 
   // The label beyond both boundary facets of a flat sliver, or no_subdomain.
-  int label_after_peeling(Cell_handle c, int label) const
+  int label_after_peeling(Cell_handle c, int label)
   {
     if(label == domain_.outside())
       return no_subdomain;
@@ -123,10 +127,20 @@ private:
       const std::array<int, 3> t = {{ q[(i + 1) % 4], q[(i + 2) % 4], q[(i + 3) % 4] }};
       if(i == facet[0] || i == facet[1])
         continue;
-      if(!shapes_.is_good(t, candidate_.sites) || !fidelity_.is_faithful(candidate_, t))
+      if(!shapes_.is_good(t, candidate_.sites) || !fidelity_.is_faithful(candidate_, t) || !has_surface_center(Facet(c, i)))
         return no_subdomain;
     }
     return domain_.label(c->neighbor(facet[0])->subdomain_index());
+  }
+
+  bool has_surface_center(Facet f)
+  {
+    if(!candidate_.numbered->is_first_side(f))
+      f = candidate_.triangulation().mirror_facet(f);
+    const std::array<int, 3> t = candidate_.numbered->vertices(f);
+    typename Candidate::Surface_center center;
+    center.point = estimated_surface_center(t, candidate_.measured_boundary, candidate_.sites);
+    return centers_.find_center(f, t, center);
   }
 
   // Cells that change the topology of the boundary stay where they were: those at vertices where
@@ -160,6 +174,7 @@ private:
   Boundary_extraction_3<Domain>& extraction_;
   const Fidelity_check_3<Domain>& fidelity_;
   const Facet_shape_check_3& shapes_;
+  Surface_center_search_3<Domain> centers_;
   std::set<Cell_handle> refused_;
 };
 

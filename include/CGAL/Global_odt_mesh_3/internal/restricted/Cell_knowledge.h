@@ -14,7 +14,7 @@ namespace internal {
 
 // What is known of a cell as long as its vertices stay, in the bits that CGAL's optimizers
 // use for facets: the cells that a vertex leaves behind are gone when it moves.
-enum Cell_knowledge { IS_SETTLED, IS_FROM_ORACLE, IS_BOUNDARY_CELL, MAY_HAVE_BOUNDARY_FACETS };
+enum Cell_knowledge { IS_SETTLED, IS_BOUNDARY_CELL, MAY_HAVE_BOUNDARY_FACETS };
 
 template <class Cell_handle>
 bool knows(Cell_handle c, Cell_knowledge k) { return c->is_facet_visited(k); }
@@ -29,7 +29,7 @@ template <class Cell_handle>
 void forget(Cell_handle c)
 {
   // Bits that threads may share are slow to write.
-  for(Cell_knowledge k : { IS_SETTLED, IS_FROM_ORACLE, IS_BOUNDARY_CELL, MAY_HAVE_BOUNDARY_FACETS })
+  for(Cell_knowledge k : { IS_SETTLED, IS_BOUNDARY_CELL, MAY_HAVE_BOUNDARY_FACETS })
     if(knows(c, k))
       forget(c, k);
 }

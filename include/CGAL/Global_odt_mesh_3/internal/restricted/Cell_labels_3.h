@@ -26,9 +26,10 @@ namespace internal {
 
 // Labels the cells of a candidate, and reports those that have no label that fits.
 //
-// Where a vertex has no boundary facet, its subdomain is the label. A cell with all
-// vertices on the boundary is labelled by the side on which its dual point lies, as seen
-// from its vertices where these agree and see it clearly, and else as the domain says.
+// Where a vertex has no boundary facet, its subdomain is the label, and the dual point has to be there. A cell with all
+// vertices on the boundary is labelled by the side on which its dual point lies. On the way, that is as seen
+// from the vertices on the boundary where these agree and see it clearly. In the end the domain tells, even far from the
+// boundary, since details that the samples miss leave holes that no facet goes around.
 template <class Domain>
 class Cell_labels_3
 {
@@ -41,43 +42,19 @@ public:
     , domain_(domain)
   {}
 
-  // Once more as long as normals are found not to tell sides; each time, that is so at other vertices.
   Report label_cells()
   {
-    for(;;)
-    {
-      Report report(candidate_);
-      has_new_doubts_ = false;
-      label_unsettled_cells(report);
-      if(!has_new_doubts_)
-        return report;
-    }
-  }
-
-private:
-  typedef typename Candidate::Triangulation Triangulation;
-  typedef typename Candidate::Quadruple Quadruple;
-  typedef typename Candidate::Cell_handle Cell_handle;
-
-  // The sine between the direction to a dual point and the tangential planes that is clear enough:
-  // in the end, and on the way.
-  static constexpr double final_margin = 0.3, margin_on_the_way = 0.05;
-  static constexpr int no_subdomain = Candidate::State::no_subdomain;
-
-  bool is_on_boundary(int v) const { return candidate_.numbering.is_on_boundary(v); }
-
-  void label_unsettled_cells(Report& report)
-  {
+    Report report(candidate_);
     const std::vector<Cell_handle>& cells = candidate_.numbered->cells();
-    const auto find_cells_at_boundary = [&](int n, std::vector<int>& found)
+    const auto find_cells_in_question = [&](int n, std::vector<int>& found)
     {
-      const bool is_labelled = is_settled(cells[n]) || label_off_boundary(cells[n]);
+      const bool is_labelled = knows(cells[n], IS_SETTLED) || label_by_vertices(cells[n]);
       if(!is_labelled || knows(cells[n], MAY_HAVE_BOUNDARY_FACETS))
         found.push_back(n);
     };
     candidate_.cells_at_boundary.clear();
     candidate_.boundary_cells.clear();
-    for(int n : collect_in_chunks(static_cast<int>(cells.size()), candidate_.threads, find_cells_at_boundary))
+    for(int n : collect_in_chunks(static_cast<int>(cells.size()), candidate_.threads, find_cells_in_question))
     {
       const Cell_handle c = cells[n];
       if(!knows(c, IS_SETTLED))
@@ -87,15 +64,19 @@ private:
       if(knows(c, IS_BOUNDARY_CELL))
         candidate_.boundary_cells.emplace_back(c, domain_.label(c->subdomain_index()));
     }
+    return report;
   }
 
-  bool is_settled(Cell_handle c) const
-  {
-    if(!knows(c, IS_SETTLED) || !candidate_.has_doubts || knows(c, IS_FROM_ORACLE) || candidate_.triangulation().is_infinite(c))
-      return knows(c, IS_SETTLED);
-    const Quadruple q = candidate_.numbers(c);
-    return std::none_of(q.begin(), q.end(), [this](int v) { return candidate_.is_doubted[v]; });
-  }
+private:
+  typedef typename Candidate::Triangulation Triangulation;
+  typedef typename Candidate::Quadruple Quadruple;
+  typedef typename Candidate::Cell_handle Cell_handle;
+
+  // The sine between the direction to a dual point and the tangential planes that is clear enough.
+  static constexpr double clear_margin = 0.05;
+  static constexpr int no_subdomain = Candidate::State::no_subdomain;
+
+  bool is_on_boundary(int v) const { return candidate_.numbering.is_on_boundary(v); }
 
   // The numbers of the vertices, and -1 for the infinite one.
   Quadruple numbers_or_infinite(Cell_handle c) const
@@ -123,8 +104,8 @@ private:
     return true;
   }
 
-  // Begins anew with a cell, and labels it if it is infinite or no vertex is on the boundary; whether it has done so.
-  bool label_off_boundary(Cell_handle c) const
+  // Begins anew with a cell, and labels it if its vertices are enough for that; whether it has done so.
+  bool label_by_vertices(Cell_handle c) const
   {
     forget(c);
     const Quadruple q = numbers_or_infinite(c);
@@ -133,8 +114,9 @@ private:
       = is_infinite ? 0 : std::count_if(q.begin(), q.end(), [this](int v) { return is_on_boundary(v); });
     if(on_boundary >= 3)
       note(c, MAY_HAVE_BOUNDARY_FACETS);
+    const bool is_in_question = on_boundary > 0 || (!is_infinite && candidate_.is_thorough());
     int label;
-    if(on_boundary > 0 || !find_label(q, label))
+    if(is_in_question || !find_label(q, label))
       return false;
     c->set_subdomain_index(domain_.subdomain(label));
     note(c, IS_SETTLED);
@@ -176,40 +158,17 @@ private:
     return candidate_.boundary_moves() ? dual_label(c, q) : label_from_domain(c);
   }
 
-  // The subdomain in which the dual point of the cell lies: as the normals at its
-  // vertices tell, or as the domain says. The domain is asked where the normals are not
-  // clear; where it contradicts them nevertheless, they are not believed any more.
+  // The subdomain in which the dual point of the cell lies.
   int dual_label(Cell_handle c, const Quadruple& q)
   {
-    const double margin = candidate_.is_final ? final_margin : margin_on_the_way;
-    const bool asks_domain = candidate_.motion == Boundary_motion::BY_DOMAIN;
-    const bool is_doubtful = asks_domain
-      || std::any_of(q.begin(), q.end(), [this](int v) { return is_on_boundary(v) && candidate_.is_doubted[v]; });
-    const int seen = is_doubtful ? int(no_subdomain) : label_seen_from_boundary(q, margin);
-    if(seen != no_subdomain)
-      return seen;
-    const int label = label_from_domain(c);
-    note(c, IS_FROM_ORACLE);
-    if(candidate_.is_final && !asks_domain)
-    {
-      const int expected = label_seen_from_boundary(q, margin / 2);
-      if(expected != no_subdomain && expected != label)
-        doubt(q);
-    }
-    return label;
+    const int seen = candidate_.is_thorough() ? int(no_subdomain) : label_seen_from_boundary(q);
+    return seen != no_subdomain ? seen : label_from_domain(c);
   }
 
   int label_from_domain(Cell_handle c) { return domain_.label_at(candidate_.triangulation().dual(c)); }
 
-  void doubt(const Quadruple& q)
-  {
-    for(int v : q)
-      if(is_on_boundary(v) && !candidate_.is_doubted[v])
-        candidate_.is_doubted[v] = candidate_.has_doubts = has_new_doubts_ = true;
-  }
-
   // The label of the dual point if all vertices on the boundary agree about it.
-  int label_seen_from_boundary(const Quadruple& q, double margin) const
+  int label_seen_from_boundary(const Quadruple& q) const
   {
     const std::vector<Site>& sites = candidate_.sites;
     const Site& origin = sites[q[0]];
@@ -220,7 +179,7 @@ private:
     {
       if(!is_on_boundary(v))
         continue;
-      const int l = candidate_.measured_boundary.label_toward(v, dual - position(sites[v]), margin);
+      const int l = candidate_.measured_boundary.label_toward(v, dual - position(sites[v]), clear_margin);
       if(l == no_subdomain || (label != no_subdomain && l != label))
         return no_subdomain;
       label = l;
@@ -230,7 +189,6 @@ private:
 
   Candidate& candidate_;
   Domain& domain_;
-  bool has_new_doubts_ = false;
 };
 
 } // namespace internal

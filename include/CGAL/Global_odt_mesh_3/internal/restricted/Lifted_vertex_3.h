@@ -44,7 +44,7 @@ public:
   {
     Quadruple vertices;                                   // -1 for the infinite one
     int label;
-    Eigen::Vector3d dual = Eigen::Vector3d::Zero();       // of new cells with vertices on the boundary
+    Eigen::Vector3d dual = Eigen::Vector3d::Zero();       // of new cells that are finite
   };
 
   explicit Lifted_vertex_3(Complex& complex) : complex_(complex) {}
@@ -103,8 +103,7 @@ public:
     {
       Cell& c = new_cells_[n];
       const Quadruple& q = c.vertices;
-      const auto is_on_boundary = [this](int v) { return complex_.numbering.is_on_boundary(v); };
-      if(*std::min_element(q.begin(), q.end()) < 0 || std::none_of(q.begin(), q.end(), is_on_boundary))
+      if(*std::min_element(q.begin(), q.end()) < 0)
         continue;
       const auto dual = triangulation().geom_traits().construct_weighted_circumcenter_3_object()(
         complex_.point(q[0]), complex_.point(q[1]), complex_.point(q[2]), complex_.point(q[3]));

@@ -77,8 +77,6 @@ struct Restricted_candidate_3
   // What the domain has said of facets holds until their vertices move.
   std::unordered_map<Triple, Surface_center, boost::hash<Triple> > known_centers;
   std::unordered_map<Triple, double, boost::hash<Triple> > known_distances;
-  std::vector<char> is_doubted;               // vertices whose normals do not tell sides
-  bool has_doubts = false;
   std::set<Quadruple> tolerated_cells;
   std::map<int, int> times_sent_back, times_pushed;           // of vertices
 
@@ -92,7 +90,6 @@ struct Restricted_candidate_3
     , sites(target)
     , homes(from.sites)
     , surface_positions(from.surface_positions)
-    , is_doubted(from.sites.size(), false)
     , tolerated_cells(from.tolerated_cells)
   {
     for(int v = numbering.number_of_interior_vertices; v < numbering.number_of_movable_vertices; ++v)

@@ -1,0 +1,102 @@
+// Copyright (c) 2026 The Global_odt_mesh_3 authors.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_GLOBAL_ODT_MESH_3_INTERNAL_RESTRICTED_SURFACE_CENTER_SEARCH_3_H
+#define CGAL_GLOBAL_ODT_MESH_3_INTERNAL_RESTRICTED_SURFACE_CENTER_SEARCH_3_H
+
+#include <CGAL/Global_odt_mesh_3/internal/geometry/Facet_dual_3.h>
+#include <CGAL/Global_odt_mesh_3/internal/geometry/Point_coordinates.h>
+#include <CGAL/Global_odt_mesh_3/internal/restricted/Restricted_candidate_3.h>
+
+#include <Eigen/Core>
+
+#include <cmath>
+
+namespace CGAL {
+namespace Global_odt_mesh_3 {
+namespace internal {
+
+// Finds where the dual line of a facet meets the surface.
+template <class Domain>
+class Surface_center_search_3
+{
+public:
+  typedef Restricted_candidate_3<typename Domain::Triangulation> Candidate;
+  typedef typename Candidate::Facet Facet;
+  typedef typename Candidate::Surface_center Surface_center;
+  typedef typename Candidate::Triple Triple;
+
+  Surface_center_search_3(Candidate& candidate, Domain& domain)
+    : candidate_(candidate)
+    , domain_(domain)
+  {}
+
+  // Puts the center of a facet with these vertices, which is expected where it is, onto the surface; false if there is none.
+  bool find_center(const Facet& facet, const Triple& t, Surface_center& center)
+  {
+    const auto known = candidate_.known_centers.find(t);
+    if(known != candidate_.known_centers.end())
+    {
+      if(known->second.is_exact)
+        center = known->second;
+      return known->second.is_exact;
+    }
+    const Vector expected = center.point;
+    const Facet_dual_3 dual(t, candidate_.sites);
+    center.is_exact = false;
+    for(const auto& s : segments_to_search)
+      if(put_on_segment(expected + s[0] * dual.radius * dual.normal, dual.normal, s[1] * dual.radius, center))
+        break;
+    if(!center.is_exact)
+      put_on_dual_segment(facet, dual, center);
+    candidate_.known_centers.emplace(t, center);
+    return center.is_exact;
+  }
+
+private:
+  typedef typename Candidate::Cell_handle Cell_handle;
+  typedef typename Candidate::State::Index Index;
+  typedef typename Candidate::Triangulation Triangulation;
+  typedef typename Triangulation::Bare_point Bare_point;
+  typedef Eigen::Vector3d Vector;
+
+  // The middle from where the surface is expected, and half the length, over the radius of the facet.
+  // Both ends of a segment across a thin part are outside, hence those to one side only.
+  static constexpr double segments_to_search[][2] = { { 0, 0.3 }, { 0, 1 }, { 0.15, 0.15 }, { -0.15, 0.15 },
+                                                      { 0.5, 0.5 }, { -0.5, 0.5 }, { 0, 3 } };
+
+  // Leaves what is known of the facet's centroid.
+  bool put_on_segment(Vector middle, const Vector& direction, double half_length, Surface_center& center)
+  {
+    Index index;
+    if(!domain_.intersect(middle, direction, half_length, index))
+      return false;
+    center.point = middle;
+    center.stored = Bare_point(middle[0], middle[1], middle[2]);
+    center.index = index;
+    center.is_exact = true;
+    return true;
+  }
+
+  // Where the surface is far from the facet, it is crossed between the dual points of its cells.
+  void put_on_dual_segment(const Facet& facet, const Facet_dual_3& dual, Surface_center& center)
+  {
+    const Triangulation& tr = candidate_.triangulation();
+    const Cell_handle c = facet.first, d = c->neighbor(facet.second);
+    if(tr.is_infinite(c) || tr.is_infinite(d))
+      return;
+    const double from = dual.height(coordinates(tr.dual(c))), to = dual.height(coordinates(tr.dual(d)));
+    put_on_segment(dual.point_at((from + to) / 2), dual.normal, std::abs(to - from) / 2, center);
+  }
+
+  Candidate& candidate_;
+  Domain& domain_;
+};
+
+} // namespace internal
+} // namespace Global_odt_mesh_3
+} // namespace CGAL
+
+#endif // CGAL_GLOBAL_ODT_MESH_3_INTERNAL_RESTRICTED_SURFACE_CENTER_SEARCH_3_H
