@@ -9,8 +9,8 @@
 //   14, 15  CAD parts, and meshes of many cells: joint and fandisk; the armadillo, of two sizes
 //   17      interleaved refinement and optimization, global ODT, both with CGAL's perturb_mesh_3(), Lloyd's method, and the
 //           default call: the elephant
-//   2       the seconds of each stage of the default call on four sizes of the elephant (Table 2), and those of CGAL's exact
-//           triangulation of the vertices (Figure 21)
+//   2       the seconds of each stage of NODT, Algorithms 1 and 2, and the default call on four sizes of the elephant (Table 2),
+//           and those of CGAL's exact triangulation of the vertices (Figure 21)
 //
 //   improve_models 12|14|15|17|2 [factor on the sizes of cells, default 1 [directory for rows and pictures]]
 //
@@ -28,8 +28,8 @@
 #include <CGAL/odt_optimize_mesh_3.h>
 #include <CGAL/perturb_mesh_3.h>
 #include <CGAL/refine_mesh_3.h>
-#include <CGAL/remesh_boundary_mesh_3.h>
 
+#include <array>
 #include <cmath>
 #include <cstdlib>
 #include <fstream>
@@ -71,14 +71,49 @@ static void perturb(C3t3& c3t3, const Domain& domain)
   CGAL::perturb_mesh_3(c3t3, domain, params::sliver_bound = 20, params::time_limit = 120);
 }
 
-// Algorithm 1 of the paper, or Algorithm 2 if there are rounds: the boundary is remeshed and fixed then.
-static void run_algorithm(C3t3& c3t3, const Domain& domain, std::size_t rounds)
+// The seconds of the stages of one call or several, as far as they are of this package.
+class Stages
 {
-  CGAL::remesh_boundary_mesh_3(c3t3, domain);
-  CGAL::odt_optimize_mesh_3(c3t3, domain, params::optimize_boundary = false, params::do_remove_slivers = false,
-                            params::do_freeze = false, params::convergence = 0, params::max_iteration_number = 700,
-                            params::number_of_rounds = rounds,
-                            params::annealing_schedule = CGAL::Metropolis_annealing_schedule());
+public:
+  void run(C3t3& c3t3, const Domain& domain, odt::Odt_task task, const odt::Odt_parameters& parameters)
+  {
+    typedef CGAL::Mesh_3::Null_global_optimizer_visitor<C3t3> Visitor;
+    Visitor visitor;
+    odt::Odt_mesh_optimizer_3<C3t3, Domain, Visitor> optimizer(c3t3, domain, task, parameters, visitor);
+    all_ += seconds([&] { optimizer(); });
+    for(int s = 0; s < Clock::NUMBER_OF_STAGES; ++s)
+      seconds_[s] += optimizer.clock().seconds(s).all;
+  }
+
+  double all() const { return all_; }
+
+  std::string remesh_search_minimize_restrict_slivers_other() const
+  {
+    return text("%.2f, %.2f, %.2f, %.2f, %.2f, %.2f", seconds_[Clock::REMESH], seconds_[Clock::SEARCH], seconds_[Clock::MINIMIZE],
+                seconds_[Clock::TRIANGULATE] + seconds_[Clock::CHECK] + seconds_[Clock::FLATTEN], seconds_[Clock::REMOVE_SLIVERS],
+                seconds_[Clock::READ] + seconds_[Clock::DENSITY] + seconds_[Clock::WRITE] + seconds_[Clock::OTHER]);
+  }
+
+private:
+  typedef odt::Stage_clock Clock;
+
+  double all_ = 0;
+  std::array<double, Clock::NUMBER_OF_STAGES> seconds_ = {};
+};
+
+// Algorithm 1 of the paper, or Algorithm 2 if there are rounds: the boundary is remeshed and fixed then.
+static Stages run_algorithm(C3t3& c3t3, const Domain& domain, std::size_t rounds)
+{
+  odt::Odt_parameters parameters;
+  Stages stages;
+  stages.run(c3t3, domain, odt::Odt_task::REMESH_BOUNDARY, parameters);
+  parameters.optimize_boundary = parameters.do_remove_slivers = parameters.do_freeze = false;
+  parameters.convergence = 0;
+  parameters.max_iteration_number = 700;
+  parameters.number_of_rounds = rounds;
+  parameters.annealing_schedule = CGAL::Metropolis_annealing_schedule();
+  stages.run(c3t3, domain, odt::Odt_task::OPTIMIZE, parameters);
+  return stages;
 }
 
 struct Energy_visitor
@@ -243,22 +278,23 @@ static void table_2(Paper_record& record, double factor)
     for(auto v = c3t3.triangulation().finite_vertices_begin(); v != c3t3.triangulation().finite_vertices_end(); ++v)
       points.push_back(c3t3.triangulation().point(v));
     const double triangulating = seconds([&] { Polyhedral_triangulation().insert(points.begin(), points.end()); });
-    typedef CGAL::Mesh_3::Null_global_optimizer_visitor<C3t3> Visitor;
-    Visitor visitor;
-    const odt::Odt_parameters parameters;
-    odt::Odt_mesh_optimizer_3<C3t3, Domain, Visitor> optimizer(c3t3, domain, odt::Odt_task::OPTIMIZE, parameters, visitor);
-    const double all = seconds([&] { optimizer(); });
-    const auto stage = [&](int s) { return optimizer.clock().seconds(s).all; };
-    typedef odt::Stage_clock Clock;
-    record.row("Table 2", text("elephant of %zu vertices: CPU seconds of meshing, and of the default call; of these: remesh, "
-                               "search, minimize, restrict, slivers, other", points.size()), "-",
-               text("%.2f, %.2f; %.2f, %.2f, %.2f, %.2f, %.2f, %.2f", meshing, all, stage(Clock::REMESH), stage(Clock::SEARCH),
-                    stage(Clock::MINIMIZE), stage(Clock::TRIANGULATE) + stage(Clock::CHECK) + stage(Clock::FLATTEN),
-                    stage(Clock::REMOVE_SLIVERS),
-                    stage(Clock::READ) + stage(Clock::DENSITY) + stage(Clock::WRITE) + stage(Clock::OTHER)));
+    C3t3 nodt(c3t3), local(c3t3), global(c3t3);
+    const double all_of_nodt = seconds([&] { odt_of_mesh_3(nodt, domain, 60); });
+    Stages ours;
+    ours.run(c3t3, domain, odt::Odt_task::OPTIMIZE, odt::Odt_parameters());
+    const std::string name = text("elephant of %zu vertices", points.size());
+    record.row("Table 2", name + ": CPU seconds of meshing, and of 60 iterations of NODT", "-", text("%.2f, %.2f", meshing, all_of_nodt));
+    const auto show = [&](const std::string& method, const Stages& stages)
+    {
+      record.row("Table 2", name + ": CPU seconds of " + method + "; of these: remesh, search, minimize, restrict, slivers, other", "-",
+                 text("%.2f; ", stages.all()) + stages.remesh_search_minimize_restrict_slivers_other());
+    };
+    show("Algorithm 1", run_algorithm(local, domain, 0));
+    show("Algorithm 2", run_algorithm(global, domain, 20));
+    show("the default call", ours);
     record.row("21", text("CPU seconds of CGAL's exact triangulation of %zu vertices", points.size()), "-",
                text("%.3f", triangulating));
-    totals.emplace_back(double(points.size()), all);
+    totals.emplace_back(double(points.size()), ours.all());
   }
   const double growth = std::log(totals.back().second / totals.front().second)
                       / std::log(totals.back().first / totals.front().first);

@@ -1,0 +1,112 @@
+#!/usr/bin/env bash
+# Builds and runs the examples of CGAL's own packages Mesh_3 and Periodic_3_mesh_3, as Debian ships them, three times: as
+# they are; with the headers of this package first; and so with odt() added to each call of make_mesh_3().
+#
+#   run_examples_of_mesh_3.sh [--output directory, default build-mesh-3-examples] [example ...]
+#
+# Without any, all examples. With our headers, those that do not call an ODT optimizer have to write the same files, if they
+# do so each time they run as they are (CGAL's perturbation depends on addresses); all others, meshes with the same numbers of
+# vertices, edges of features, corners, and the same subdomains and patches. The exit status says whether that is so.
+set -euo pipefail
+cd "$(dirname "$0")/.."
+root=$PWD
+output=build-mesh-3-examples
+examples=()
+while [ $# -gt 0 ]; do
+  case $1 in
+    --output) output=$2; shift ;;
+    -*) sed -n '2,11s/^# \{0,1\}//p' "$0" >&2; exit 2 ;;
+    *) examples+=("$1") ;;
+  esac
+  shift
+done
+scripts/install_dependencies.sh
+mkdir -p "$output"
+output=$(cd "$output" && pwd)
+most_seconds=600
+tar xzf /usr/share/doc/libcgal-dev/examples.tar.gz -C "$output" examples/Mesh_3 examples/Periodic_3_mesh_3
+[ -d "$output/data/meshes" ] || tar xzf /usr/share/doc/libcgal-demo/data.tar.gz -C "$output"
+export CGAL_DATA_DIR=$output/data
+
+# The names of the examples in a directory.
+names() { sed -n 's/.*create_single_source_cgal_program( *"\{0,1\}\([a-zA-Z0-9_]*\)\.cpp.*/\1/p; s/^ *"\([a-zA-Z0-9_]*\)\.cpp".*/\1/p' "$1/CMakeLists.txt" | grep -v '^implicit_functions$' | sort -u; }
+
+# build VARIANT PACKAGE: all examples wanted, as far as they can be built.
+build() {
+  local directory=$output/$1/$2
+  rm -rf "$directory"
+  mkdir -p "$directory"
+  cp -r "$output/examples/$2" "$directory/source"
+  [ "$1" != odt ] || sed -i -E '/odt|lloyd/!s/(make_(periodic_3_)?mesh_3<[A-Za-z0-9_]*>\([a-z_]*domain, *[a-z_]*criteria)/\1, CGAL::parameters::odt()/' "$directory"/source/*.cpp
+  local flags=""
+  [ "$1" = plain ] || flags="-I$root/include"
+  cmake -S "$directory/source" -B "$directory/build" -DCMAKE_BUILD_TYPE=Release -DCMAKE_CXX_FLAGS="$flags" \
+        -DCMAKE_CXX_COMPILER_LAUNCHER=ccache > "$directory/log.txt" 2>&1
+  local name
+  for name in $(names "$directory/source"); do
+    ! is_wanted "$name" || echo "$name"
+  done > "$directory/wanted.txt"
+  [ -s "$directory/wanted.txt" ] || return 0
+  # shellcheck disable=SC2046
+  make -C "$directory/build" -k -j"${JOBS:-2}" $(cat "$directory/wanted.txt") >> "$directory/log.txt" 2>&1 || true
+}
+
+is_wanted() {
+  [ ${#examples[@]} -eq 0 ] && return 0
+  local e
+  for e in "${examples[@]}"; do [ "$e" = "$1" ] && return 0; done
+  return 1
+}
+
+# run VARIANT PACKAGE NAME [RUN]: in a directory of its own.
+run() {
+  local directory=$output/$1/$2/runs${4:-}/$3
+  rm -rf "$directory"
+  mkdir -p "$directory"
+  ln -s "$output/examples/$2/data" "$directory/data"
+  (cd "$directory" && timeout "$most_seconds" "../../build/$3" > out.txt 2> err.txt < /dev/null)
+}
+
+# What has to be the same for a mesh file, whatever the places of its vertices.
+invariants() {
+  awk '/^(Vertices|Edges|Corners|Triangles|Tetrahedra)$/ { what = $1; getline; count = $1; for(n = 0; n < count; ++n) { getline; label[what " " $NF] }
+         if(what != "Triangles" && what != "Tetrahedra") print what, count }
+       END { for(l in label) if(l ~ /^(Triangles|Tetrahedra)/) print l }' "$1" | sort
+}
+
+status=0
+fail() { echo "FAILED: $1"; status=1; }
+
+for package in Mesh_3 Periodic_3_mesh_3; do
+  for variant in plain ours odt; do build $variant $package; done
+  for name in $(cat "$output/plain/$package/wanted.txt"); do
+    if [ ! -x "$output/plain/$package/build/$name" ]; then
+      echo "$name: cannot be built"
+      continue
+    fi
+    if ! run plain $package "$name" || ! run plain $package "$name" _again; then
+      echo "$name: does not run"
+      continue
+    fi
+    for variant in ours odt; do
+      if [ ! -x "$output/$variant/$package/build/$name" ]; then
+        fail "$name, $variant: cannot be built"
+      elif ! run $variant $package "$name"; then
+        fail "$name, $variant: does not run"
+      else
+        for file in "$output/plain/$package/runs/$name"/*.mesh; do
+          [ -f "$file" ] || continue
+          other=$output/$variant/$package/runs/$name/$(basename "$file")
+          again=$output/plain/$package/runs_again/$name/$(basename "$file")
+          if [ $variant = ours ] && cmp -s "$file" "$again" && ! grep -q odt "$output/examples/$package/$name.cpp"; then
+            cmp -s "$file" "$other" || fail "$name, $variant: $(basename "$file") is another"
+          else
+            diff <(invariants "$file") <(invariants "$other") > /dev/null || fail "$name, $variant: $(basename "$file") has other vertices, features or labels"
+          fi
+        done
+      fi
+    done
+    echo "$name: done"
+  done
+done
+exit $status
