@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # Installs what is missing, builds and runs the tests: all with the system's
 # CGAL, along with the examples, those of the contract also with the CGAL of Debian 13 and of Debian
-# testing.
+# testing. Then repeats the paper's experiments on small meshes.
 #
 #   [JOBS=n] run_tests.sh [build directory]
 #
@@ -40,4 +40,6 @@ for suite in testing trixie; do
   esac
 done
 run system ""
+echo "=== a quick run of the paper's experiments ==="
+JOBS=$jobs scripts/reproduce_paper.sh --quick --output "$build/paper" || status=1
 exit $status
