@@ -184,7 +184,9 @@ private:
       const double volume = it == after.volume.end() ? 0 : it->second;
       sum += volume;
       sum_before += v.second;
-      check::that(std::abs(volume - v.second) <= of_subdomain * v.second + 1e-11 * before_.box_volume,
+      // A speck of an image that is one cell or two may become any tetrahedron.
+      const bool is_speck = before_.cells_in_subdomain.at(v.first) < 4 && of_subdomain > 0.01;
+      check::that(is_speck || std::abs(volume - v.second) <= of_subdomain * v.second + 1e-11 * before_.box_volume,
                   n, "volume of a subdomain changed by ", volume - v.second, " of ", v.second);
     }
     check::that(std::abs(sum - sum_before) <= of_all * sum_before + 1e-11 * before_.box_volume, n, "volume changed from ",
@@ -275,6 +277,7 @@ private:
     std::multiset<std::pair<Point, std::string> > corners;
     std::multiset<std::pair<Segment, std::string> > edges;
     std::map<Subdomain_index, double> volume;
+    std::map<Subdomain_index, std::size_t> cells_in_subdomain;
     std::multiset<Point> all_points;
 
     State(const C3t3& c3t3, const Domain& domain)
@@ -364,6 +367,7 @@ private:
         if(!c3t3.is_in_complex(c))
           continue;
         ++cells;
+        ++cells_in_subdomain[label];
         std::array<Point, 4> p;
         for(int i = 0; i < 4; ++i)
           p[i] = point(tr, c->vertex(i));

@@ -91,8 +91,12 @@ public:
     std::vector<std::vector<Site_gradient> > gradient_at_seams(number_of_blocks_);
     const std::thread::id caller = std::this_thread::get_id();
     std::atomic<bool> stops(false);
-    threads_.for_each_chunk(number_of_blocks_, [&](int n)
+    std::atomic<int> number_of_begun(0);
+    const std::vector<int> order = partition.largest_first();
+    // Each thread takes the largest block that is left, whatever the number that it gets.
+    threads_.for_each_chunk(number_of_blocks_, [&](int)
     {
+      const int n = order[number_of_begun++];
       if(std::this_thread::get_id() == caller && !may_go_on())
         stops = true;
       Moving_triangulation_3 part;

@@ -20,6 +20,7 @@
 #include <array>
 #include <atomic>
 #include <cstddef>
+#include <numeric>
 #include <vector>
 
 namespace CGAL {
@@ -60,6 +61,15 @@ public:
   const Buckets& cells() const { return cells_; }
   // Those with all their cells in one block.
   const Buckets& vertices() const { return vertices_; }
+
+  // The blocks, so that threads that take one after the other end at about the same time.
+  std::vector<int> largest_first() const
+  {
+    std::vector<int> order(number_of_blocks());
+    std::iota(order.begin(), order.end(), 0);
+    std::stable_sort(order.begin(), order.end(), [this](int a, int b) { return cells_.size(a) > cells_.size(b); });
+    return order;
+  }
 
 private:
   static constexpr int no_block = -1, several_blocks = -1, samples_of_block = 200;
