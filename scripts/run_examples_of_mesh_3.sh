@@ -46,9 +46,9 @@ build() {
   for name in $(names "$directory/source"); do
     ! is_wanted "$name" || echo "$name"
   done > "$directory/wanted.txt"
-  [ -s "$directory/wanted.txt" ] || return 0
-  # shellcheck disable=SC2046
-  make -C "$directory/build" -k -j"${JOBS:-2}" $(cat "$directory/wanted.txt") >> "$directory/log.txt" 2>&1 || true
+  # The targets of one makefile are built one after another, hence a process for each.
+  xargs -r -P "${JOBS:-2}" -I '{}' cmake --build "$directory/build" --target '{}' < "$directory/wanted.txt" \
+    >> "$directory/log.txt" 2>&1 || true
 }
 
 is_wanted() {

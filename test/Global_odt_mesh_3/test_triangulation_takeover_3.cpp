@@ -436,8 +436,38 @@ static void filter()
   check::that(proven > 4000 && near > 1000, "the filter proves nothing");
 }
 
+// A vertex that another one hides, or that comes to a place that is taken, is known to be so, and can be moved to where it
+// is seen again.
+static void hiding_vertices()
+{
+  typedef Labeled_triangulation::Weighted_point Weighted_point;
+  const auto at = [](const Site& s) { return Weighted_point(Labeled_triangulation::Bare_point(s.x, s.y, s.z), s.weight); };
+  // A ball, a vertex within it, which an octahedron leaves visible, and one that comes to hide it.
+  std::vector<Site> sites = { { 0, 0, 0, 1 }, { 0.9, 0, 0, 0 }, { 2, 0.1, 0.1, 0 }, { 3, 0, 0, 0 }, { -3, 0, 0, 0 }, { 0, 3, 0, 0 },
+                              { 0, -3, 0, 0 }, { 0, 0, 3, 0 }, { 0, 0, -3, 0 } };
+  std::vector<Weighted_point> points;
+  for(const Site& s : sites)
+    points.push_back(at(s));
+  Numbered_triangulation_3<Labeled_triangulation> numbered;
+  numbered.build(points, sites);
+  check::that(numbered.is_complete(), "a visible vertex is not there");
+  numbered.move(2, at({ 1.1, 0, 0, 0 }));
+  check::that(!numbered.is_complete() && !numbered.is_visible(1) && numbered.is_visible(2), "a hidden vertex is not noticed");
+  numbered.move(1, at({ 0, 2, 0, 0 }));
+  check::that(numbered.is_complete() && numbered.triangulation().is_valid(), "a hidden vertex cannot be moved");
+  numbered.move(1, at({ 0, 3, 0, 0 }));
+  check::that(!numbered.is_complete() && !numbered.is_visible(1) && numbered.is_visible(5), "a taken place is not noticed");
+  numbered.move(2, points[2]);
+  numbered.move(1, points[1]);
+  for(int v = 0; v < static_cast<int>(points.size()); ++v)
+    check::that(numbered.is_visible(v) && numbered.triangulation().point(numbered.vertex(v)) == points[v],
+                "vertex ", v, " is not where it was");
+  check::that(numbered.triangulation().is_valid(), "the triangulation is not valid after all vertices are back");
+}
+
 int main()
 {
+  hiding_vertices();
   std::cout << "seeds: 1 to 9, 10 to 14" << std::endl;
   filter();
   lattices();

@@ -20,6 +20,7 @@
 #include <iterator>
 #include <numeric>
 #include <set>
+#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -119,7 +120,8 @@ public:
            && std::find(vertices_.begin(), vertices_.end(), Vertex_handle()) == vertices_.end();
   }
 
-  bool is_visible(int v) const { return vertices_[v] != Vertex_handle() && number(vertices_[v]) == v; }
+  // Whether the vertex is in the triangulation, and not hidden.
+  bool is_visible(int v) const { return vertices_[v] != Vertex_handle(); }
 
   void move(int v, const Weighted_point& p)
   {
@@ -174,12 +176,31 @@ private:
     cells_.clear();
     const std::size_t before = tr_.number_of_vertices();
     const Vertex_handle h = hint == Cell_handle() ? tr_.insert(p) : tr_.insert(p, hint);
-    vertices_[v] = h;
+    vertices_[v] = Vertex_handle();
     if(h == Vertex_handle())
       return;
-    if(tr_.number_of_vertices() > before)
+    // Unless it is that of another number at the same place.
+    if(tr_.number_of_vertices() > before || std::find(vertices_.begin(), vertices_.end(), h) == vertices_.end())
+    {
+      vertices_[v] = h;
       h->set_meshing_info(v);
+      if(tr_.number_of_vertices() != before + 1)
+        forget_hidden_vertices();
+    }
     hint = h->cell();
+  }
+
+  // Of vertices that another one hides, nothing is left in the triangulation.
+  void forget_hidden_vertices()
+  {
+    std::vector<Vertex_handle> visible(vertices_.size());
+    for(Vertex_handle h : tr_.finite_vertex_handles())
+    {
+      const int v = number(h);
+      if(0 <= v && v < static_cast<int>(visible.size()) && vertices_[v] == h)
+        visible[v] = h;
+    }
+    vertices_ = std::move(visible);
   }
 
   Triangulation tr_;
