@@ -75,8 +75,8 @@ using Optimization_parameters = std::conditional_t<
   Parameter_list<tags::time_limit, tags::max_iteration_number, tags::convergence, tags::freeze_bound, tags::do_freeze,
                  tags::sliver_bound, internal_np::do_remove_slivers_t, tags::sizing_field, internal_np::density_t,
                  internal_np::quadrature_t, internal_np::annealing_schedule_t, internal_np::number_of_rounds_t,
-                 internal_np::optimize_boundary_t, internal_np::surface_weight_t, internal_np::random_seed_t,
-                 internal_np::callback_t, internal_np::visitor_t> >;
+                 internal_np::optimize_boundary_t, internal_np::surface_weight_t, internal_np::domain_is_thread_safe_t,
+                 internal_np::random_seed_t, internal_np::callback_t, internal_np::visitor_t> >;
 
 template <class T>
 T& unwrap(T& t) { return t; }
@@ -167,10 +167,10 @@ cells of `c3t3` become invalid.
 If `C3T3::Triangulation::Concurrency_tag` is convertible to `CGAL::Parallel_tag` and the program links TBB, search and
 minimization run on several threads, within the limits of the caller's `tbb::global_control` and `tbb::task_arena`: meshes
 of more than 40,000 vertices are searched in blocks, on which threads work independently, unless fields
-of the user are evaluated. Surfaces are restricted to the domain, and slivers removed, on one thread.
+of the user are evaluated. Slivers are removed on one thread.
 The result is the same, bit for bit, for any number of threads, and for the same mesh with `CGAL::Sequential_tag`.
-The domain, fields, the callback and the visitor are only called from the thread that calls this function; in a search
-in blocks, the visitor is told of ten iterations at once.
+Fields, the callback and the visitor, and the domain unless `domain_is_thread_safe` is `true`, are only called from the
+thread that calls this function; in a search in blocks, the visitor is told of ten iterations at once.
 
 Meshes in periodic triangulations are handed over to `CGAL::Mesh_3::Mesh_global_optimizer`, which
 knows the first five parameters only. As with the function of Mesh_3, a program that uses them must not link TBB.
@@ -302,6 +302,12 @@ version of %CGAL in use accepts: `parameters::time_limit = 10, parameters::do_fr
     \cgalParamDescription{whether slivers are removed; otherwise the mesh is left where its energy has converged.}
     \cgalParamType{`bool`}
     \cgalParamDefault{`true`}
+  \cgalParamNEnd
+  \cgalParamNBegin{domain_is_thread_safe}
+    \cgalParamDescription{whether several threads may query the domain at the same time, as the parallel mesh generation
+                          of \cgal does. It has no effect on the result, nor where only one thread is used.}
+    \cgalParamType{`bool`}
+    \cgalParamDefault{`false`}
   \cgalParamNEnd
   \cgalParamNBegin{random_seed}
     \cgalParamDescription{the seed of all random choices.}

@@ -23,7 +23,7 @@ namespace internal {
 
 // What remesh_boundary_mesh_3() reads.
 typedef Parameter_list<tags::time_limit, tags::max_iteration_number, tags::sizing_field, internal_np::density_t,
-                       internal_np::callback_t, internal_np::visitor_t> Remeshing_parameters;
+                       internal_np::domain_is_thread_safe_t, internal_np::callback_t, internal_np::visitor_t> Remeshing_parameters;
 
 } // namespace internal
 } // namespace Global_odt_mesh_3
@@ -74,6 +74,11 @@ The guarantees are those of `odt_optimize_mesh_3()`, also if the domain or the c
     \cgalParamDescription{as for `odt_optimize_mesh_3()`}
     \cgalParamType{a model of `MeshDensity_3`}
     \cgalParamDefault{that of the input's cells}
+  \cgalParamNEnd
+  \cgalParamNBegin{domain_is_thread_safe}
+    \cgalParamDescription{as for `odt_optimize_mesh_3()`}
+    \cgalParamType{`bool`}
+    \cgalParamDefault{`false`}
   \cgalParamNEnd
   \cgalParamNBegin{callback}
     \cgalParamDescription{a functor called before every iteration with the fraction done; when it returns `false` the

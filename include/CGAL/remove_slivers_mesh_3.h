@@ -21,8 +21,9 @@ namespace Global_odt_mesh_3 {
 namespace internal {
 
 // What remove_slivers_mesh_3() reads.
-typedef Parameter_list<tags::time_limit, tags::sliver_bound, internal_np::optimize_boundary_t, internal_np::random_seed_t,
-                       internal_np::callback_t, internal_np::visitor_t> Sliver_removal_arguments;
+typedef Parameter_list<tags::time_limit, tags::sliver_bound, internal_np::optimize_boundary_t,
+                       internal_np::domain_is_thread_safe_t, internal_np::random_seed_t, internal_np::callback_t,
+                       internal_np::visitor_t> Sliver_removal_arguments;
 
 } // namespace internal
 } // namespace Global_odt_mesh_3
@@ -65,6 +66,11 @@ The guarantees are those of `odt_optimize_mesh_3()`, also if the domain or the c
     \cgalParamDescription{whether vertices of dimension 2 move on the surface}
     \cgalParamType{`bool`}
     \cgalParamDefault{`true`}
+  \cgalParamNEnd
+  \cgalParamNBegin{domain_is_thread_safe}
+    \cgalParamDescription{as for `odt_optimize_mesh_3()`}
+    \cgalParamType{`bool`}
+    \cgalParamDefault{`false`}
   \cgalParamNEnd
   \cgalParamNBegin{random_seed}
     \cgalParamDescription{the seed of all random choices}

@@ -4,7 +4,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 // A mesh that is made for threads: the result does not depend on how many there are, nor on whether there are any, and
-// what the user gives is called from one only. What it throws comes out, and leaves the mesh.
+// what the user gives is called from one only, but for a domain that is said to be safe. What it throws comes out, and leaves
+// the mesh.
 
 #include "check.h"
 
@@ -23,6 +24,7 @@
 
 #include <algorithm>
 #include <array>
+#include <atomic>
 #include <cstddef>
 #include <iostream>
 #include <sstream>
@@ -70,13 +72,22 @@ C3t3 read(const std::string& mesh)
   return c3t3;
 }
 
-// The thread that may call, and whether another one does.
+// The thread that calls first, and whether another one does; calls fail after some.
 struct Caller
 {
   std::thread::id thread = std::this_thread::get_id();
-  bool is_other = false;
+  std::atomic<bool> is_other{false};
+  std::atomic<long> calls_left{most_calls};
 
-  void check() { is_other = is_other || std::this_thread::get_id() != thread; }
+  static constexpr long most_calls = 1000000000;
+
+  void check()
+  {
+    if(std::this_thread::get_id() != thread)
+      is_other = true;
+    if(--calls_left < 0)
+      throw std::runtime_error("what the user gives fails");
+  }
 };
 
 // A graded density.
@@ -84,25 +95,22 @@ struct Density
 {
   typedef Kernel::FT FT;
   Caller* caller;
-  long* calls_left;
 
   FT operator()(const Point_3& p) const
   {
     caller->check();
-    if(--*calls_left < 0)
-      throw std::runtime_error("the density fails");
     return 1 + 20 * p.x() * p.x();
   }
 };
 
 // The whole call, with rounds and slivers.
 template <class C3t3>
-Coordinates optimized(const std::string& mesh, const Domain& domain, std::size_t threads)
+Coordinates optimized(const std::string& mesh, const Domain& domain, std::size_t threads, bool domain_is_safe = false)
 {
   tbb::global_control control(tbb::global_control::max_allowed_parallelism, threads);
   C3t3 c3t3 = read<C3t3>(mesh);
   const Coordinates before = coordinates(c3t3);
-  CGAL::odt_optimize_mesh_3(c3t3, domain, params::number_of_rounds = 1);
+  CGAL::odt_optimize_mesh_3(c3t3, domain, params::number_of_rounds = 1, params::domain_is_thread_safe = domain_is_safe);
   check::that(c3t3.triangulation().is_valid(), "the triangulation is not valid");
   const Coordinates after = coordinates(c3t3);
   check::that(after.size() == before.size() && after != before, "vertices are lost, or nothing has moved");
@@ -114,8 +122,21 @@ static void same_for_all_threads(const std::string& mesh, const Domain& domain, 
   const Coordinates expected = optimized<C3t3>(mesh, domain, 1);
   for(std::size_t threads : numbers)
     check::that(optimized<C3t3>(mesh, domain, threads) == expected, threads, " threads lead elsewhere than one");
+  check::that(optimized<C3t3>(mesh, domain, numbers.back(), true) == expected, "threads that ask the domain lead elsewhere");
   check::that(optimized<C3t3_for<CGAL::Sequential_tag> >(mesh, domain, 1) == expected,
               "a mesh that is not made for threads leads elsewhere");
+}
+
+template <class F>
+void fails_without_a_trace(const char* what, C3t3& c3t3, const C3t3& input, const F& optimize)
+{
+  c3t3 = input;
+  const Coordinates before = coordinates(c3t3);
+  bool has_thrown = false;
+  try { optimize(); }
+  catch(const std::runtime_error&) { has_thrown = true; }
+  check::that(has_thrown, "the exception of the ", what, " is lost");
+  check::that(coordinates(c3t3) == before && c3t3.is_valid(), "an exception of the ", what, " has changed the mesh");
 }
 
 static void users_are_called_from_one_thread(const C3t3& input, const Domain& domain, Caller& caller)
@@ -124,8 +145,8 @@ static void users_are_called_from_one_thread(const C3t3& input, const Domain& do
   for(bool has_points_in_cells : { false, true })
   {
     C3t3 c3t3 = input;
-    long calls = 1000000000;
-    const Density density = { &caller, &calls };
+    Caller caller_of_density;
+    const Density density = { &caller_of_density };
     const auto optimize_with = [&](const auto& quadrature)
     {
       CGAL::odt_optimize_mesh_3(c3t3, domain, params::number_of_rounds = 0, params::density = density,
@@ -137,17 +158,31 @@ static void users_are_called_from_one_thread(const C3t3& input, const Domain& do
       has_points_in_cells ? optimize_with(CGAL::Four_point_rule_3()) : optimize_with(CGAL::Linear_density_rule_3());
     };
     optimize();
-    check::that(!caller.is_other, "the density or the domain is called from another thread");
+    check::that(!caller.is_other && !caller_of_density.is_other, "the density or the domain is called from another thread");
     // Again, so that it fails half way.
-    const long needed = 1000000000 - calls;
-    calls = needed / 2;
-    c3t3 = input;
-    const Coordinates before = coordinates(c3t3);
-    bool has_thrown = false;
-    try { optimize(); }
-    catch(const std::runtime_error&) { has_thrown = true; }
-    check::that(has_thrown, "the exception of the density is lost");
-    check::that(coordinates(c3t3) == before && c3t3.is_valid(), "an exception has changed the mesh");
+    caller_of_density.calls_left = (Caller::most_calls - caller_of_density.calls_left) / 2;
+    fails_without_a_trace("density", c3t3, input, optimize);
+  }
+}
+
+// A domain that is said to be safe is asked by several threads.
+static void safe_domain(const C3t3& input, const Domain& domain, Caller& caller)
+{
+  tbb::global_control control(tbb::global_control::max_allowed_parallelism, 4);
+  C3t3 c3t3 = input;
+  const auto optimize = [&]
+  {
+    CGAL::odt_optimize_mesh_3(c3t3, domain, params::number_of_rounds = 1, params::domain_is_thread_safe = true);
+  };
+  caller.is_other = false;
+  caller.calls_left = Caller::most_calls;
+  optimize();
+  check::that(caller.is_other, "a domain that is safe is asked by one thread");
+  const long needed = Caller::most_calls - caller.calls_left;
+  for(long share : { 4, 2 })
+  {
+    caller.calls_left = needed / share;
+    fails_without_a_trace("domain", c3t3, input, optimize);
   }
 }
 
@@ -185,6 +220,8 @@ int main()
                 large.triangulation().number_of_vertices()) > 1, "too few vertices for a search in blocks");
   same_for_all_threads(stored(c3t3), domain, { 2, 3, 8 });
   same_for_all_threads(stored(large), domain, { 3 });
+  caller.is_other = false;
   users_are_called_from_one_thread(c3t3, domain, caller);
+  safe_domain(c3t3, domain, caller);
   return check::result();
 }

@@ -3,7 +3,7 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// The default call on meshes of growing size that are made for threads: wall-clock and CPU time for each vertex, the share
+// The default call, with domains that are safe for threads, on meshes of growing size that are made for them: wall-clock and CPU time for each vertex, the share
 // of each stage and how much of it is in loops that threads share, memory beside the mesh, quality, and a hash
 // of all coordinates, which must not depend on the number of threads.
 //
@@ -110,7 +110,8 @@ void run_ours(C3t3& c3t3, const Domain& domain)
 {
   typedef CGAL::Mesh_3::Null_global_optimizer_visitor<C3t3> Visitor;
   Visitor visitor;
-  const odt::Odt_parameters parameters;
+  odt::Odt_parameters parameters;
+  parameters.domain_is_thread_safe = true;
   odt::Odt_mesh_optimizer_3<C3t3, Domain, Visitor> optimizer(c3t3, domain, odt::Odt_task::OPTIMIZE, parameters, visitor);
   optimizer();
   print_stages(optimizer.clock());

@@ -67,7 +67,7 @@ void run(C3t3& c3t3, const Domain& domain, const odt::Odt_parameters& parameters
   odt::Odt_mesh_optimizer_3<C3t3, Domain, Visitor> optimizer(c3t3, domain, task, parameters, visitor);
   cost.seconds += seconds([&] { optimizer(); });
   const odt::Oracle_statistics& s = optimizer.oracle_statistics();
-  cost.oracle_seconds += s.seconds;
+  cost.oracle_seconds += 1e-9 * double(s.nanoseconds);
   cost.questions += s.locations + s.intersections;
   cost.projections += s.projections;
   cost.surface_vertices = (std::max)(cost.surface_vertices, optimizer.number_of_surface_vertices());

@@ -54,7 +54,8 @@ void call_functions(C3t3& c3t3, const Domain& domain)
   CGAL::odt_optimize_mesh_3(c3t3, domain, params::time_limit = 10, params::max_iteration_number = 5, params::convergence = 0.1,
                             params::freeze_bound = 0.1, params::do_freeze = true, params::optimize_boundary = false,
                             params::annealing_schedule = CGAL::Metropolis_annealing_schedule(), params::number_of_rounds = 2, params::surface_weight = 1,
-                            params::sliver_bound = 30, params::do_remove_slivers = true, params::random_seed(1), params::callback([](double) { return true; }),
+                            params::sliver_bound = 30, params::do_remove_slivers = true, params::domain_is_thread_safe = true,
+                            params::random_seed(1), params::callback([](double) { return true; }),
                             params::visitor(std::ref(visitor)));
   const CGAL::Local_feature_size_field_3<Domain> size(domain), of_mesh = size.from_mesh(c3t3),
                                                  of_points = size.from_points(std::vector<Point_3>(2));

@@ -41,6 +41,7 @@ struct Odt_parameters
   double surface_weight = 1.2;
   double sliver_bound = 0;                                  // in degrees; 0: as high as can be had
   bool do_remove_slivers = true;
+  bool domain_is_thread_safe = false;
   unsigned int random_seed = 0;
   std::function<bool(double)> callback;
 
@@ -59,6 +60,7 @@ struct Odt_parameters
     arguments.template read<internal_np::surface_weight_t>(surface_weight);
     arguments.template read<tags::sliver_bound>(sliver_bound);
     arguments.template read<internal_np::do_remove_slivers_t>(do_remove_slivers);
+    arguments.template read<internal_np::domain_is_thread_safe_t>(domain_is_thread_safe);
     arguments.template read<internal_np::random_seed_t>(random_seed);
     arguments.template read<internal_np::callback_t>(callback);
   }

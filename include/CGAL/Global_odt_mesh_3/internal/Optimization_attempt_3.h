@@ -53,7 +53,8 @@ public:
     , fields_(fields)
     , control_(control)
     , threads_(Thread_policy::for_tag<typename Triangulation::Concurrency_tag>(&control.clock()))
-    , complex_(domain, motion, static_cast<bool>(fields), threads_)     // to sizes that the input does not have
+    , complex_(domain, motion, static_cast<bool>(fields), threads_,     // to sizes that the input does not have
+               parameters.domain_is_thread_safe ? threads_ : Thread_policy())
   {
     const auto in_stage = during(Stage_clock::READ);
     complex_.start(C3t3_reader_3<C3t3, Domain>(c3t3, complex_.domain(), threads_).read(mesh_, motion != Boundary_motion::NONE));

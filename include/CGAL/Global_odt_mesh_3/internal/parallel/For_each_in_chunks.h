@@ -13,11 +13,11 @@ namespace CGAL {
 namespace Global_odt_mesh_3 {
 namespace internal {
 
-// Calls f(n), which is to be short, for the numbers n below `size`, in any order.
+// Calls f(n) for the numbers n below `size`, in any order. So many are worth the trouble of a thread.
 template <class F>
-void for_each_in_chunks(int size, const Thread_policy& threads, const F& f)
+void for_each_in_chunks(int size, const Thread_policy& threads, const F& f, int least_length = 1000)
 {
-  constexpr int least_length = 1000, most_chunks = 256;
+  constexpr int most_chunks = 256;
   const Chunks chunks(size, least_length, most_chunks);
   threads.for_each_chunk(chunks.number(), [&](int k)
   {

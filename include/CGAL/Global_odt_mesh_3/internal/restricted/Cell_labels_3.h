@@ -18,6 +18,8 @@
 #include <Eigen/Core>
 
 #include <algorithm>
+#include <cstddef>
+#include <optional>
 #include <vector>
 
 namespace CGAL {
@@ -54,11 +56,20 @@ public:
     };
     candidate_.cells_at_boundary.clear();
     candidate_.boundary_cells.clear();
-    for(int n : collect_in_chunks(static_cast<int>(cells.size()), candidate_.threads, find_cells_in_question))
+    const std::vector<int> in_question
+      = collect_in_chunks(static_cast<int>(cells.size()), candidate_.threads, find_cells_in_question);
+    std::vector<Findings> findings(in_question.size());
+    domain_.for_each(in_question.size(), [&](int n)
     {
-      const Cell_handle c = cells[n];
+      const Cell_handle c = cells[in_question[n]];
       if(!knows(c, IS_SETTLED))
-        label_cell(c, report);
+        findings[n] = examine(c);
+    });
+    for(std::size_t n = 0; n < in_question.size(); ++n)
+    {
+      const Cell_handle c = cells[in_question[n]];
+      if(!knows(c, IS_SETTLED))
+        label_cell(c, findings[n], report);
       if(knows(c, MAY_HAVE_BOUNDARY_FACETS))
         candidate_.cells_at_boundary.push_back(c);
       if(knows(c, IS_BOUNDARY_CELL))
@@ -71,6 +82,15 @@ private:
   typedef typename Candidate::Triangulation Triangulation;
   typedef typename Candidate::Quadruple Quadruple;
   typedef typename Candidate::Cell_handle Cell_handle;
+
+  // What is known of a cell: the label that its vertices off the boundary have, if any, unless these have several,
+  // and where its dual point lies, as a label or as the domain has told.
+  struct Findings
+  {
+    bool has_several_labels = false;
+    int label = no_subdomain, label_of_dual = no_subdomain;
+    std::optional<typename Domain::Subdomain_index> subdomain_of_dual;
+  };
 
   // The sine between the direction to a dual point and the tangential planes that is clear enough.
   static constexpr double clear_margin = 0.05;
@@ -123,49 +143,42 @@ private:
     return true;
   }
 
-  void label_cell(Cell_handle c, Report& report)
+  Findings examine(Cell_handle c) const
+  {
+    Findings found;
+    const Quadruple q = numbers_or_infinite(c);
+    found.has_several_labels = !find_label(q, found.label);
+    if(found.has_several_labels)
+      return found;
+    const bool is_boundary_cell = found.label == no_subdomain;
+    if(is_boundary_cell && candidate_.are_home(q))
+      found.label_of_dual = candidate_.state.label_of_boundary_cell(q);
+    if(found.label_of_dual == no_subdomain && !candidate_.is_thorough() && (!is_boundary_cell || candidate_.boundary_moves()))
+      found.label_of_dual = label_seen_from_boundary(q);
+    if(found.label_of_dual == no_subdomain)
+      found.subdomain_of_dual = domain_.subdomain_at(candidate_.triangulation().dual(c));
+    return found;
+  }
+
+  void label_cell(Cell_handle c, const Findings& found, Report& report)
   {
     const Quadruple q = numbers_or_infinite(c);
-    int label;
-    if(!find_label(q, label))
+    if(found.has_several_labels)
     {
       report.send_back(q);
       return;
     }
-    bool fits = true;
-    if(label == no_subdomain)
-    {
-      label = label_of_boundary_cell(c, q);
-      note(c, IS_BOUNDARY_CELL);
-    }
-    else
-      fits = dual_label(c, q) == label || is_tolerated(candidate_, q);
+    const int label_of_dual = found.subdomain_of_dual ? domain_.label(*found.subdomain_of_dual) : found.label_of_dual;
+    const bool is_boundary_cell = found.label == no_subdomain;
+    const int label = is_boundary_cell ? label_of_dual : found.label;
     c->set_subdomain_index(domain_.subdomain(label));
-    if(fits)
+    if(is_boundary_cell)
+      note(c, IS_BOUNDARY_CELL);
+    if(label == label_of_dual || is_tolerated(candidate_, q))
       note(c, IS_SETTLED);
     else
       report_cell_beyond_surface(candidate_, q, label, report);
   }
-
-  int label_of_boundary_cell(Cell_handle c, const Quadruple& q)
-  {
-    if(candidate_.are_home(q))
-    {
-      const int label = candidate_.state.label_of_boundary_cell(q);
-      if(label != no_subdomain)
-        return label;
-    }
-    return candidate_.boundary_moves() ? dual_label(c, q) : label_from_domain(c);
-  }
-
-  // The subdomain in which the dual point of the cell lies.
-  int dual_label(Cell_handle c, const Quadruple& q)
-  {
-    const int seen = candidate_.is_thorough() ? int(no_subdomain) : label_seen_from_boundary(q);
-    return seen != no_subdomain ? seen : label_from_domain(c);
-  }
-
-  int label_from_domain(Cell_handle c) { return domain_.label_at(candidate_.triangulation().dual(c)); }
 
   // The label of the dual point if all vertices on the boundary agree about it.
   int label_seen_from_boundary(const Quadruple& q) const

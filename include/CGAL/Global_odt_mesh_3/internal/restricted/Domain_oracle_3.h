@@ -7,6 +7,7 @@
 #define CGAL_GLOBAL_ODT_MESH_3_INTERNAL_RESTRICTED_DOMAIN_ORACLE_3_H
 
 #include <CGAL/Global_odt_mesh_3/internal/geometry/Point_coordinates.h>
+#include <CGAL/Global_odt_mesh_3/internal/parallel/Shared_counter.h>
 
 #include <CGAL/Kernel_traits.h>
 #include <CGAL/Mesh_3/config.h>
@@ -40,16 +41,16 @@ struct Has_aabb_tree<Mesh_domain,
 // How often the domain was asked.
 struct Oracle_statistics
 {
-  std::size_t locations = 0;        // is_in_domain
-  std::size_t intersections = 0;    // construct_intersection
-  std::size_t projections = 0;      // closest points from the AABB tree
-  std::size_t failures = 0;         // intersections and projections that found nothing of use
-  double seconds = 0;               // spent in the domain, if CGAL_GLOBAL_ODT_MESH_3_PROFILING is defined
+  Shared_counter locations;         // is_in_domain
+  Shared_counter intersections;     // construct_intersection
+  Shared_counter projections;       // closest points from the AABB tree
+  Shared_counter failures;          // intersections and projections that found nothing of use
+  Shared_counter nanoseconds;       // spent in the domain, if CGAL_GLOBAL_ODT_MESH_3_PROFILING is defined
 
   Oracle_statistics& operator+=(const Oracle_statistics& o)
   {
     locations += o.locations; intersections += o.intersections; projections += o.projections;
-    failures += o.failures; seconds += o.seconds;
+    failures += o.failures; nanoseconds += o.nanoseconds;
     return *this;
   }
 };
@@ -62,7 +63,7 @@ public:
   explicit Oracle_stopwatch(Oracle_statistics& s) : statistics_(s), begin_(std::chrono::steady_clock::now()) {}
   ~Oracle_stopwatch()
   {
-    statistics_.seconds += std::chrono::duration<double>(std::chrono::steady_clock::now() - begin_).count();
+    statistics_.nanoseconds += std::chrono::nanoseconds(std::chrono::steady_clock::now() - begin_).count();
   }
 
 private:
@@ -75,7 +76,8 @@ public:
 };
 
 // All questions to the domain go through here. They are no more than those of Mesh_3 itself, since
-// domains need not have all members of the concept MeshDomain_3; where there is an AABB tree, it projects.
+// domains need not have all members of the concept MeshDomain_3; where there is an AABB tree, it projects. Several threads
+// may ask at once if the domain permits that.
 template <class Mesh_domain>
 class Domain_oracle_3
 {

@@ -7,6 +7,7 @@
 #define CGAL_GLOBAL_ODT_MESH_3_INTERNAL_RESTRICTED_FIDELITY_CHECK_3_H
 
 #include <CGAL/Global_odt_mesh_3/internal/geometry/Facet_dual_3.h>
+#include <CGAL/Global_odt_mesh_3/internal/geometry/Site.h>
 #include <CGAL/Global_odt_mesh_3/internal/geometry/Vertex_tuples.h>
 #include <CGAL/Global_odt_mesh_3/internal/restricted/Restricted_candidate_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/restricted/Restricted_report_3.h>
@@ -15,6 +16,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <vector>
 
 namespace CGAL {
 namespace Global_odt_mesh_3 {
@@ -38,9 +40,11 @@ public:
   {
     if(!Domain::tells_distances)
       return;
-    for(const Boundary_facet& f : input.boundary.complex().facets())
-      farthest_centroid_ = (std::max)(farthest_centroid_,
-                                      domain_.distance_to_surface(centroid(sorted(f.vertices), input.sites)));
+    const std::vector<Boundary_facet>& facets = input.boundary.complex().facets();
+    std::vector<double> distances(facets.size());
+    domain_.for_each(facets.size(), [&](int n) { distances[n] = distance(sorted(facets[n].vertices), input.sites); });
+    for(double d : distances)
+      farthest_centroid_ = (std::max)(farthest_centroid_, d);
   }
 
   // Whether a boundary facet may have its centroid there.
@@ -58,15 +62,27 @@ public:
     const auto known = candidate.known_distances.find(t);
     if(known != candidate.known_distances.end())
       return known->second <= farthest_centroid_;
-    const double distance = domain_.distance_to_surface(centroid(t, candidate.sites));
-    candidate.known_distances.emplace(t, distance);
-    return distance <= farthest_centroid_;
+    return candidate.known_distances.emplace(t, distance(t, candidate.sites)).first->second <= farthest_centroid_;
   }
 
   Restricted_report_3<Candidate> check(Candidate& candidate) const
   {
     Restricted_report_3<Candidate> report(candidate);
-    for(std::size_t n = 0; Domain::tells_distances && n < candidate.facets.size(); ++n)
+    if(!Domain::tells_distances)
+      return report;
+    const auto vertices = [&](std::size_t n) { return sorted(candidate.boundary_complex->facets()[n].vertices); };
+    std::vector<std::size_t> in_question;
+    for(std::size_t n = 0; n < candidate.facets.size(); ++n)
+      if(!candidate.centers[n].is_faithful && candidate.known_distances.count(vertices(n)) == 0)
+        in_question.push_back(n);
+    std::vector<double> distances(in_question.size());
+    domain_.for_each(in_question.size(), [&](int k)
+    {
+      distances[k] = distance(vertices(in_question[k]), candidate.sites);
+    });
+    for(std::size_t k = 0; k < in_question.size(); ++k)
+      candidate.known_distances.emplace(vertices(in_question[k]), distances[k]);
+    for(std::size_t n = 0; n < candidate.facets.size(); ++n)
     {
       if(candidate.centers[n].is_faithful)
         continue;
@@ -79,6 +95,11 @@ public:
   }
 
 private:
+  double distance(const Triple& facet, const std::vector<Site>& sites) const
+  {
+    return domain_.distance_to_surface(centroid(facet, sites));
+  }
+
   Domain& domain_;
   double farthest_centroid_ = 0;
 };

@@ -57,10 +57,11 @@ public:
   typedef Restricted_state_3<Triangulation> State;
   typedef Restricted_trial_3<Domain> Trial;
 
-  // If vertices have long ways to go, facets may be thin until the final state.
+  // If vertices have long ways to go, facets may be thin until the final state. The domain is asked by one thread, or by
+  // those that are given last.
   Restricted_complex_3(const Mesh_domain& domain, Boundary_motion motion, bool has_long_ways = false,
-                       const Thread_policy& threads = Thread_policy())
-    : domain_(domain)
+                       const Thread_policy& threads = Thread_policy(), const Thread_policy& threads_for_domain = Thread_policy())
+    : domain_(domain, threads_for_domain)
     , motion_(motion)
     , threads_(threads)
     , has_long_ways_(has_long_ways)

@@ -36,12 +36,22 @@ public:
   // Puts the center of a facet with these vertices, which is expected where it is, onto the surface; false if there is none.
   bool find_center(const Facet& facet, const Triple& t, Surface_center& center)
   {
+    search(facet, t, center);
+    remember(t, center);
+    return center.is_exact;
+  }
+
+  // The same in two steps, the first of which threads may do for several facets.
+  void remember(const Triple& t, const Surface_center& center) { candidate_.known_centers.emplace(t, center); }
+
+  void search(const Facet& facet, const Triple& t, Surface_center& center) const
+  {
     const auto known = candidate_.known_centers.find(t);
     if(known != candidate_.known_centers.end())
     {
       if(known->second.is_exact)
         center = known->second;
-      return known->second.is_exact;
+      return;
     }
     const Vector expected = center.point;
     const Facet_dual_3 dual(t, candidate_.sites);
@@ -51,8 +61,6 @@ public:
         break;
     if(!center.is_exact)
       put_on_dual_segment(facet, dual, center);
-    candidate_.known_centers.emplace(t, center);
-    return center.is_exact;
   }
 
 private:
@@ -68,7 +76,7 @@ private:
                                                       { 0.5, 0.5 }, { -0.5, 0.5 }, { 0, 3 } };
 
   // Leaves what is known of the facet's centroid.
-  bool put_on_segment(Vector middle, const Vector& direction, double half_length, Surface_center& center)
+  bool put_on_segment(Vector middle, const Vector& direction, double half_length, Surface_center& center) const
   {
     Index index;
     if(!domain_.intersect(middle, direction, half_length, index))
@@ -81,7 +89,7 @@ private:
   }
 
   // Where the surface is far from the facet, it is crossed between the dual points of its cells.
-  void put_on_dual_segment(const Facet& facet, const Facet_dual_3& dual, Surface_center& center)
+  void put_on_dual_segment(const Facet& facet, const Facet_dual_3& dual, Surface_center& center) const
   {
     const Triangulation& tr = candidate_.triangulation();
     const Cell_handle c = facet.first, d = c->neighbor(facet.second);

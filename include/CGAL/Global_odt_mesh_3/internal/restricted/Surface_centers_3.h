@@ -15,6 +15,7 @@
 #include <Eigen/Core>
 
 #include <cstddef>
+#include <vector>
 
 namespace CGAL {
 namespace Global_odt_mesh_3 {
@@ -40,13 +41,22 @@ public:
     candidate_.boundary = Boundary_geometry_3(candidate_.boundary_complex, candidate_.sites);
     candidate_.centers.resize(candidate_.facets.size());
     Surface_center_search_3<Domain> search(candidate_, domain_);
+    std::vector<char> is_searched(candidate_.facets.size(), false);
+    domain_.for_each(candidate_.facets.size(), [&](int n)
+    {
+      Surface_center& center = candidate_.centers[n];
+      center = known_center(vertices(n), candidate_.old_facets[n]);
+      is_searched[n] = candidate_.is_final && !center.is_exact;
+      if(is_searched[n])
+        search.search(candidate_.facets[n], vertices(n), center);
+    });
     for(std::size_t n = 0; n < candidate_.facets.size(); ++n)
     {
-      const Triple& t = candidate_.boundary_complex->facets()[n].vertices;
-      Surface_center& center = candidate_.centers[n];
-      center = known_center(t, candidate_.old_facets[n]);
-      if(candidate_.is_final && !center.is_exact && !search.find_center(candidate_.facets[n], t, center))
-        report.send_back(t);
+      if(!is_searched[n])
+        continue;
+      search.remember(vertices(n), candidate_.centers[n]);
+      if(!candidate_.centers[n].is_exact)
+        report.send_back(vertices(n));
     }
     return report;
   }
@@ -56,6 +66,8 @@ private:
   typedef typename Candidate::State::Index Index;
   typedef typename Candidate::Surface_center Surface_center;
   typedef typename Candidate::Triple Triple;
+
+  const Triple& vertices(std::size_t facet) const { return candidate_.boundary_complex->facets()[facet].vertices; }
 
   // That of the state if nothing has changed, or else an estimate.
   Surface_center known_center(const Triple& t, int old) const

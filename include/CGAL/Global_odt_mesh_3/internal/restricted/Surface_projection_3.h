@@ -49,9 +49,12 @@ public:
   void project_all()
   {
     const auto& numbering = candidate_.numbering;
-    for(int v = numbering.number_of_interior_vertices; v < numbering.number_of_movable_vertices; ++v)
+    domain_.for_each(numbering.number_of_surface_vertices(), [&](int n)
+    {
+      const int v = numbering.number_of_interior_vertices + n;
       if(!candidate_.is_home(v) || !candidate_.state.surface_position(v).is_on_surface)
         project(v);
+    });
   }
 
   // Puts a vertex that was sent back onto its surface, at home if there is no other way; false if
