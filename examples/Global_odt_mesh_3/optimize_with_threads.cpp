@@ -4,7 +4,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 // A mesh that is made and optimized by several threads: the triangulation is made for them by `CGAL::Parallel_tag`, and
-// the program links TBB. The result of the optimizer does not depend on their number.
+// the program links TBB. Threads may query this domain at the same time. The result of the optimizer does not depend on their
+// number.
 //
 //   optimize_with_threads [number of threads]
 
@@ -60,7 +61,7 @@ int main(int argc, char* argv[])
 
   CGAL::Real_timer timer;
   timer.start();
-  CGAL::odt_optimize_mesh_3(c3t3, domain);
+  CGAL::odt_optimize_mesh_3(c3t3, domain, params::domain_is_thread_safe = true);
   timer.stop();
   std::cout << threads << " threads, " << timer.time() << " seconds\n" << CGAL::mesh_quality_report_3(c3t3);
   return EXIT_SUCCESS;
