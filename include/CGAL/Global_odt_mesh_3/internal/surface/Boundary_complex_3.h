@@ -8,7 +8,6 @@
 
 #include <CGAL/Global_odt_mesh_3/internal/geometry/Vertex_tuples.h>
 
-#include <CGAL/Union_find.h>
 #include <CGAL/assertions.h>
 
 #include <algorithm>
@@ -223,18 +222,24 @@ private:
   // Facets of one component are connected by edges that are no junctions.
   void count_components()
   {
-    CGAL::Union_find<int> components;
-    std::vector<CGAL::Union_find<int>::handle> facet;
+    std::vector<char> is_reached(facets_.size(), false);
+    std::vector<int> stack;
     for(int n = 0; n < static_cast<int>(facets_.size()); ++n)
-      facet.push_back(components.make_set(n));
-    for(int corner = 0; corner < number_of_corners(); ++corner)
-      if(beyond_[corner] > corner / 3)
-        components.unify_sets(facet[corner / 3], facet[beyond_[corner]]);
-    for(std::size_t n = 0; n < facets_.size(); ++n)
     {
       auto& count = counts_[facets_[n].patch];
       ++count.first;
-      count.second += components.find(facet[n]) == facet[n];
+      if(is_reached[n])
+        continue;
+      ++count.second;
+      is_reached[n] = true;
+      for(stack.push_back(n); !stack.empty(); )
+      {
+        const int f = stack.back();
+        stack.pop_back();
+        for(int corner = 3 * f; corner < 3 * f + 3; ++corner)
+          if(beyond_[corner] >= 0 && !std::exchange(is_reached[beyond_[corner]], true))
+            stack.push_back(beyond_[corner]);
+      }
     }
   }
 
