@@ -59,7 +59,7 @@ struct Restricted_state_3
     Vector point;
     Bare_point stored;              // what the complex is told
     Index index;
-    bool is_exact;                  // on the surface; or else estimated from the normals
+    bool is_exact = false;          // on the surface; or else estimated from the normals
     bool is_faithful = false;       // the facet's centroid is known to be close enough to the surface
   };
 

@@ -46,6 +46,7 @@ public:
 
   void search(const Facet& facet, const Triple& t, Surface_center& center) const
   {
+    center.is_exact = false;
     const auto known = candidate_.known_centers.find(t);
     if(known != candidate_.known_centers.end())
     {
@@ -55,7 +56,6 @@ public:
     }
     const Vector expected = center.point;
     const Facet_dual_3 dual(t, candidate_.sites);
-    center.is_exact = false;
     for(const auto& s : segments_to_search)
       if(put_on_segment(expected + s[0] * dual.radius * dual.normal, dual.normal, s[1] * dual.radius, center))
         break;
