@@ -10,7 +10,10 @@
 #include "mesh_contract.h"
 #include "mesh_domains.h"
 
+#include <CGAL/Global_odt_mesh_3/internal/restricted/C3t3_reader_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/restricted/Domain_oracle_3.h>
+#include <CGAL/Global_odt_mesh_3/internal/restricted/Restricted_complex_3.h>
+#include <CGAL/Global_odt_mesh_3/internal/restricted/Surface_center_search_3.h>
 
 #include <CGAL/Bbox_3.h>
 #include <CGAL/Mesh_quality_report_3.h>
@@ -27,6 +30,7 @@
 #include <functional>
 #include <iostream>
 #include <limits>
+#include <memory>
 #include <set>
 #include <sstream>
 #include <stdexcept>
@@ -407,6 +411,47 @@ static void missed_intersections(const Ellipsoid_domain& domain, const Ellipsoid
   }
 }
 
+// A facet for which no surface center is found has none, also when it is asked for again, until its vertices move.
+static void missed_surface_centers(const Ellipsoid_domain& domain, const Ellipsoid_c3t3& input)
+{
+  namespace odt = CGAL::Global_odt_mesh_3::internal;
+  typedef odt::Restricted_complex_3<Ellipsoid_triangulation, Ellipsoid_domain> Complex;
+  typedef odt::Surface_center_search_3<Complex::Domain> Search;
+  Complex complex(domain, odt::Boundary_motion::BY_NORMALS);
+  odt::Moving_triangulation_3 mesh;
+  complex.start(odt::C3t3_reader_3<Ellipsoid_c3t3, Complex::Domain>(input, complex.domain()).read(mesh, true));
+  const auto& state = complex.state();
+  Search::Candidate candidate(state, state.sites, complex.motion(), true, odt::Thread_policy());
+  candidate.numbered = std::make_unique<odt::Numbered_triangulation_3<Ellipsoid_triangulation> >();
+  candidate.build(nullptr);
+  Search search(candidate, complex.domain());
+  // One between finite cells.
+  const auto& tr = input.triangulation();
+  const auto is_inside = [&](const auto& f) { return !tr.is_infinite(f.first) && !tr.is_infinite(f.first->neighbor(f.second)); };
+  const std::size_t facet = std::find_if(state.facets.begin(), state.facets.end(), is_inside) - state.facets.begin();
+  check::that(facet < state.facets.size(), "there is no facet between finite cells");
+  const auto& vertices = state.boundary.complex().facets()[facet].vertices;
+  for(long misses : { 12, 0 })
+  {
+    domain.questions = Questions();
+    domain.questions.misses_of_dozen = misses;
+    for(int n = 0; n < 2; ++n)
+    {
+      Search::Candidate::Surface_center center = state.centers[facet];
+      center.is_exact = true;
+      const bool is_found = search.find_center(state.facets[facet], vertices, center);
+      check::that(!is_found && !center.is_exact, "a surface center that was missed is found");
+    }
+    check::that((domain.questions.asked[Questions::CONSTRUCT_INTERSECTION] > 0) == (misses > 0),
+                "the domain is not asked once for a surface center");
+  }
+  candidate.known_centers.clear();
+  Search::Candidate::Surface_center center = state.centers[facet];
+  check::that(search.find_center(state.facets[facet], vertices, center) && center.is_exact,
+              "a surface center is not found");
+  domain.questions = Questions();
+}
+
 // Whatever the domain was asked when it threw, the mesh is as before.
 static void exceptions(const Ellipsoid_domain& domain, const Ellipsoid_c3t3& input)
 {
@@ -553,6 +598,7 @@ int main()
   const Ellipsoid_c3t3 c3t3 = mesh(domain, 0.2);
   test("ellipsoid", c3t3, domain, smooth);
   missed_intersections(domain, c3t3);
+  missed_surface_centers(domain, c3t3);
   exceptions(domain, mesh(domain, 0.3));
   return check::result();
 }
