@@ -184,7 +184,7 @@ private:
       const double volume = it == after.volume.end() ? 0 : it->second;
       sum += volume;
       sum_before += v.second;
-      // A speck of an image that is one cell or two may become any tetrahedron.
+      // A speck of an image, of three cells at most, may become any tetrahedra.
       const bool is_speck = before_.cells_in_subdomain.at(v.first) < 4 && of_subdomain > 0.01;
       check::that(is_speck || std::abs(volume - v.second) <= of_subdomain * v.second + 1e-11 * before_.box_volume,
                   n, "volume of a subdomain changed by ", volume - v.second, " of ", v.second);

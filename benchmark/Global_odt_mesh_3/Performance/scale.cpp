@@ -3,9 +3,9 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// The default call, with domains that are safe for threads, on meshes of growing size that are made for them: wall-clock and CPU time for each vertex, the share
-// of each stage and how much of it is in loops that threads share, memory beside the mesh, quality, and a hash
-// of all coordinates, which must not depend on the number of threads.
+// The default call, with domains that are safe for threads, on meshes of growing size that are made for them: wall-clock
+// and CPU time for each vertex, the share of each stage and how much of it is in loops that threads share, memory beside
+// the mesh, quality, and a hash of all coordinates, which must not depend on the number of threads.
 //
 //   scale sphere|elephant|graded [vertices, about; default 18000] [threads, default 1] [what, default ours]
 //         [directory where meshes are kept from run to run]

@@ -13,7 +13,7 @@ namespace CGAL {
 namespace Global_odt_mesh_3 {
 namespace internal {
 
-// Calls f(n) for the numbers n below `size`, in any order. So many are worth the trouble of a thread.
+// Calls f(n) for the numbers n below `size`, in any order. `least_length` of these calls are worth the trouble of a thread.
 template <class F>
 void for_each_in_chunks(int size, const Thread_policy& threads, const F& f, int least_length = 1000)
 {
