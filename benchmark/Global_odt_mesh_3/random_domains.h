@@ -13,6 +13,7 @@
 
 #include <algorithm>
 #include <array>
+#include <atomic>
 #include <cmath>
 #include <fstream>
 #include <functional>
@@ -141,10 +142,10 @@ struct Implicit_input
   typedef Labeled_domain Domain;
   typedef Labeled_c3t3 C3t3;
 
-  // The domain asks this object, which stays where it is.
+  // The domain asks this object, which stays where it is; perhaps from several threads.
   struct Failing
   {
-    long questions = 0, throws_after = -1;
+    std::atomic<long> questions{0}, throws_after{-1};
   };
 
   std::string name;
@@ -207,7 +208,8 @@ private:
     const std::shared_ptr<Failing> f = failing;
     return [=](const Point_3& p)
     {
-      if(++f->questions > f->throws_after && f->throws_after >= 0)
+      const long question = ++f->questions, last = f->throws_after;
+      if(last >= 0 && question > last)
         throw Planned_failure();
       return labels({{ (p.x() - c.x()) / r, (p.y() - c.y()) / r, (p.z() - c.z()) / r }});
     };

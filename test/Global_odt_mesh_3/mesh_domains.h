@@ -34,14 +34,21 @@ typedef Kernel::Point_3 Point_3;
 typedef Kernel::Sphere_3 Sphere_3;
 namespace params = CGAL::parameters;
 
+// The macro is that of CGAL's examples.
+#ifdef CGAL_CONCURRENT_MESH_3
+typedef CGAL::Parallel_tag Concurrency_tag;
+#else
+typedef CGAL::Sequential_tag Concurrency_tag;
+#endif
+
 typedef CGAL::Labeled_mesh_domain_3<Kernel> Labeled_domain;
-typedef CGAL::Mesh_triangulation_3<Labeled_domain>::type Labeled_triangulation;
+typedef CGAL::Mesh_triangulation_3<Labeled_domain, CGAL::Default, Concurrency_tag>::type Labeled_triangulation;
 typedef CGAL::Mesh_complex_3_in_triangulation_3<Labeled_triangulation> Labeled_c3t3;
 typedef CGAL::Mesh_criteria_3<Labeled_triangulation> Labeled_criteria;
 
 typedef CGAL::Mesh_polyhedron_3<Kernel>::type Polyhedron;
 typedef CGAL::Polyhedral_mesh_domain_with_features_3<Kernel> Polyhedral_domain;
-typedef CGAL::Mesh_triangulation_3<Polyhedral_domain>::type Polyhedral_triangulation;
+typedef CGAL::Mesh_triangulation_3<Polyhedral_domain, CGAL::Default, Concurrency_tag>::type Polyhedral_triangulation;
 typedef CGAL::Mesh_complex_3_in_triangulation_3<
   Polyhedral_triangulation, Polyhedral_domain::Corner_index, Polyhedral_domain::Curve_index> Polyhedral_c3t3;
 typedef CGAL::Mesh_criteria_3<Polyhedral_triangulation> Polyhedral_criteria;

@@ -12,6 +12,9 @@
 // appends a line for each run to the file, and passes over seeds that are there already; then it prints what became of
 // all runs in the file. The exit status says whether all are well.
 //
+// Compiled with CGAL_CONCURRENT_MESH_3 and TBB, on triangulations for several threads. Meshes are made by one of them even
+// so, since that repeats.
+//
 // Environment: CGAL_DATA_DIR, the directory of CGAL's data.
 
 #include "random_domains.h"
@@ -19,12 +22,17 @@
 #include "mesh_contract.h"
 #include "odt_of_mesh_3.h"
 
-#include <CGAL/Real_timer.h>
+#include <CGAL/Timer.h>
 #include <CGAL/exude_mesh_3.h>
 #include <CGAL/odt_optimize_mesh_3.h>
 #include <CGAL/perturb_mesh_3.h>
 #include <CGAL/refine_mesh_3.h>
 
+#ifdef CGAL_CONCURRENT_MESH_3
+#include <tbb/task_arena.h>
+#endif
+
+#include <sys/time.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -38,26 +46,32 @@
 #include <map>
 #include <sstream>
 #include <string>
+#include <type_traits>
 
 using namespace random_domains;
 
-static const unsigned int most_seconds = 600;           // a run that takes longer hangs
+static const unsigned int most_seconds = 600;           // of CPU time; a run that takes longer hangs
+static const unsigned int most_seconds_of_waiting = 3600;
 static const unsigned int most_seconds_of_mesher = 60;  // to make the input
 static const int exit_unmeshed = 3;
 static const std::size_t few_vertices = 200;            // of a mesh that is far from its domain
+
+static constexpr bool is_parallel = std::is_same<Concurrency_tag, CGAL::Parallel_tag>::value;
 
 // Of legal values: half of the runs are calls of the default kind.
 struct Random_parameters
 {
   double time_limit = 0, convergence = 0.02, freeze_bound = 0.01, sliver_bound = 0, surface_weight = 1.2;
   int max_iteration_number = 0, number_of_rounds = 4;
-  bool do_freeze = true, optimize_boundary = true, do_remove_slivers = true;
+  bool do_freeze = true, optimize_boundary = true, do_remove_slivers = true, domain_is_thread_safe = false;
   long callback_stops_after = -1, callback_throws_after = -1;
   unsigned int random_seed = 0;
 
   explicit Random_parameters(Draw& draw)
   {
     random_seed = static_cast<unsigned int>(draw.integer(0, 1000000));
+    if(is_parallel)
+      domain_is_thread_safe = draw.chance(0.5);
     if(draw.chance(0.5))
       return;
     time_limit = draw.chance(0.3) ? draw.power(1e-3, 1) : 0;
@@ -80,6 +94,7 @@ struct Random_parameters
                << ", sliver_bound " << p.sliver_bound << ", surface_weight " << p.surface_weight << ", max_iteration_number "
                << p.max_iteration_number << ", number_of_rounds " << p.number_of_rounds << ", do_freeze " << p.do_freeze
                << ", optimize_boundary " << p.optimize_boundary << ", do_remove_slivers " << p.do_remove_slivers
+               << ", domain_is_thread_safe " << p.domain_is_thread_safe
                << ", callback stops, throws after " << p.callback_stops_after << ", " << p.callback_throws_after
                << ", random_seed " << p.random_seed;
   }
@@ -100,8 +115,20 @@ void optimize(C3t3& c3t3, const Domain& domain, const Random_parameters& p)
                             params::do_freeze = p.do_freeze, params::sliver_bound = p.sliver_bound,
                             params::surface_weight = p.surface_weight, params::number_of_rounds = p.number_of_rounds,
                             params::optimize_boundary = p.optimize_boundary,
-                            params::do_remove_slivers = p.do_remove_slivers, params::callback(callback),
+                            params::do_remove_slivers = p.do_remove_slivers,
+                            params::domain_is_thread_safe(p.domain_is_thread_safe), params::callback(callback),
                             params::random_seed(p.random_seed));
+}
+
+// With CGAL's functions, threads make another mesh each time.
+template <class F>
+void on_one_thread(const F& f)
+{
+#ifdef CGAL_CONCURRENT_MESH_3
+  tbb::task_arena(1).execute(f);
+#else
+  f();
+#endif
 }
 
 // What users call next has to find a mesh that it can go on with.
@@ -123,18 +150,28 @@ struct Outcome
 {
   std::string what;
   std::size_t vertices = 0;
-  double seconds = 0;
+  double seconds = 0;      // of CPU time
 };
+
+// The signal SIGPROF comes when the process has used so much CPU time from now.
+static void limit_cpu_time(unsigned int seconds)
+{
+  itimerval timer = {};
+  timer.it_value.tv_sec = seconds;
+  setitimer(ITIMER_PROF, &timer, nullptr);
+}
 
 // What is no domain that CGAL meshes is no run: the process ends.
 template <class Input>
 typename Input::C3t3 mesh_in_time(Input& input)
 {
-  std::signal(SIGALRM, [](int) { _exit(exit_unmeshed); });
-  alarm(most_seconds_of_mesher);
-  auto c3t3 = input.mesh();
-  std::signal(SIGALRM, SIG_DFL);
-  alarm(most_seconds);
+  std::signal(SIGPROF, [](int) { _exit(exit_unmeshed); });
+  limit_cpu_time(most_seconds_of_mesher);
+  typename Input::C3t3 c3t3;
+  on_one_thread([&] { c3t3 = input.mesh(); });
+  std::signal(SIGPROF, SIG_DFL);
+  limit_cpu_time(most_seconds);
+  alarm(most_seconds_of_waiting);
   return c3t3;
 }
 
@@ -149,7 +186,7 @@ void run(Input& input, const std::string& method, Draw& draw, Outcome& outcome)
   std::cerr << input.name << ", " << outcome.vertices << " vertices: " << parameters << std::endl;
   input.fail_sometimes(draw);
   bool has_thrown = false;
-  CGAL::Real_timer timer;
+  CGAL::Timer timer;
   timer.start();
   try
   {
@@ -175,7 +212,7 @@ void run(Input& input, const std::string& method, Draw& draw, Outcome& outcome)
     contract.check_moved(c3t3, (std::max)(0.5, most_of_volume), most_of_volume, input.tolerance);
   }
   if(!has_thrown)
-    go_on(c3t3, input.domain, input.criteria(), draw);
+    on_one_thread([&] { go_on(c3t3, input.domain, input.criteria(), draw); });
 }
 
 static Outcome run(unsigned int seed, const std::string& method)
@@ -225,7 +262,7 @@ static void wait_for_one(const std::string& file, std::map<pid_t, unsigned int>&
   const auto it = running.find(child);
   if(it == running.end())
     return;
-  const bool hangs = WIFSIGNALED(status) && WTERMSIG(status) == SIGALRM;
+  const bool hangs = WIFSIGNALED(status) && (WTERMSIG(status) == SIGPROF || WTERMSIG(status) == SIGALRM);
   const bool is_unmeshed = WIFEXITED(status) && WEXITSTATUS(status) == exit_unmeshed;
   const std::string end = hangs ? "hangs" : WIFSIGNALED(status) ? "crashes" : is_unmeshed ? "unmeshed"
                         : WEXITSTATUS(status) != 0 ? "breaks" : "";
