@@ -10,6 +10,7 @@
 
 #include <CGAL/Polygon_mesh_processing/self_intersections.h>
 #include <CGAL/Random.h>
+#include <CGAL/make_mesh_3.h>
 
 #include <algorithm>
 #include <array>

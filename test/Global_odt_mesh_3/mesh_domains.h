@@ -15,7 +15,6 @@
 #include <CGAL/Mesh_polyhedron_3.h>
 #include <CGAL/Mesh_triangulation_3.h>
 #include <CGAL/Polyhedral_mesh_domain_with_features_3.h>
-#include <CGAL/make_mesh_3.h>
 
 #include <cmath>
 #include <cstdlib>
@@ -25,7 +24,7 @@
 
 // Small meshes of all kinds of domains. Only two types of complex occur, for the
 // sake of compile time: labeled domains (implicit functions and images) and
-// polyhedral domains with features.
+// polyhedral domains with features. For the same sake, what makes the meshes is compiled once, in mesh_domains.cpp.
 namespace domains {
 
 typedef CGAL::Exact_predicates_inexact_constructions_kernel Kernel;
@@ -95,34 +94,10 @@ inline Labeled_domain thin_plate()
   });
 }
 
-inline Labeled_c3t3 mesh(const Labeled_domain& domain, double size)
-{
-  Labeled_criteria criteria(params::facet_angle = 25, params::facet_size = size,
-                            params::facet_distance = size / 4, params::cell_radius_edge_ratio = 2.5,
-                            params::cell_size = size);
-  return CGAL::make_mesh_3<Labeled_c3t3>(domain, criteria, params::no_exude(), params::no_perturb());
-}
+Labeled_c3t3 mesh(const Labeled_domain& domain, double size);
 
-// Five times as large at the center as on the unit sphere.
-struct Graded_size
-{
-  typedef domains::FT FT;
-  typedef domains::Point_3 Point_3;
-  typedef Labeled_domain::Index Index;
-  FT smallest;
-  FT operator()(const Point_3& p, const int, const Index&) const
-  {
-    return smallest * (1 + 4 * (std::max)(FT(0), 1 - std::sqrt(squared(p))));
-  }
-};
-
-inline Labeled_c3t3 graded_mesh(const Labeled_domain& domain, double smallest)
-{
-  Labeled_criteria criteria(params::facet_angle = 25, params::facet_size = smallest,
-                            params::facet_distance = smallest / 4, params::cell_radius_edge_ratio = 2.5,
-                            params::cell_size = Graded_size{ smallest });
-  return CGAL::make_mesh_3<Labeled_c3t3>(domain, criteria, params::no_exude(), params::no_perturb());
-}
+// Cells are five times as large at the center as on the unit sphere.
+Labeled_c3t3 graded_mesh(const Labeled_domain& domain, double smallest);
 
 // An image of n^3 voxels in the cube [0, 1]^3, filled by f(x, y, z).
 // ImageIO is in namespace CGAL in the latest versions.
@@ -190,16 +165,7 @@ inline Polyhedron notched_box()
   return p;
 }
 
-inline Polyhedral_c3t3 mesh(const Polyhedral_domain& domain, double size, bool with_features)
-{
-  Polyhedral_criteria criteria(params::edge_size = size, params::facet_angle = 25, params::facet_size = size,
-                               params::facet_distance = size / 8, params::cell_radius_edge_ratio = 2.5,
-                               params::cell_size = size);
-  if(with_features)
-    return CGAL::make_mesh_3<Polyhedral_c3t3>(domain, criteria, params::no_exude(), params::no_perturb());
-  return CGAL::make_mesh_3<Polyhedral_c3t3>(domain, criteria, params::no_exude(), params::no_perturb(),
-                                            params::no_features());
-}
+Polyhedral_c3t3 mesh(const Polyhedral_domain& domain, double size, bool with_features);
 
 } // namespace domains
 

@@ -18,6 +18,7 @@
 #include <CGAL/Bbox_3.h>
 #include <CGAL/Mesh_quality_report_3.h>
 #include <CGAL/Random.h>
+#include <CGAL/make_mesh_3.h>
 #include <CGAL/odt_optimize_mesh_3.h>
 #include <CGAL/remesh_boundary_mesh_3.h>
 #include <CGAL/tags.h>

@@ -15,6 +15,7 @@
 #include <CGAL/Global_odt_mesh_3/internal/geometry/Cell_shape_3.h>
 #include <CGAL/Mesh_quality_report_3.h>
 #include <CGAL/Real_timer.h>
+#include <CGAL/make_mesh_3.h>
 #include <CGAL/odt_optimize_mesh_3.h>
 #include <CGAL/remove_slivers_mesh_3.h>
 #include <CGAL/refine_mesh_3.h>

@@ -11,6 +11,7 @@
 
 #include <CGAL/Local_feature_size_field_3.h>
 #include <CGAL/Spline_grid_field_3.h>
+#include <CGAL/make_mesh_3.h>
 #include <CGAL/odt_optimize_mesh_3.h>
 
 #include <algorithm>
