@@ -30,8 +30,8 @@ namespace internal {
 //
 // Where a vertex has no boundary facet, its subdomain is the label, and the dual point has to be there. A cell with all
 // vertices on the boundary is labelled by the side on which its dual point lies. On the way, that is as seen
-// from the vertices on the boundary where these agree and see it clearly. In the end the domain tells, even far from the
-// boundary, since details that the samples miss leave holes that no facet goes around.
+// from the vertices on the boundary where these agree and see it clearly, unless a cell would be wrong. In the end the
+// domain tells, even far from the boundary, since details that the samples miss leave holes that no facet goes around.
 template <class Domain>
 class Cell_labels_3
 {
@@ -155,6 +155,9 @@ private:
       found.label_of_dual = candidate_.state.label_of_boundary_cell(q);
     if(found.label_of_dual == no_subdomain && !candidate_.is_thorough() && (!is_boundary_cell || candidate_.boundary_moves()))
       found.label_of_dual = label_seen_from_boundary(q);
+    // What the vertices see is not enough to send any of them back.
+    if(!is_boundary_cell && found.label_of_dual != found.label)
+      found.label_of_dual = no_subdomain;
     if(found.label_of_dual == no_subdomain)
       found.subdomain_of_dual = domain_.subdomain_at(candidate_.triangulation().dual(c));
     return found;
