@@ -18,6 +18,7 @@
 #include <CGAL/Global_odt_mesh_3/internal/restricted/C3t3_writer_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/restricted/Restricted_complex_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/restricted/Surface_roughness_3.h>
+#include <CGAL/Global_odt_mesh_3/internal/slivers/Cell_angles.h>
 #include <CGAL/Global_odt_mesh_3/internal/slivers/Sliver_stage_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/triangulation/Moving_triangulation_3.h>
 
@@ -103,7 +104,8 @@ private:
   static constexpr int most_tries_of_last_round = 3;
   static constexpr double least_gain_of_round = 2e-4;     // of the energy, relatively
   static constexpr std::size_t iterations_for_a_check = 20, cells_in_iteration_for_a_try = 180;     // of like cost
-  static constexpr std::size_t fewest_tries = 20000, fewest_tries_for_a_cell = 6;          // what slivers need as a rule
+  static constexpr std::size_t fewest_tries = 5000, fewest_tries_for_a_cell = 2;           // what slivers need as a rule
+  static constexpr std::size_t tries_for_a_sliver = 120;                                   // where they are many
 
   Stage_clock::In_stage during(Stage_clock::Stage stage) const { return Stage_clock::In_stage(threads_.clock(), stage); }
 
@@ -190,13 +192,14 @@ private:
   }
 
   // Tries of single vertices, for a share of what the stages before have taken; after few iterations, for what
-  // slivers need as a rule.
+  // slivers need as a rule. And more of them, the more cells are below the angle of the second step.
   std::size_t most_tries_for_slivers() const
   {
     const int iterations = plan_->optimizes() ? control_.number_of_iterations() : plan_->number_of_iterations();
     const std::size_t work = iterations + iterations_for_a_check * complex_.number_of_checks();
     const std::size_t cells = mesh_.topology.number_of_cells();
-    return (std::max)(work * cells / cells_in_iteration_for_a_try, fewest_tries + fewest_tries_for_a_cell * cells);
+    return (std::max)(work * cells / cells_in_iteration_for_a_try, fewest_tries + fewest_tries_for_a_cell * cells)
+           + tries_for_a_sliver * Cell_angles(mesh_, threads_).below[1];
   }
 
   // Whether no vertex has moved since the input.
