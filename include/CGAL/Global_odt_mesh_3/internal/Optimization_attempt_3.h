@@ -104,7 +104,7 @@ private:
   static constexpr int most_tries_of_last_round = 3;
   static constexpr double least_gain_of_round = 2e-4;     // of the energy, relatively
   static constexpr std::size_t iterations_for_a_check = 20, cells_in_iteration_for_a_try = 180;     // of like cost
-  static constexpr std::size_t fewest_tries = 5000, fewest_tries_for_a_cell = 2;           // what slivers need as a rule
+  static constexpr std::size_t fewest_tries = 20000, fewest_tries_for_a_cell = 2;          // what slivers need as a rule
   static constexpr std::size_t tries_for_a_sliver = 120;                                   // where they are many
 
   Stage_clock::In_stage during(Stage_clock::Stage stage) const { return Stage_clock::In_stage(threads_.clock(), stage); }
