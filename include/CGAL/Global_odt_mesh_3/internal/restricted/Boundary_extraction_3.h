@@ -73,7 +73,9 @@ public:
       if(!separates && (old < 0 || old_facets[old].labels[0] != old_facets[old].labels[1]))
         continue;
       b.labels = {{ domain_.label(c->subdomain_index()), domain_.label(d->subdomain_index()) }};
-      b.patch = old >= 0 ? old_facets[old].patch : patch_of_new_facet(b);
+      const auto peeled = candidate_.state.peeled_facets.find(sorted(b.vertices));
+      b.patch = old >= 0 ? old_facets[old].patch
+              : peeled != candidate_.state.peeled_facets.end() ? peeled->second : patch_of_new_facet(b);
       found.push_back(b);
       candidate_.facets.push_back(f);
       candidate_.old_facets.push_back(old);

@@ -6,20 +6,20 @@
 #ifndef CGAL_GLOBAL_ODT_MESH_3_INTERNAL_RESTRICTED_BOUNDARY_PEELING_3_H
 #define CGAL_GLOBAL_ODT_MESH_3_INTERNAL_RESTRICTED_BOUNDARY_PEELING_3_H
 
-#include <CGAL/Global_odt_mesh_3/internal/geometry/Cell_shape_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/geometry/Vertex_tuples.h>
 #include <CGAL/Global_odt_mesh_3/internal/restricted/Boundary_extraction_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/restricted/Cell_knowledge.h>
-#include <CGAL/Global_odt_mesh_3/internal/restricted/Estimated_surface_center_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/restricted/Facet_shape_check_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/restricted/Fidelity_check_3.h>
+#include <CGAL/Global_odt_mesh_3/internal/restricted/Flat_boundary_cells_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/restricted/Restricted_candidate_3.h>
-#include <CGAL/Global_odt_mesh_3/internal/restricted/Surface_center_search_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/restricted/Topology_check_3.h>
+#include <CGAL/Global_odt_mesh_3/internal/surface/Boundary_complex_3.h>
 
 #include <algorithm>
 #include <array>
 #include <map>
+#include <memory>
 #include <set>
 #include <utility>
 
@@ -27,11 +27,9 @@ namespace CGAL {
 namespace Global_odt_mesh_3 {
 namespace internal {
 
-// Takes flat cells off the boundary.
-//
-// A sliver with two facets on the boundary stems from four vertices in nearly one
-// plane and on one circle, so that it may as well be on the other side: where that keeps
-// the topology, two boundary facets are replaced by the two others, whose dual lines have to meet the surface.
+// Takes flat cells off the boundary, on the way: they get the label that is on the other side of two of their facets, which
+// the two others replace, where that keeps the topology. In the end it is vertices that have to move, lest a cell have
+// another label than the domain gives its dual point.
 template <class Domain>
 class Boundary_peeling_3
 {
@@ -43,18 +41,17 @@ public:
     : candidate_(candidate)
     , domain_(domain)
     , extraction_(extraction)
-    , fidelity_(fidelity)
-    , shapes_(shapes)
-    , centers_(candidate, domain)
+    , flat_cells_(candidate, domain, fidelity, shapes)
   {}
 
   void peel()
   {
     for(int pass = 0; pass < most_passes; ++pass)
     {
-      Peeled_cells peeled = flat_cells();
+      Peeled_cells peeled = find_cells();
       if(peeled.empty())
         break;
+      const std::shared_ptr<const Boundary_complex_3> before = candidate_.boundary_complex;
       for(const auto& p : peeled)
       {
         p.first->set_subdomain_index(domain_.subdomain(p.second.second));
@@ -65,8 +62,11 @@ public:
       for(auto& c : candidate_.boundary_cells)
       {
         const auto p = peeled.find(c.first);
-        if(p != peeled.end())
-          c.second = p->second.second;
+        if(p == peeled.end())
+          continue;
+        candidate_.peeled_cells.emplace(sorted(candidate_.numbers(c.first)), p->second.first);
+        c.second = p->second.second;
+        store_facets(c.first, *before);
       }
     }
   }
@@ -75,20 +75,20 @@ private:
   typedef typename Candidate::Cell_handle Cell_handle;
   typedef typename Candidate::Facet Facet;
   typedef typename Candidate::Quadruple Quadruple;
+  typedef typename Candidate::Triple Triple;
   typedef std::map<Cell_handle, std::pair<int, int> > Peeled_cells;     // with old and new label
 
   static constexpr int most_passes = 4;                       // cells lie upon each other
-  static constexpr double sliver_angle = 20, flat_angle = 35; // degrees
   static constexpr int no_subdomain = Candidate::State::no_subdomain;
 
   // Cells to be peeled that have no vertices in common: the first ones by the numbers of their vertices, since the order
   // of cells depends on how the triangulation has been made.
-  Peeled_cells flat_cells()
+  Peeled_cells find_cells()
   {
     std::map<Quadruple, typename Peeled_cells::value_type> flat;
     for(const auto& c : candidate_.boundary_cells)
     {
-      const int label = refused_.count(c.first) > 0 ? int(no_subdomain) : label_after_peeling(c.first, c.second);
+      const int label = refused_.count(c.first) > 0 ? int(no_subdomain) : flat_cells_.label_beyond(c.first, c.second);
       if(label != no_subdomain)
         flat.emplace(sorted(candidate_.numbers(c.first)), std::make_pair(c.first, std::make_pair(c.second, label)));
     }
@@ -103,44 +103,6 @@ private:
       cells.insert(f.second);
     }
     return cells;
-  }
-
-  // The label beyond both boundary facets of a flat sliver, or no_subdomain.
-  int label_after_peeling(Cell_handle c, int label)
-  {
-    if(label == domain_.outside())
-      return no_subdomain;
-    std::array<int, 4> facet;
-    int count = 0;
-    for(int i = 0; i < 4; ++i)
-      if(c->neighbor(i)->subdomain_index() != c->subdomain_index())
-        facet[count++] = i;
-    if(count != 2 || c->neighbor(facet[0])->subdomain_index() != c->neighbor(facet[1])->subdomain_index())
-      return no_subdomain;
-    const Quadruple q = candidate_.numbers(c);
-    const Cell_shape_3 shape(candidate_.sites[q[0]], candidate_.sites[q[1]], candidate_.sites[q[2]], candidate_.sites[q[3]]);
-    const double between = shape.angles[facet[0] == 0 ? facet[1] - 1 : facet[0] + facet[1]];
-    if(between < 180 - flat_angle || *std::min_element(shape.angles.begin(), shape.angles.end()) > sliver_angle)
-      return no_subdomain;
-    for(int i = 0; i < 4; ++i)
-    {
-      const std::array<int, 3> t = {{ q[(i + 1) % 4], q[(i + 2) % 4], q[(i + 3) % 4] }};
-      if(i == facet[0] || i == facet[1])
-        continue;
-      if(!shapes_.is_good(t, candidate_.sites) || !fidelity_.is_faithful(candidate_, t) || !has_surface_center(Facet(c, i)))
-        return no_subdomain;
-    }
-    return domain_.label(c->neighbor(facet[0])->subdomain_index());
-  }
-
-  bool has_surface_center(Facet f)
-  {
-    if(!candidate_.numbered->is_first_side(f))
-      f = candidate_.triangulation().mirror_facet(f);
-    const std::array<int, 3> t = candidate_.numbered->vertices(f);
-    typename Candidate::Surface_center center;
-    center.point = estimated_surface_center(t, candidate_.measured_boundary, candidate_.sites);
-    return centers_.find_center(f, t, center);
   }
 
   // Cells that change the topology of the boundary stay where they were: those at vertices where
@@ -169,12 +131,24 @@ private:
     }
   }
 
+  // Those of a peeled cell that are no longer on the boundary.
+  void store_facets(Cell_handle c, const Boundary_complex_3& before)
+  {
+    // Facets are in the order of their sorted vertices.
+    const auto precedes = [](const Boundary_facet& f, const Triple& t) { return sorted(f.vertices) < t; };
+    for(int i = 0; i < 4; ++i)
+    {
+      const Triple t = sorted(candidate_.numbered->vertices(Facet(c, i)));
+      const auto f = std::lower_bound(before.facets().begin(), before.facets().end(), t, precedes);
+      if(f != before.facets().end() && sorted(f->vertices) == t)
+        candidate_.peeled_facets.emplace(t, f->patch);
+    }
+  }
+
   Candidate& candidate_;
   Domain& domain_;
   Boundary_extraction_3<Domain>& extraction_;
-  const Fidelity_check_3<Domain>& fidelity_;
-  const Facet_shape_check_3& shapes_;
-  Surface_center_search_3<Domain> centers_;
+  Flat_boundary_cells_3<Domain> flat_cells_;
   std::set<Cell_handle> refused_;
 };
 

@@ -176,6 +176,7 @@ private:
 
   void read_labels()
   {
+    state_.has_labels_of_domain = true;
     for(int v = 0; v < numbering_->number_of_vertices(); ++v)
       numbering_->subdomain.push_back(state_.boundary.complex().has_facets(v)
                                         ? int(State::no_subdomain)

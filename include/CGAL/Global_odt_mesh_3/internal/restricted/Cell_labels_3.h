@@ -30,8 +30,9 @@ namespace internal {
 //
 // Where a vertex has no boundary facet, its subdomain is the label, and the dual point has to be there. A cell with all
 // vertices on the boundary is labelled by the side on which its dual point lies. On the way, that is as seen
-// from the vertices on the boundary where these agree and see it clearly, unless a cell would be wrong. In the end the
-// domain tells, even far from the boundary, since details that the samples miss leave holes that no facet goes around.
+// from the vertices on the boundary where surfaces are smooth and these agree and see it clearly, unless a cell would be
+// wrong. In the end the domain tells, even far from the boundary, since details that the samples miss leave holes that no
+// facet goes around.
 template <class Domain>
 class Cell_labels_3
 {
@@ -56,6 +57,8 @@ public:
     };
     candidate_.cells_at_boundary.clear();
     candidate_.boundary_cells.clear();
+    candidate_.peeled_cells.clear();
+    candidate_.peeled_facets.clear();
     const std::vector<int> in_question
       = collect_in_chunks(static_cast<int>(cells.size()), candidate_.threads, find_cells_in_question);
     std::vector<Findings> findings(in_question.size());
@@ -151,8 +154,8 @@ private:
     if(found.has_several_labels)
       return found;
     const bool is_boundary_cell = found.label == no_subdomain;
-    if(is_boundary_cell && candidate_.are_home(q))
-      found.label_of_dual = candidate_.state.label_of_boundary_cell(q);
+    if(is_boundary_cell && candidate_.is_unchanged(q) && (candidate_.state.has_labels_of_domain || !candidate_.is_thorough()))
+      found.label_of_dual = candidate_.state.label_of_dual(q);
     if(found.label_of_dual == no_subdomain && !candidate_.is_thorough() && (!is_boundary_cell || candidate_.boundary_moves()))
       found.label_of_dual = label_seen_from_boundary(q);
     // What the vertices see is not enough to send any of them back.

@@ -59,7 +59,8 @@ public:
     for(std::size_t n = 0; n < candidate.old_facets.size(); ++n)
     {
       const std::array<int, 3>& t = candidate.boundary_complex->facets()[n].vertices;
-      if(!is_good(t, candidate.sites) && !(candidate.old_facets[n] >= 0 && candidate.are_home(t)))
+      if(!is_good(t, candidate.sites) && !(candidate.old_facets[n] >= 0 && candidate.are_home(t))
+         && candidate.spared_facets.count(sorted(t)) == 0)
         report.send_back_around(t);
     }
   }

@@ -88,7 +88,9 @@ public:
         continue;
       const Triple& t = candidate.boundary_complex->facets()[n].vertices;
       candidate.centers[n].is_faithful = is_faithful(candidate, t);
-      if(!candidate.centers[n].is_faithful)
+      // A facet of the state is as good as it will be.
+      const bool is_of_state = candidate.old_facets[n] >= 0 && candidate.is_unchanged(t);
+      if(!candidate.centers[n].is_faithful && !is_of_state && candidate.spared_facets.count(sorted(t)) == 0)
         report.send_back(t);
     }
     return report;

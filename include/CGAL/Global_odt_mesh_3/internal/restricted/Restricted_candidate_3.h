@@ -77,6 +77,9 @@ struct Restricted_candidate_3
   // What the domain has said of facets holds until their vertices move.
   std::unordered_map<Triple, Surface_center, boost::hash<Triple> > known_centers;
   std::unordered_map<Triple, double, boost::hash<Triple> > known_distances;
+  std::map<Quadruple, int> peeled_cells;
+  std::map<Triple, int> peeled_facets;
+  std::set<Triple> spared_facets;             // sorted
   std::set<Quadruple> tolerated_cells;
   std::map<int, int> times_sent_back, times_pushed;           // of vertices
 
@@ -151,10 +154,11 @@ struct Restricted_candidate_3
     return std::all_of(vertices.begin(), vertices.end(), [this](int v) { return is_home(v); });
   }
 
-  // Whether a boundary facet is where it was in the state.
-  bool is_unchanged(const Triple& t) const
+  // Whether a facet or cell with these vertices is where it was in the state.
+  template <class Vertices>
+  bool is_unchanged(const Vertices& vertices) const
   {
-    return std::all_of(t.begin(), t.end(), [this](int v) { return same_place(sites[v], state.sites[v]); });
+    return std::all_of(vertices.begin(), vertices.end(), [this](int v) { return same_place(sites[v], state.sites[v]); });
   }
 
   // Where the vertex is now, on the surface, is its home from now on.
@@ -172,6 +176,7 @@ struct Restricted_candidate_3
     CGAL_expensive_assertion(triangulation().is_valid());
     State next;
     next.numbering = state.numbering;
+    next.has_labels_of_domain = is_final;
     next.sites = std::move(sites);
     for(const auto& c : boundary_cells)
       next.boundary_cells.emplace(sorted(numbers(c.first)), c.second);
@@ -181,6 +186,8 @@ struct Restricted_candidate_3
     next.boundary = std::move(boundary);
     next.facets = std::move(facets);
     next.centers = std::move(centers);
+    next.peeled_cells = std::move(peeled_cells);
+    next.peeled_facets = std::move(peeled_facets);
     next.tolerated_cells = std::move(tolerated_cells);
     next.number_facets();
     next.store_patches(domain);

@@ -15,6 +15,7 @@
 #include <CGAL/Global_odt_mesh_3/internal/restricted/Cell_labels_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/restricted/Facet_shape_check_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/restricted/Fidelity_check_3.h>
+#include <CGAL/Global_odt_mesh_3/internal/restricted/Flat_boundary_cells_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/restricted/Flatten_state_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/restricted/Numbered_domain_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/restricted/Numbered_triangulation_3.h>
@@ -238,7 +239,9 @@ private:
         shapes_.check(candidate, topology);
       return topology;
     }
-    if(candidate.boundary_moves())
+    if(candidate.boundary_moves() && candidate.is_final)
+      Flat_boundary_cells_3<Domain>(candidate, domain_, fidelity_, shapes_).spare();
+    else if(candidate.boundary_moves())
       Boundary_peeling_3<Domain>(candidate, domain_, extraction, fidelity_, shapes_).peel();
     const Report centers = Surface_centers_3<Domain>(candidate, domain_).find_surface_centers();
     if(!candidate.boundary_moves() || !centers.is_clean())

@@ -24,6 +24,7 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
+#include <map>
 #include <memory>
 #include <set>
 #include <unordered_map>
@@ -81,8 +82,11 @@ struct Restricted_state_3
   std::vector<Surface_center> centers;
   std::unordered_map<Triple, int, boost::hash<Triple> > facet_numbers;
   std::unordered_map<Quadruple, int, boost::hash<Quadruple> > boundary_cells;   // with all vertices on the boundary; labels
+  std::map<Quadruple, int> peeled_cells;            // that have another label than their dual points, which is given
+  std::map<Triple, int> peeled_facets;              // of these cells, that are no longer on the boundary; their patches
   std::set<Quadruple> tolerated_cells;              // of the input, with dual points in other subdomains
   bool has_unseparating_facets = false;
+  bool has_labels_of_domain = false;                // also of the boundary cells
 
   bool is_input() const { return input != nullptr; }
   const Triangulation& triangulation() const { return is_input() ? *input : own->triangulation(); }
@@ -128,6 +132,13 @@ struct Restricted_state_3
   {
     const auto it = boundary_cells.find(sorted(cell));
     return it == boundary_cells.end() ? int(no_subdomain) : it->second;
+  }
+
+  // The same for that of its dual point, as far as that is known.
+  int label_of_dual(const Quadruple& cell) const
+  {
+    const auto it = peeled_cells.find(sorted(cell));
+    return it == peeled_cells.end() ? label_of_boundary_cell(cell) : it->second;
   }
 
   // The number of the boundary facet with these vertices, or -1.

@@ -49,7 +49,6 @@ public:
   Boundary_geometry_3(std::shared_ptr<const Boundary_complex_3> complex, const std::vector<Site>& sites)
     : complex_(std::move(complex))
     , shapes_(complex_->number_of_umbrellas())
-    , creases_(complex_->number_of_vertices())
   {
     measure(sites);
   }
@@ -61,33 +60,20 @@ public:
 
   const Umbrella_shape& shape(int v, int n) const { return shapes_[complex_->umbrella_number(v, n)]; }
 
-  // The subdomain that lies in direction d from the vertex, as the planes of its
-  // umbrellas tell; no_label if d is closer to tangential than the sine `margin`, or if
-  // the surfaces are not those of a smooth point, a convex or a reflex edge or corner.
+  // The subdomain that lies in direction d from the vertex, as the tangential plane tells; no_label if d is closer
+  // to that than the sine `margin`, or if the vertex is not one of a single smooth surface that separates subdomains.
   int label_toward(int v, const Eigen::Vector3d& d, double margin) const
   {
-    if(creases_[v] == UNCLEAR)
+    if(complex_->number_of_umbrellas(v) != 1 || !shape(v, 0).is_smooth)
       return no_label;
-    const double clear = margin * d.norm();
-    bool any_above = false, any_below = false, all_above = true, all_below = true;
-    for(int n = 0; n < complex_->number_of_umbrellas(v); ++n)
-    {
-      const double side = shape(v, n).normal.dot(d);
-      any_above = any_above || side >= clear;
-      any_below = any_below || side <= -clear;
-      all_above = all_above && side >= clear;
-      all_below = all_below && side <= -clear;
-    }
     const std::array<int, 2>& labels = complex_->umbrella(v, 0).labels;
-    if(creases_[v] == CONVEX)
-      return any_above ? labels[1] : all_below ? labels[0] : int(no_label);
-    return any_below ? labels[0] : all_above ? labels[1] : int(no_label);
+    const double side = shape(v, 0).normal.dot(d);
+    if(labels[0] == labels[1] || std::abs(side) < margin * d.norm())
+      return no_label;
+    return labels[side > 0 ? 1 : 0];
   }
 
 private:
-  // How the umbrellas at a vertex meet, seen from labels[0].
-  enum Crease { UNCLEAR, CONVEX, REFLEX };
-
   void measure(const std::vector<Site>& sites)
   {
     const std::vector<Boundary_facet>& facets = complex_->facets();
@@ -109,8 +95,6 @@ private:
       for(int k = 0; k < 3; ++k)
         add_bend(static_cast<int>(3 * n) + k, area[n]);
     }
-    for(int v = 0; v < complex_->number_of_vertices(); ++v)
-      creases_[v] = crease(v);
   }
 
   Umbrella_shape& shape_of_corner(int corner) { return shapes_[complex_->umbrella_of_corner(corner)]; }
@@ -145,26 +129,6 @@ private:
     u.bend = (std::max)(u.bend, std::sqrt((std::max)(0., 1 - cosine * cosine)));
   }
 
-  Crease crease(int v) const
-  {
-    const int number = complex_->number_of_umbrellas(v);
-    bool convex = number > 0, reflex = number > 0;
-    for(int n = 0; n < number; ++n)
-    {
-      const std::array<int, 2>& labels = complex_->umbrella(v, n).labels;
-      if(labels != complex_->umbrella(v, 0).labels || labels[0] == labels[1])
-        return UNCLEAR;
-      for(int m = 0; m < number; ++m)
-        if(m != n)
-        {
-          const double above = shape(v, n).normal.dot(shape(v, m).toward);
-          convex = convex && above <= 0;
-          reflex = reflex && above >= 0;
-        }
-    }
-    return convex ? CONVEX : reflex ? REFLEX : UNCLEAR;
-  }
-
   // Twice the area, pointing to side 1.
   static Eigen::Vector3d area_vector(const std::array<int, 3>& t, const std::vector<Site>& s)
   {
@@ -174,7 +138,6 @@ private:
 
   std::shared_ptr<const Boundary_complex_3> complex_;
   std::vector<Umbrella_shape> shapes_;
-  std::vector<Crease> creases_;
 };
 
 } // namespace internal

@@ -1,0 +1,112 @@
+// Copyright (c) 2026 The Global_odt_mesh_3 authors.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_GLOBAL_ODT_MESH_3_INTERNAL_RESTRICTED_FLAT_BOUNDARY_CELLS_3_H
+#define CGAL_GLOBAL_ODT_MESH_3_INTERNAL_RESTRICTED_FLAT_BOUNDARY_CELLS_3_H
+
+#include <CGAL/Global_odt_mesh_3/internal/geometry/Cell_shape_3.h>
+#include <CGAL/Global_odt_mesh_3/internal/geometry/Vertex_tuples.h>
+#include <CGAL/Global_odt_mesh_3/internal/restricted/Estimated_surface_center_3.h>
+#include <CGAL/Global_odt_mesh_3/internal/restricted/Facet_shape_check_3.h>
+#include <CGAL/Global_odt_mesh_3/internal/restricted/Fidelity_check_3.h>
+#include <CGAL/Global_odt_mesh_3/internal/restricted/Restricted_candidate_3.h>
+#include <CGAL/Global_odt_mesh_3/internal/restricted/Surface_center_search_3.h>
+
+#include <algorithm>
+#include <array>
+
+namespace CGAL {
+namespace Global_odt_mesh_3 {
+namespace internal {
+
+// Flat cells on the boundary that may as well be on its other side.
+//
+// A sliver with two facets on the boundary stems from four vertices in nearly one plane and on one circle. Its two other
+// facets could take the place of those if they are good, and if their dual lines meet the surface.
+template <class Domain>
+class Flat_boundary_cells_3
+{
+public:
+  typedef Restricted_candidate_3<typename Domain::Triangulation> Candidate;
+  typedef typename Candidate::Cell_handle Cell_handle;
+
+  static constexpr int no_subdomain = Candidate::State::no_subdomain;
+
+  Flat_boundary_cells_3(Candidate& candidate, Domain& domain, const Fidelity_check_3<Domain>& fidelity,
+                        const Facet_shape_check_3& shapes)
+    : candidate_(candidate)
+    , domain_(domain)
+    , fidelity_(fidelity)
+    , shapes_(shapes)
+    , centers_(candidate, domain)
+  {}
+
+  // The label beyond both boundary facets of such a cell, or no_subdomain if it is none.
+  int label_beyond(Cell_handle c, int label)
+  {
+    if(label == domain_.outside())
+      return no_subdomain;
+    std::array<int, 4> facet;
+    int count = 0;
+    for(int i = 0; i < 4; ++i)
+      if(c->neighbor(i)->subdomain_index() != c->subdomain_index())
+        facet[count++] = i;
+    if(count != 2 || c->neighbor(facet[0])->subdomain_index() != c->neighbor(facet[1])->subdomain_index())
+      return no_subdomain;
+    const Quadruple q = candidate_.numbers(c);
+    const Cell_shape_3 shape(candidate_.sites[q[0]], candidate_.sites[q[1]], candidate_.sites[q[2]], candidate_.sites[q[3]]);
+    const double between = shape.angles[facet[0] == 0 ? facet[1] - 1 : facet[0] + facet[1]];
+    if(between < 180 - flat_angle || *std::min_element(shape.angles.begin(), shape.angles.end()) > sliver_angle)
+      return no_subdomain;
+    for(int i = 0; i < 4; ++i)
+    {
+      const std::array<int, 3> t = {{ q[(i + 1) % 4], q[(i + 2) % 4], q[(i + 3) % 4] }};
+      if(i == facet[0] || i == facet[1])
+        continue;
+      if(!shapes_.is_good(t, candidate_.sites) || !fidelity_.is_faithful(candidate_, t) || !has_surface_center(Facet(c, i)))
+        return no_subdomain;
+    }
+    return domain_.label(c->neighbor(facet[0])->subdomain_index());
+  }
+
+  // Spares the boundary facets of these cells the checks of facets.
+  void spare()
+  {
+    candidate_.spared_facets.clear();
+    for(const auto& c : candidate_.boundary_cells)
+      if(label_beyond(c.first, c.second) != no_subdomain)
+        for(int i = 0; i < 4; ++i)
+          if(c.first->neighbor(i)->subdomain_index() != c.first->subdomain_index())
+            candidate_.spared_facets.insert(sorted(candidate_.numbered->vertices(Facet(c.first, i))));
+  }
+
+private:
+  typedef typename Candidate::Facet Facet;
+  typedef typename Candidate::Quadruple Quadruple;
+
+  static constexpr double sliver_angle = 20, flat_angle = 35; // degrees
+
+  bool has_surface_center(Facet f)
+  {
+    if(!candidate_.numbered->is_first_side(f))
+      f = candidate_.triangulation().mirror_facet(f);
+    const std::array<int, 3> t = candidate_.numbered->vertices(f);
+    typename Candidate::Surface_center center;
+    center.point = estimated_surface_center(t, candidate_.measured_boundary, candidate_.sites);
+    return centers_.find_center(f, t, center);
+  }
+
+  Candidate& candidate_;
+  Domain& domain_;
+  const Fidelity_check_3<Domain>& fidelity_;
+  const Facet_shape_check_3& shapes_;
+  Surface_center_search_3<Domain> centers_;
+};
+
+} // namespace internal
+} // namespace Global_odt_mesh_3
+} // namespace CGAL
+
+#endif // CGAL_GLOBAL_ODT_MESH_3_INTERNAL_RESTRICTED_FLAT_BOUNDARY_CELLS_3_H
