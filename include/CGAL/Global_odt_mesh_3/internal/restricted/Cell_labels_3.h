@@ -159,9 +159,8 @@ private:
     if(found.label_of_dual == no_subdomain && !candidate_.is_thorough() && (!is_boundary_cell || candidate_.boundary_moves()))
       found.label_of_dual = label_seen_from_boundary(q);
     // What the vertices see is not enough to send any of them back.
-    if(!is_boundary_cell && found.label_of_dual != found.label)
-      found.label_of_dual = no_subdomain;
-    if(found.label_of_dual == no_subdomain)
+    const bool is_enough = is_boundary_cell ? found.label_of_dual != no_subdomain : found.label_of_dual == found.label;
+    if(!is_enough)
       found.subdomain_of_dual = domain_.subdomain_at(candidate_.triangulation().dual(c));
     return found;
   }

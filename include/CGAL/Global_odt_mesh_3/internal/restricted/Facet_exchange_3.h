@@ -102,7 +102,7 @@ private:
     return result;
   }
 
-  // Finds the facets that would go, come, and stay at the vertex; false if one has no patch.
+  // Finds the facets that would go, come, and stay at the vertex; false if one has no patch or is not to stay.
   bool find_facets()
   {
     const std::vector<std::pair<Triple, int> > hull = labels_beyond_old_cells();
@@ -183,6 +183,8 @@ private:
     {
       if(std::find(t.begin(), t.end(), lifted_.vertex()) != t.end())
         moved_.push_back(t);
+      else if(complex_.state.far_facets.count(t) > 0)         // has to go along with its cell
+        return false;
       removed_.erase(old);
       return true;
     }

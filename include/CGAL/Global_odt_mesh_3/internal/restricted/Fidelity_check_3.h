@@ -82,15 +82,18 @@ public:
     });
     for(std::size_t k = 0; k < in_question.size(); ++k)
       candidate.known_distances.emplace(vertices(in_question[k]), distances[k]);
+    candidate.far_facets.clear();
     for(std::size_t n = 0; n < candidate.facets.size(); ++n)
     {
       if(candidate.centers[n].is_faithful)
         continue;
       const Triple& t = candidate.boundary_complex->facets()[n].vertices;
       candidate.centers[n].is_faithful = is_faithful(candidate, t);
-      // A facet of the state is as good as it will be.
-      const bool is_of_state = candidate.old_facets[n] >= 0 && candidate.is_unchanged(t);
-      if(!candidate.centers[n].is_faithful && !is_of_state && candidate.spared_facets.count(sorted(t)) == 0)
+      if(candidate.centers[n].is_faithful)
+        continue;
+      if(candidate.spared_facets.count(sorted(t)) > 0)
+        candidate.far_facets.insert(sorted(t));
+      else
         report.send_back(t);
     }
     return report;

@@ -79,7 +79,7 @@ struct Restricted_candidate_3
   std::unordered_map<Triple, double, boost::hash<Triple> > known_distances;
   std::map<Quadruple, int> peeled_cells;
   std::map<Triple, int> peeled_facets;
-  std::set<Triple> spared_facets;             // sorted
+  std::set<Triple> spared_facets, far_facets; // of flat boundary cells: all, and those too far from the surface
   std::set<Quadruple> tolerated_cells;
   std::map<int, int> times_sent_back, times_pushed;           // of vertices
 
@@ -188,6 +188,7 @@ struct Restricted_candidate_3
     next.centers = std::move(centers);
     next.peeled_cells = std::move(peeled_cells);
     next.peeled_facets = std::move(peeled_facets);
+    next.far_facets = std::move(far_facets);
     next.tolerated_cells = std::move(tolerated_cells);
     next.number_facets();
     next.store_patches(domain);

@@ -84,6 +84,7 @@ struct Restricted_state_3
   std::unordered_map<Quadruple, int, boost::hash<Quadruple> > boundary_cells;   // with all vertices on the boundary; labels
   std::map<Quadruple, int> peeled_cells;            // that have another label than their dual points, which is given
   std::map<Triple, int> peeled_facets;              // of these cells, that are no longer on the boundary; their patches
+  std::set<Triple> far_facets;                      // of flat boundary cells, farther from the surface than permitted
   std::set<Quadruple> tolerated_cells;              // of the input, with dual points in other subdomains
   bool has_unseparating_facets = false;
   bool has_labels_of_domain = false;                // also of the boundary cells
