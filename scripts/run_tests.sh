@@ -20,6 +20,7 @@ run() {
   local name=$1 label=$2
   shift 2
   echo "=== tests with the CGAL of $name ==="
+  # Tests and examples take longer to compile than to run, hence -O1.
   cmake -S . -B "$build/$name" -DCMAKE_BUILD_TYPE=Release -DGLOBAL_ODT_MESH_3_BUILD_TESTS=ON \
         -DGLOBAL_ODT_MESH_3_CONTRACT_TESTS_ONLY="$([ -n "$label" ] && echo ON || echo OFF)" \
         -DGLOBAL_ODT_MESH_3_BUILD_EXAMPLES="$([ -n "$label" ] && echo OFF || echo ON)" \

@@ -26,20 +26,17 @@
 namespace random_domains {
 
 // A model, perhaps with holes, in a box: facets that separate nothing.
-struct Surface_inside_input
+struct Surface_inside_input : Random_input
 {
   typedef Polyhedral_domain Domain;
   typedef Polyhedral_c3t3 C3t3;
 
-  std::string name;
-  Sizes sizes;
-  double tolerance = 1e-2, radius;
+  double radius;
   Polyhedron inside, box;
   Domain domain;
 
   explicit Surface_inside_input(Draw& draw)
-    : name(random_model(draw))
-    , sizes(draw)
+    : Random_input(random_model(draw), draw)
     , inside(perhaps_open(read_model(name), draw))
     , box(box_around(inside, draw.uniform(0.05, 0.5)))
     , domain(inside, box)
@@ -51,8 +48,6 @@ struct Surface_inside_input
 
   Polyhedral_criteria criteria() const { return criteria_with_features<Polyhedral_criteria>(sizes, radius); }
   C3t3 mesh() const { return CGAL::make_mesh_3<C3t3>(domain, criteria(), params::no_exude(), params::no_perturb()); }
-  void fail_sometimes(Draw&) {}
-  void stop_failing() {}
 
 private:
   // Larger by a fraction of its extent to every side.
@@ -165,21 +160,19 @@ private:
 };
 
 // Many corners and junctions.
-struct Polyhedral_complex_input
+struct Polyhedral_complex_input : Random_input
 {
   typedef CGAL::Polyhedral_complex_mesh_domain_3<Kernel, Polyhedron> Domain;
   typedef CGAL::Mesh_triangulation_3<Domain, CGAL::Default, Concurrency_tag>::type Triangulation;
   typedef CGAL::Mesh_complex_3_in_triangulation_3<Triangulation, Domain::Corner_index, Domain::Curve_index> C3t3;
   typedef CGAL::Mesh_criteria_3<Triangulation> Criteria;
 
-  std::string name = "polyhedral complex";
-  Sizes sizes;
-  double tolerance = 1e-2, radius;
+  double radius;
   Random_walls walls;
   Domain domain;
 
   explicit Polyhedral_complex_input(Draw& draw)
-    : sizes(draw)
+    : Random_input("polyhedral complex", draw)
     , walls(draw)
     , domain(walls.surfaces.begin(), walls.surfaces.end(), walls.subdomains.begin(), walls.subdomains.end())
   {
@@ -189,8 +182,6 @@ struct Polyhedral_complex_input
 
   Criteria criteria() const { return criteria_with_features<Criteria>(sizes, radius); }
   C3t3 mesh() const { return CGAL::make_mesh_3<C3t3>(domain, criteria(), params::no_exude(), params::no_perturb()); }
-  void fail_sometimes(Draw&) {}
-  void stop_failing() {}
 };
 
 // The union of a ball, subdomain 2, and of the rest of a polyhedron, subdomain 1, whose surfaces are patches with the same
@@ -289,24 +280,21 @@ private:
   const Labeled_domain& ball_;
 };
 
-struct Hybrid_input
+struct Hybrid_input : Random_input
 {
   typedef Hybrid_domain Domain;
   typedef CGAL::Mesh_triangulation_3<Domain, CGAL::Default, Concurrency_tag>::type Triangulation;
   typedef CGAL::Mesh_complex_3_in_triangulation_3<Triangulation> C3t3;
   typedef CGAL::Mesh_criteria_3<Triangulation> Criteria;
 
-  std::string name;
-  Sizes sizes;
-  double tolerance = 1e-2, radius;
+  double radius;
   Polyhedron polyhedron;
   Polyhedral_domain polyhedral_domain;
   Labeled_domain ball;
   Domain domain;
 
   explicit Hybrid_input(Draw& draw)
-    : name(random_model(draw))
-    , sizes(draw)
+    : Random_input(random_model(draw), draw)
     , polyhedron(read_model(name))
     , polyhedral_domain(polyhedron)
     , ball(make_ball(draw, polyhedral_domain.bbox()))
@@ -316,15 +304,8 @@ struct Hybrid_input
     name += " and a ball";
   }
 
-  Criteria criteria() const
-  {
-    return Criteria(params::facet_angle = sizes.angle, params::facet_size = sizes.facet * radius,
-                    params::facet_distance = sizes.distance * radius, params::cell_radius_edge_ratio = sizes.ratio,
-                    params::cell_size = sizes.cell * radius);
-  }
+  Criteria criteria() const { return criteria_without_features<Criteria>(sizes, radius); }
   C3t3 mesh() const { return CGAL::make_mesh_3<C3t3>(domain, criteria(), params::no_exude(), params::no_perturb()); }
-  void fail_sometimes(Draw&) {}
-  void stop_failing() {}
 
 private:
   // Somewhere in the box.

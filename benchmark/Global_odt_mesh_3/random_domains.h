@@ -22,7 +22,7 @@
 // huge, and far from the origin; images; polyhedra with and without features; and what is composed of these.
 namespace random_domains {
 
-struct Implicit_input
+struct Implicit_input : Random_input
 {
   typedef Labeled_domain Domain;
   typedef Labeled_c3t3 C3t3;
@@ -33,10 +33,8 @@ struct Implicit_input
     std::atomic<long> questions{0}, throws_after{-1};
   };
 
-  std::string name;
   std::shared_ptr<Failing> failing = std::make_shared<Failing>();
-  Sizes sizes;
-  double radius, tolerance = 1e-2;
+  double radius;
   bool is_graded;
   Point_3 center;
   Domain domain;
@@ -49,13 +47,8 @@ struct Implicit_input
     const double r = radius, smallest = sizes.cell * radius / 2;
     const auto graded = [=](const Point_3& p, int, const Domain::Index&)
     { return smallest * (1 + 2 * std::sqrt(CGAL::to_double(CGAL::squared_distance(p, c))) / r); };
-    if(is_graded)
-      return Labeled_criteria(params::facet_angle = sizes.angle, params::facet_size = sizes.facet * radius,
-                              params::facet_distance = sizes.distance * radius, params::cell_radius_edge_ratio = sizes.ratio,
-                              params::cell_size = Size{ graded });
-    return Labeled_criteria(params::facet_angle = sizes.angle, params::facet_size = sizes.facet * radius,
-                            params::facet_distance = sizes.distance * radius, params::cell_radius_edge_ratio = sizes.ratio,
-                            params::cell_size = sizes.cell * radius);
+    return is_graded ? criteria_without_features<Labeled_criteria>(sizes, radius, Size{ graded })
+                     : criteria_without_features<Labeled_criteria>(sizes, radius);
   }
 
   C3t3 mesh() const { return CGAL::make_mesh_3<C3t3>(domain, criteria(), params::no_exude(), params::no_perturb()); }
@@ -78,8 +71,7 @@ private:
   };
 
   Implicit_input(Draw& draw, std::pair<std::string, Labels> labels)
-    : name(labels.first)
-    , sizes(draw)
+    : Random_input(labels.first, draw)
     , radius(draw.chance(0.3) ? draw.power(1e-6, 1e6) : 1)
     , is_graded(draw.chance(0.3))
     , center(draw.chance(0.2) ? Point_3(1000 * radius, -300 * radius, 20 * radius) : Point_3(0, 0, 0))
@@ -102,36 +94,27 @@ private:
 };
 
 // The same, or gray values, on a grid, perhaps with noise.
-struct Image_input
+struct Image_input : Random_input
 {
   typedef Labeled_domain Domain;
   typedef Labeled_c3t3 C3t3;
 
-  std::string name;
-  Sizes sizes;
-  double tolerance = 5e-2;          // steps of voxels
   CGAL::Image_3 image;
   Domain domain;
 
   explicit Image_input(Draw& draw) : Image_input(draw, random_labels(draw), draw.chance(0.3)) {}
 
-  Labeled_criteria criteria() const
-  {
-    return Labeled_criteria(params::facet_angle = sizes.angle, params::facet_size = sizes.facet / 2,
-                            params::facet_distance = sizes.distance / 2, params::cell_radius_edge_ratio = sizes.ratio,
-                            params::cell_size = sizes.cell / 2);
-  }
+  Labeled_criteria criteria() const { return criteria_without_features<Labeled_criteria>(sizes, 0.5); }
   C3t3 mesh() const { return CGAL::make_mesh_3<C3t3>(domain, criteria(), params::no_exude(), params::no_perturb()); }
-  void fail_sometimes(Draw&) {}
-  void stop_failing() {}
 
 private:
   Image_input(Draw& draw, const std::pair<std::string, Labels>& labels, bool is_gray)
-    : name((is_gray ? "gray image of a " : "labeled image of a ") + labels.first)
-    , sizes(draw)
+    : Random_input((is_gray ? "gray image of a " : "labeled image of a ") + labels.first, draw)
     , image(make(draw, labels.second, is_gray))
     , domain(is_gray ? gray_image_domain(image) : labeled_image_domain(image))
-  {}
+  {
+    tolerance = 5e-2;               // steps of voxels
+  }
 
   static CGAL::Image_3 make(Draw& draw, const Labels& labels, bool is_gray)
   {
@@ -150,21 +133,18 @@ private:
   }
 };
 
-struct Polyhedral_input
+struct Polyhedral_input : Random_input
 {
   typedef Polyhedral_domain Domain;
   typedef Polyhedral_c3t3 C3t3;
 
-  std::string name;
-  Sizes sizes;
-  double tolerance = 1e-2, radius;
+  double radius;
   bool has_features;
   Polyhedron polyhedron;
   Domain domain;
 
   explicit Polyhedral_input(Draw& draw)
-    : name(random_model(draw))
-    , sizes(draw)
+    : Random_input(random_model(draw), draw)
     , has_features(draw.chance(0.5))
     , polyhedron(read_model(name))
     , domain(polyhedron)
@@ -182,35 +162,32 @@ struct Polyhedral_input
       return CGAL::make_mesh_3<C3t3>(domain, criteria(), params::no_exude(), params::no_perturb());
     return CGAL::make_mesh_3<C3t3>(domain, criteria(), params::no_exude(), params::no_perturb(), params::no_features());
   }
-  void fail_sometimes(Draw&) {}
-  void stop_failing() {}
 };
 
-template <class Input>
-struct Kind { typedef Input type; };
+template <class Input, class F>
+void with_input(Draw& draw, const F& f)
+{
+  Input input(draw);
+  f(input);
+}
 
 // Calls f(input).
 template <class F>
 void with_random_input(Draw& draw, const F& f)
 {
-  const auto with = [&](auto kind)
-  {
-    typename decltype(kind)::type input(draw);
-    f(input);
-  };
   const int kind = draw.integer(0, 13);
   if(kind < 4)
-    with(Kind<Implicit_input>());
+    with_input<Implicit_input>(draw, f);
   else if(kind < 6)
-    with(Kind<Image_input>());
+    with_input<Image_input>(draw, f);
   else if(kind < 8)
-    with(Kind<Polyhedral_input>());
+    with_input<Polyhedral_input>(draw, f);
   else if(kind < 10)
-    with(Kind<Surface_inside_input>());
+    with_input<Surface_inside_input>(draw, f);
   else if(kind < 12)
-    with(Kind<Polyhedral_complex_input>());
+    with_input<Polyhedral_complex_input>(draw, f);
   else
-    with(Kind<Hybrid_input>());
+    with_input<Hybrid_input>(draw, f);
 }
 
 } // namespace random_domains

@@ -140,6 +140,33 @@ inline double radius_of(const CGAL::Bbox_3& box)
   return std::hypot(box.xmax() - box.xmin(), box.ymax() - box.ymin(), box.zmax() - box.zmin()) / 2;
 }
 
+// What inputs have; those whose domains cannot fail leave the last two as they are.
+struct Random_input
+{
+  std::string name;
+  Sizes sizes;
+  double tolerance = 1e-2;          // how far vertices may be off the surface, over the size of the mesh
+
+  Random_input(const std::string& n, Draw& draw) : name(n), sizes(draw) {}
+
+  void fail_sometimes(Draw&) {}
+  void stop_failing() {}
+};
+
+template <class Criteria, class Cell_size>
+Criteria criteria_without_features(const Sizes& sizes, double radius, const Cell_size& cell_size)
+{
+  return Criteria(params::facet_angle = sizes.angle, params::facet_size = sizes.facet * radius,
+                  params::facet_distance = sizes.distance * radius, params::cell_radius_edge_ratio = sizes.ratio,
+                  params::cell_size = cell_size);
+}
+
+template <class Criteria>
+Criteria criteria_without_features(const Sizes& sizes, double radius)
+{
+  return criteria_without_features<Criteria>(sizes, radius, sizes.cell * radius);
+}
+
 template <class Criteria>
 Criteria criteria_with_features(const Sizes& sizes, double radius)
 {
