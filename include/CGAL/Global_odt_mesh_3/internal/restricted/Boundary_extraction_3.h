@@ -73,9 +73,7 @@ public:
       if(!separates && (old < 0 || old_facets[old].labels[0] != old_facets[old].labels[1]))
         continue;
       b.labels = {{ domain_.label(c->subdomain_index()), domain_.label(d->subdomain_index()) }};
-      const auto peeled = candidate_.state.peeled_facets.find(sorted(b.vertices));
-      b.patch = old >= 0 ? old_facets[old].patch
-              : peeled != candidate_.state.peeled_facets.end() ? peeled->second : patch_of_new_facet(b);
+      b.patch = old >= 0 ? old_facets[old].patch : patch_of_new_facet(b);
       found.push_back(b);
       candidate_.facets.push_back(f);
       candidate_.old_facets.push_back(old);
@@ -88,9 +86,12 @@ private:
   typedef typename Candidate::Facet Facet;
   typedef typename Candidate::Triple Triple;
 
-  // The patch on which all vertices agree.
+  // The patch from which it has been peeled, or else that on which all vertices agree.
   int patch_of_new_facet(const Boundary_facet& f)
   {
+    const auto peeled = candidate_.state.peeled_facets.find(sorted(f.vertices));
+    if(peeled != candidate_.state.peeled_facets.end())
+      return peeled->second;
     const Boundary_complex_3& boundary = candidate_.state.boundary.complex();
     std::set<int> common;
     for(std::size_t k = 0; k < 3; ++k)

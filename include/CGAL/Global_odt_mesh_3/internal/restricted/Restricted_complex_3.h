@@ -119,7 +119,8 @@ public:
     }
     Candidate candidate(state_, trials.sites, motion_, true, threads_);
     trials.give(candidate);
-    Flat_boundary_cells_3<Domain>(candidate, domain_, fidelity_, shapes_).spare();
+    if(candidate.boundary_moves())
+      Flat_boundary_cells_3<Domain>(candidate, domain_, fidelity_, shapes_).spare();
     for(int v = candidate.numbering.number_of_interior_vertices; v < candidate.numbering.number_of_movable_vertices; ++v)
       if(!candidate.is_home(v))
         candidate.surface_position(v) = { true, 0, candidate.sites[v] };
