@@ -12,13 +12,14 @@
 
 #include <Eigen/Core>
 
+#include <algorithm>
 #include <cmath>
 
 namespace CGAL {
 namespace Global_odt_mesh_3 {
 namespace internal {
 
-// Finds where the dual line of a facet meets the surface.
+// Finds where the dual line of a facet meets the surface: on the dual segment if that joins two subdomains.
 template <class Domain>
 class Surface_center_search_3
 {
@@ -42,13 +43,13 @@ public:
   }
 
   // The same in two steps, the first of which threads may do for several facets.
-  void remember(const Triple& t, const Surface_center& center) { candidate_.known_centers.emplace(t, center); }
+  void remember(const Triple& t, const Surface_center& center) { candidate_.known_centers[t] = center; }
 
   void search(const Facet& facet, const Triple& t, Surface_center& center) const
   {
     center.is_exact = false;
     const auto known = candidate_.known_centers.find(t);
-    if(known != candidate_.known_centers.end())
+    if(known != candidate_.known_centers.end() && (!known->second.is_exact || is_between_subdomains(facet, t, known->second)))
     {
       if(known->second.is_exact)
         center = known->second;
@@ -59,8 +60,20 @@ public:
     for(const auto& s : segments_to_search)
       if(put_on_segment(expected + s[0] * dual.radius * dual.normal, dual.normal, s[1] * dual.radius, center))
         break;
-    if(!center.is_exact)
+    if(!center.is_exact || !is_between_subdomains(facet, t, center))
       put_on_dual_segment(facet, dual, center);
+  }
+
+  // Whether a center is on the dual segment, unless that is infinite or joins no two subdomains.
+  bool is_between_subdomains(const Facet& facet, const Triple& t, const Surface_center& center) const
+  {
+    const Cell_handle c = facet.first, d = c->neighbor(facet.second);
+    if(is_infinite(c) || is_infinite(d) || c->subdomain_index() == d->subdomain_index())
+      return true;
+    const Facet_dual_3 dual(t, candidate_.sites);
+    const auto ends = std::minmax({ dual.height(dual_point(c)), dual.height(dual_point(d)) });
+    const double height = dual.height(center.point);
+    return ends.first <= height && height <= ends.second;
   }
 
 private:
@@ -91,12 +104,21 @@ private:
   // Where the surface is far from the facet, it is crossed between the dual points of its cells.
   void put_on_dual_segment(const Facet& facet, const Facet_dual_3& dual, Surface_center& center) const
   {
-    const Triangulation& tr = candidate_.triangulation();
     const Cell_handle c = facet.first, d = c->neighbor(facet.second);
-    if(tr.is_infinite(c) || tr.is_infinite(d))
+    if(is_infinite(c) || is_infinite(d))
       return;
-    const double from = dual.height(coordinates(tr.dual(c))), to = dual.height(coordinates(tr.dual(d)));
+    const double from = dual.height(dual_point(c)), to = dual.height(dual_point(d));
     put_on_segment(dual.point_at((from + to) / 2), dual.normal, std::abs(to - from) / 2, center);
+  }
+
+  bool is_infinite(Cell_handle c) const { return candidate_.triangulation().is_infinite(c); }
+
+  // Threads must not make cells remember theirs.
+  Vector dual_point(Cell_handle c) const
+  {
+    const Triangulation& tr = candidate_.triangulation();
+    return coordinates(tr.geom_traits().construct_weighted_circumcenter_3_object()(
+      tr.point(c, 0), tr.point(c, 1), tr.point(c, 2), tr.point(c, 3)));
   }
 
   Candidate& candidate_;

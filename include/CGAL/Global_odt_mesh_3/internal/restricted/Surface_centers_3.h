@@ -46,9 +46,16 @@ public:
     {
       Surface_center& center = candidate_.centers[n];
       center = known_center(vertices(n), candidate_.old_facets[n]);
-      is_searched[n] = candidate_.is_final && !center.is_exact;
-      if(is_searched[n])
-        search.search(candidate_.facets[n], vertices(n), center);
+      const bool is_good = center.is_exact && (!candidate_.boundary_moves()
+                                               || search.is_between_subdomains(candidate_.facets[n], vertices(n), center));
+      is_searched[n] = candidate_.is_final && !is_good;
+      if(!is_searched[n])
+        return;
+      // One that is not found anew stays as it was.
+      const Surface_center known = center;
+      search.search(candidate_.facets[n], vertices(n), center);
+      if(!center.is_exact)
+        center = known;
     });
     for(std::size_t n = 0; n < candidate_.facets.size(); ++n)
     {
