@@ -151,9 +151,10 @@ surfaces meet, where a surface bends sharply, or on a surface that separates no 
 sliver; those where surfaces meet move on the surface of their index. The result has as many vertices of each dimension
 and index and as many facets of each patch as the input. The Euler characteristic, the components, and the junctions of
 patches and subdomains are those of the input, and no centroid of a facet is farther from a polyhedral surface
-than the worst of the input, except of a sliver that is left between two facets of the surface. No facet of the boundary gets an angle below the smallest of the input or below
-30 degrees, whichever is less, unless no valid mesh, or no mesh with sizes that differ from those of the input, can be
-obtained otherwise. Where these conditions cannot be met, vertices move less, or not at all.
+than the worst of the input, except of a sliver that is left between two facets of the surface. No facet of the
+boundary gets an angle below the smallest of the input or below 30 degrees, whichever is less, unless no valid mesh, or
+no mesh with sizes that differ from those of the input, can be obtained otherwise. Where these conditions cannot be met,
+vertices move less, or not at all.
 The result is an exact regular triangulation in which each cell is in the subdomain that contains its dual point, at
 least as far as this holds for the input.
 

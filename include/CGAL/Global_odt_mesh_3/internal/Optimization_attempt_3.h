@@ -86,7 +86,7 @@ public:
   void commit()
   {
     const auto in_stage = during(Stage_clock::WRITE);
-    if(!complex_.state().is_input())
+    if(!complex_.state().is_input)
       C3t3_writer_3<C3t3, Domain>(complex_.take_state(), complex_.domain()).write(c3t3_);
   }
 
@@ -203,7 +203,7 @@ private:
   }
 
   // Whether no vertex has moved since the input.
-  bool is_untouched() const { return complex_.state().is_input() && complex_.state().has_positions(mesh_.sites); }
+  bool is_untouched() const { return complex_.state().is_input && complex_.state().has_positions(mesh_.sites); }
 
   C3t3& c3t3_;
   const Odt_parameters& parameters_;

@@ -50,7 +50,8 @@ public:
     , numbering_(std::make_shared<Vertex_numbering>())
   {
     state_.numbering = numbering_;
-    state_.input = &tr_;
+    numbering_->input = &tr_;
+    state_.is_input = true;
   }
 
   // Vertices of the interior move, unless a boundary facet touches them; those that surfaces run smoothly

@@ -18,6 +18,7 @@
 #include <Eigen/Core>
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <optional>
 #include <vector>
@@ -97,6 +98,8 @@ private:
 
   // The sine between the direction to a dual point and the tangential planes that is clear enough.
   static constexpr double clear_margin = 0.05;
+  // Six times the volume, over the cube of the longest edge at a vertex, of a cell whose dual point is sure to nine digits.
+  static constexpr double certain_volume = 1e-6;
   static constexpr int no_subdomain = Candidate::State::no_subdomain;
 
   bool is_on_boundary(int v) const { return candidate_.numbering.is_on_boundary(v); }
@@ -154,7 +157,8 @@ private:
     if(found.has_several_labels)
       return found;
     const bool is_boundary_cell = found.label == no_subdomain;
-    if(is_boundary_cell && candidate_.is_unchanged(q) && (candidate_.state.has_labels_of_domain || !candidate_.is_thorough()))
+    if(is_boundary_cell && candidate_.is_unchanged(q)
+       && (!candidate_.is_thorough() || (candidate_.state.has_labels_of_domain && !is_dual_point_uncertain(q))))
       found.label_of_dual = candidate_.state.label_of_dual(q);
     if(found.label_of_dual == no_subdomain && !candidate_.is_thorough() && (!is_boundary_cell || candidate_.boundary_moves()))
       found.label_of_dual = label_seen_from_boundary(q);
@@ -179,10 +183,20 @@ private:
     c->set_subdomain_index(domain_.subdomain(label));
     if(is_boundary_cell)
       note(c, IS_BOUNDARY_CELL);
-    if(label == label_of_dual || is_tolerated(candidate_, q))
+    if(label == label_of_dual || is_of_input(candidate_, q))
       note(c, IS_SETTLED);
     else
       report_cell_beyond_surface(candidate_, q, label, report);
+  }
+
+  // Whether the cell is so flat that its dual point depends, by rounding, on the order of the vertices, which may be
+  // another than in the state.
+  bool is_dual_point_uncertain(const Quadruple& q) const
+  {
+    const std::vector<Site>& sites = candidate_.sites;
+    const Cell_products t(sites[q[0]], sites[q[1]], sites[q[2]], sites[q[3]]);
+    const double length = std::sqrt((std::max)({ t.aa, t.bb, t.cc }));
+    return !(std::abs(t.determinant) > certain_volume * length * length * length);
   }
 
   // The label of the dual point if all vertices on the boundary agree about it.

@@ -6,7 +6,8 @@
 #ifndef CGAL_GLOBAL_ODT_MESH_3_INTERNAL_RESTRICTED_DUAL_SIDE_3_H
 #define CGAL_GLOBAL_ODT_MESH_3_INTERNAL_RESTRICTED_DUAL_SIDE_3_H
 
-#include <CGAL/Global_odt_mesh_3/internal/geometry/Vertex_tuples.h>
+#include <CGAL/Global_odt_mesh_3/internal/geometry/Point_coordinates.h>
+#include <CGAL/Global_odt_mesh_3/internal/geometry/Site.h>
 #include <CGAL/Global_odt_mesh_3/internal/restricted/Restricted_candidate_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/restricted/Restricted_report_3.h>
 
@@ -21,18 +22,14 @@ namespace internal {
 
 // Whether a cell with its dual point in another subdomain is one of the input, which may be as it likes.
 template <class Candidate>
-bool is_tolerated(Candidate& candidate, const typename Candidate::Quadruple& q)
+bool is_of_input(const Candidate& candidate, const typename Candidate::Quadruple& q)
 {
-  if(!candidate.are_home(q))
-    return false;
-  const auto& state = candidate.state;
-  if(!state.is_input())
-    return candidate.tolerated_cells.count(sorted(q)) > 0;
-  typename Candidate::Cell_handle c;
-  if(!state.triangulation().is_cell(state.vertex(q[0]), state.vertex(q[1]), state.vertex(q[2]), state.vertex(q[3]), c))
-    return false;
-  candidate.tolerated_cells.insert(sorted(q));
-  return true;
+  typedef typename Candidate::Cell_handle Cell_handle;
+  const auto& numbering = candidate.numbering;
+  const auto& v = numbering.input_vertices;
+  const auto is_as_in_input = [&](int w) { return same_place(candidate.sites[w], weighted_site(v[w]->point())); };
+  Cell_handle c;
+  return std::all_of(q.begin(), q.end(), is_as_in_input) && numbering.input->is_cell(v[q[0]], v[q[1]], v[q[2]], v[q[3]], c);
 }
 
 // The direction away from the boundary into the subdomain, as the normals at the vertices of a cell

@@ -80,7 +80,6 @@ struct Restricted_candidate_3
   std::map<Quadruple, int> peeled_cells;
   std::map<Triple, int> peeled_facets;
   std::set<Triple> spared_facets, far_facets; // of flat boundary cells: all, and those too far from the surface
-  std::set<Quadruple> tolerated_cells;
   std::map<int, int> times_sent_back, times_pushed;           // of vertices
 
   Restricted_candidate_3(const State& from, const std::vector<Site>& target, Boundary_motion how, bool is_last,
@@ -93,7 +92,6 @@ struct Restricted_candidate_3
     , sites(target)
     , homes(from.sites)
     , surface_positions(from.surface_positions)
-    , tolerated_cells(from.tolerated_cells)
   {
     for(int v = numbering.number_of_interior_vertices; v < numbering.number_of_movable_vertices; ++v)
     {
@@ -189,7 +187,6 @@ struct Restricted_candidate_3
     next.peeled_cells = std::move(peeled_cells);
     next.peeled_facets = std::move(peeled_facets);
     next.far_facets = std::move(far_facets);
-    next.tolerated_cells = std::move(tolerated_cells);
     next.number_facets();
     next.store_patches(domain);
     next.surface_positions = std::move(surface_positions);

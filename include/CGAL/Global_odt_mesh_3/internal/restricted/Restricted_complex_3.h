@@ -189,7 +189,7 @@ private:
   {
     const Stage_clock::In_stage in_stage(threads_.clock(), Stage_clock::CHECK);
     Candidate candidate(state_, target, motion_, is_final, threads_);
-    candidate.numbered = state_.is_input() ? std::make_unique<Numbered_triangulation>() : std::move(state_.own);
+    candidate.numbered = state_.is_input ? std::make_unique<Numbered_triangulation>() : std::move(state_.own);
     try
     {
       if(complete(candidate, mesh))

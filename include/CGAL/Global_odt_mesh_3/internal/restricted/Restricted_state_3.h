@@ -73,7 +73,7 @@ struct Restricted_state_3
   };
 
   std::shared_ptr<const Vertex_numbering> numbering;
-  const Triangulation* input = nullptr;                             // of the input
+  bool is_input = false;
   std::unique_ptr<Numbered_triangulation_3<Triangulation> > own;    // of any other state, unless it is lent
   std::vector<Site> sites;
   std::vector<Surface_position> surface_positions;  // of the vertices that move on surfaces
@@ -85,16 +85,14 @@ struct Restricted_state_3
   std::map<Quadruple, int> peeled_cells;            // that have another label than their dual points, which is given
   std::map<Triple, int> peeled_facets;              // of these cells, that are no longer on the boundary; their patches
   std::set<Triple> far_facets;                      // of flat boundary cells, farther from the surface than permitted
-  std::set<Quadruple> tolerated_cells;              // of the input, with dual points in other subdomains
   bool has_unseparating_facets = false;
   bool has_labels_of_domain = false;                // also of the boundary cells
 
-  bool is_input() const { return input != nullptr; }
-  const Triangulation& triangulation() const { return is_input() ? *input : own->triangulation(); }
-  Vertex_handle vertex(int v) const { return is_input() ? numbering->input_vertices[v] : own->vertex(v); }
+  const Triangulation& triangulation() const { return is_input ? *numbering->input : own->triangulation(); }
+  Vertex_handle vertex(int v) const { return is_input ? numbering->input_vertices[v] : own->vertex(v); }
   int number(Vertex_handle v) const
   {
-    return is_input() ? numbering->input_number[v] : Numbered_triangulation_3<Triangulation>::number(v);
+    return is_input ? numbering->input_number[v] : Numbered_triangulation_3<Triangulation>::number(v);
   }
 
   // Of a vertex at a site: as exact as in the input if it is there.

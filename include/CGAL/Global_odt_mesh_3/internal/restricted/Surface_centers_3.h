@@ -46,9 +46,11 @@ public:
     {
       Surface_center& center = candidate_.centers[n];
       center = known_center(vertices(n), candidate_.old_facets[n]);
+      if(!candidate_.is_final)
+        return;
       const bool is_good = center.is_exact && (!candidate_.boundary_moves()
                                                || search.is_between_subdomains(candidate_.facets[n], vertices(n), center));
-      is_searched[n] = candidate_.is_final && !is_good;
+      is_searched[n] = !is_good;
       if(!is_searched[n])
         return;
       // One that is not found anew stays as it was.

@@ -59,7 +59,7 @@ struct Trial_complex_3
     , sites(from.sites)
     , boundary(from.boundary.complex())
   {
-    if(!from.is_input())
+    if(!from.is_input)
     {
       numbered = std::move(from.own);
       return;

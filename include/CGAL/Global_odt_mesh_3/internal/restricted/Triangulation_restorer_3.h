@@ -44,7 +44,7 @@ public:
   // Its vertices are at the sites.
   void operator()(std::unique_ptr<Numbered_triangulation> lent, const std::vector<Site>& sites, const Thread_policy& threads)
   {
-    if(state_.is_input())
+    if(state_.is_input)
       return;
     state_.own = lent != nullptr ? std::move(lent) : std::make_unique<Numbered_triangulation>();
     if(!move_vertices(sites))

@@ -26,6 +26,7 @@ struct Vertex_numbering_3
 
   static constexpr int no_subdomain = -1;
 
+  const Triangulation* input = nullptr;
   std::vector<Vertex_handle> input_vertices;
   CGAL::Unique_hash_map<Vertex_handle, int, CGAL::Hash_handles_with_or_without_timestamps> input_number;
   // A vertex that no boundary facet touches belongs to one subdomain for good, and so

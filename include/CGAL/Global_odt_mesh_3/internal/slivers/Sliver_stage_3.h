@@ -52,7 +52,7 @@ public:
   {
     remove_from_mesh(first_step, has_time);
     const bool is_stored = complex_.state().has_positions(mesh_.sites);
-    if((!is_stored || !complex_.state().is_input()) && !complex_.advance(mesh_, true))
+    if((!is_stored || !complex_.state().is_input) && !complex_.advance(mesh_, true))
       return false;
     complex_.flatten(mesh_);
     reached_ = Cell_angles(mesh_, mesh_.threads());
