@@ -159,7 +159,8 @@ The result is an exact regular triangulation in which each cell is in the subdom
 least as far as this holds for the input.
 
 With `optimize_boundary` set to `false`, vertices on surfaces stay, too, and with them all facets of the
-complex, their patch indices and surface centers, and the volume of each subdomain.
+complex, their patch indices and surface centers, and the volume of each subdomain. Then a cell that is flat up to rounding
+stays in its subdomain, wherever rounding puts its dual point.
 
 If the domain, a field or the callback throws, `c3t3` is as it was before the call. For the same input and
 `random_seed` the result is the same, bit for bit, unless `time_limit` shortens the schedule. Handles to vertices and

@@ -99,6 +99,10 @@ Labeled_c3t3 mesh(const Labeled_domain& domain, double size);
 // Cells are five times as large at the center as on the unit sphere.
 Labeled_c3t3 graded_mesh(const Labeled_domain& domain, double smallest);
 
+// Of the unit ball. The vertices on the sphere lie on rings, so that cells between two rings are flat up to rounding; those
+// on the first rings do not move.
+Labeled_c3t3 mesh_of_rings(const Labeled_domain& domain, int fixed_rings);
+
 // An image of n^3 voxels in the cube [0, 1]^3, filled by f(x, y, z).
 // ImageIO is in namespace CGAL in the latest versions.
 template <class Word, class Kind, class Sign, class F>

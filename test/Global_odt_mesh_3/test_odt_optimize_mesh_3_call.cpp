@@ -620,6 +620,27 @@ static void degenerate(const Labeled_c3t3& sphere_mesh, const Labeled_domain& do
   }
 }
 
+// Cells of structured meshes that are flat up to rounding neither keep the others from moving nor get a label that does not fit.
+static void structured(const Labeled_domain& domain)
+{
+  for(const int fixed_rings : { 0, 3 })
+    for(const int iterations : { 0, 1 })
+      for(const bool optimizes_boundary : { true, false })
+      {
+        const Labeled_c3t3 input = domains::mesh_of_rings(domain, fixed_rings);
+        const Contract contract(input, domain, "mesh with " + std::to_string(fixed_rings) + " fixed rings, "
+                                + std::to_string(iterations) + " iterations");
+        Labeled_c3t3 c3t3(input);
+        CGAL::odt_optimize_mesh_3(c3t3, domain, params::optimize_boundary = optimizes_boundary,
+                                  params::do_remove_slivers = false, params::max_iteration_number = iterations);
+        if(optimizes_boundary)
+          check_moved(contract, c3t3, 0.1);
+        else
+          contract.check(c3t3);
+        check::that(Contract::points(c3t3) != Contract::points(input), "a structured mesh does not move");
+      }
+}
+
 static void called_by_the_mesher()
 {
   // A domain of its own for each, as it carries the random generator.
@@ -668,6 +689,7 @@ int main()
   exceptions(mesh);
   visitor(mesh, domain);
   degenerate(mesh, domain);
+  structured(domain);
   called_by_the_mesher();
   return check::result();
 }

@@ -89,7 +89,7 @@ static std::vector<std::array<int, 6> > labelled_cells(const Complex::State& sta
 // All that a state says, in numbers.
 static std::vector<double> contents(const Complex::State& state)
 {
-  std::vector<double> c = { double(state.is_input()) };
+  std::vector<double> c = { double(state.is_input) };
   for(const Site& s : state.sites)
     c.insert(c.end(), { s.x, s.y, s.z, s.weight });
   for(const auto& p : state.surface_positions)

@@ -157,8 +157,7 @@ private:
     if(found.has_several_labels)
       return found;
     const bool is_boundary_cell = found.label == no_subdomain;
-    if(is_boundary_cell && candidate_.is_unchanged(q)
-       && (!candidate_.is_thorough() || (candidate_.state.has_labels_of_domain && !is_dual_point_uncertain(q))))
+    if(is_boundary_cell && candidate_.is_unchanged(q) && holds_label_of_state(q))
       found.label_of_dual = candidate_.state.label_of_dual(q);
     if(found.label_of_dual == no_subdomain && !candidate_.is_thorough() && (!is_boundary_cell || candidate_.boundary_moves()))
       found.label_of_dual = label_seen_from_boundary(q);
@@ -189,14 +188,22 @@ private:
       report_cell_beyond_surface(candidate_, q, label, report);
   }
 
-  // Whether the cell is so flat that its dual point depends, by rounding, on the order of the vertices, which may be
-  // another than in the state.
-  bool is_dual_point_uncertain(const Quadruple& q) const
+  // Whether the dual point of an unchanged cell has the label in the state that the domain would give it. A cell may be so
+  // flat that its dual point depends, by rounding, on the order of the vertices, which may be another than in the
+  // state; then it keeps its label only if the boundary has to stay.
+  bool holds_label_of_state(const Quadruple& q) const
+  {
+    if(!candidate_.is_thorough())
+      return true;
+    return candidate_.state.has_labels_of_domain && (!candidate_.boundary_moves() || is_dual_point_certain(q));
+  }
+
+  bool is_dual_point_certain(const Quadruple& q) const
   {
     const std::vector<Site>& sites = candidate_.sites;
     const Cell_products t(sites[q[0]], sites[q[1]], sites[q[2]], sites[q[3]]);
     const double length = std::sqrt((std::max)({ t.aa, t.bb, t.cc }));
-    return !(std::abs(t.determinant) > certain_volume * length * length * length);
+    return std::abs(t.determinant) > certain_volume * length * length * length;
   }
 
   // The label of the dual point if all vertices on the boundary agree about it.

@@ -131,7 +131,7 @@ private:
         double sum = 0;
         for(double& x : b)
         {
-          x = (std::max)(0., x / total);
+          x = total > 0 ? (std::max)(0., x / total) : 0;    // a flat cell of the input may have no volume
           sum += x;
         }
         for(double& x : b)

@@ -55,7 +55,17 @@ struct Constrained_triangulation_3
     return Cell_products(sites[a], sites[b], sites[c], sites[d]);
   }
 
-  bool is_inverted(int cell) const { return topology.is_alive(cell) && !(products(cell).determinant > 0); }
+  bool is_inverted(int cell) const { return topology.is_alive(cell) && is_inverted(products(cell)); }
+
+  // By more than rounding can feign. A cell that is so flat may have vertices that stay, as in structured meshes, and then
+  // nothing would ever untangle it.
+  static bool is_inverted(const Cell_products& t)
+  {
+    if(t.determinant > 0)
+      return false;
+    const double squared_length = (std::max)({ t.aa, t.bb, t.cc });
+    return !(t.determinant > -1e-14 * squared_length * std::sqrt(squared_length));
+  }
 
   double determinant(int a, int b, int c, int d) const { return products(a, b, c, d).determinant; }
 

@@ -135,7 +135,7 @@ private:
       sum += e.energy;
       for(int i = 0; i < 4; ++i)
         gradient.add(v[i], e.gradient[i]);
-      if(!(t.determinant > 0))
+      if(mesh.is_inverted(t))
       {
         part.inverted.push_back(slot / 4);
         continue;
