@@ -156,11 +156,11 @@ boundary gets an angle below the smallest of the input or below 30 degrees, whic
 no mesh with sizes that differ from those of the input, can be obtained otherwise. Where these conditions cannot be met,
 vertices move less, or not at all.
 The result is an exact regular triangulation in which each cell is in the subdomain that contains its dual point, at
-least as far as this holds for the input.
+least as far as this holds for the input. (Where a boundary that stays has cells that are flat up to rounding, these
+remain in their subdomains, wherever rounding puts their dual points.)
 
 With `optimize_boundary` set to `false`, vertices on surfaces stay, too, and with them all facets of the
-complex, their patch indices and surface centers, and the volume of each subdomain. Then a cell that is flat up to rounding
-stays in its subdomain, wherever rounding puts its dual point.
+complex, their patch indices and surface centers, and the volume of each subdomain.
 
 If the domain, a field or the callback throws, `c3t3` is as it was before the call. For the same input and
 `random_seed` the result is the same, bit for bit, unless `time_limit` shortens the schedule. Handles to vertices and
