@@ -56,7 +56,7 @@ void flatten_state_3(const Restricted_state_3<Triangulation>& state, const Threa
   const auto number = [&state](typename Triangulation::Vertex_handle v) { return state.number(v); };
   const Triangulation& tr = state.triangulation();
   load_positions(state, state.is_input ? flatten_complex_3(tr, all_cells(tr), number, threads, mesh.topology)
-                                         : flatten_complex_3(tr, state.own->cells(), number, threads, mesh.topology), mesh);
+                                       : flatten_complex_3(tr, state.own->cells(), number, threads, mesh.topology), mesh);
 }
 
 } // namespace internal
