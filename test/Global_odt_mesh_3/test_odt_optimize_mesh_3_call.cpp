@@ -624,10 +624,11 @@ static void degenerate(const Labeled_c3t3& sphere_mesh, const Labeled_domain& do
 static void structured(const Labeled_domain& domain)
 {
   for(const int fixed_rings : { 0, 3 })
+  {
+    const Labeled_c3t3 input = domains::mesh_of_rings(domain, fixed_rings);
     for(const int iterations : { 0, 1 })
       for(const bool optimizes_boundary : { true, false })
       {
-        const Labeled_c3t3 input = domains::mesh_of_rings(domain, fixed_rings);
         const Contract contract(input, domain, "mesh with " + std::to_string(fixed_rings) + " fixed rings, "
                                 + std::to_string(iterations) + " iterations");
         Labeled_c3t3 c3t3(input);
@@ -639,6 +640,7 @@ static void structured(const Labeled_domain& domain)
           contract.check(c3t3);
         check::that(Contract::points(c3t3) != Contract::points(input), "a structured mesh does not move");
       }
+  }
 }
 
 static void called_by_the_mesher()

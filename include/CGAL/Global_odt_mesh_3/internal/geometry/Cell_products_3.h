@@ -8,6 +8,9 @@
 
 #include <CGAL/Global_odt_mesh_3/internal/geometry/Site.h>
 
+#include <algorithm>
+#include <cmath>
+
 namespace CGAL {
 namespace Global_odt_mesh_3 {
 namespace internal {
@@ -61,6 +64,13 @@ struct Cell_products
     nx = ha * bcx + hb * cax + hc * abx;
     ny = ha * bcy + hb * cay + hc * aby;
     nz = ha * bcz + hb * caz + hc * abz;
+  }
+
+  // Of the longest edge at the first vertex: what to compare the determinant with.
+  double cubed_length() const
+  {
+    const double squared_length = (std::max)({ aa, bb, cc });
+    return squared_length * std::sqrt(squared_length);
   }
 };
 

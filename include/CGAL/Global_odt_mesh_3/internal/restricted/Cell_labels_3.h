@@ -200,19 +200,22 @@ private:
 
   bool is_dual_point_certain(const Quadruple& q) const
   {
+    const Cell_products t = products(q);
+    return std::abs(t.determinant) > certain_volume * t.cubed_length();
+  }
+
+  Cell_products products(const Quadruple& q) const
+  {
     const std::vector<Site>& sites = candidate_.sites;
-    const Cell_products t(sites[q[0]], sites[q[1]], sites[q[2]], sites[q[3]]);
-    const double length = std::sqrt((std::max)({ t.aa, t.bb, t.cc }));
-    return std::abs(t.determinant) > certain_volume * length * length * length;
+    return Cell_products(sites[q[0]], sites[q[1]], sites[q[2]], sites[q[3]]);
   }
 
   // The label of the dual point if all vertices on the boundary agree about it.
   int label_seen_from_boundary(const Quadruple& q) const
   {
     const std::vector<Site>& sites = candidate_.sites;
-    const Site& origin = sites[q[0]];
-    const Cell_products t(origin, sites[q[1]], sites[q[2]], sites[q[3]]);
-    const Eigen::Vector3d dual = position(origin) + Eigen::Vector3d(t.nx, t.ny, t.nz) / (2 * t.determinant);
+    const Cell_products t = products(q);
+    const Eigen::Vector3d dual = position(sites[q[0]]) + Eigen::Vector3d(t.nx, t.ny, t.nz) / (2 * t.determinant);
     int label = no_subdomain;
     for(int v : q)
     {

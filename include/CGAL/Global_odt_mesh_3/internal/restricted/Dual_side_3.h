@@ -6,8 +6,6 @@
 #ifndef CGAL_GLOBAL_ODT_MESH_3_INTERNAL_RESTRICTED_DUAL_SIDE_3_H
 #define CGAL_GLOBAL_ODT_MESH_3_INTERNAL_RESTRICTED_DUAL_SIDE_3_H
 
-#include <CGAL/Global_odt_mesh_3/internal/geometry/Point_coordinates.h>
-#include <CGAL/Global_odt_mesh_3/internal/geometry/Site.h>
 #include <CGAL/Global_odt_mesh_3/internal/restricted/Restricted_candidate_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/restricted/Restricted_report_3.h>
 
@@ -27,7 +25,7 @@ bool is_of_input(const Candidate& candidate, const typename Candidate::Quadruple
   typedef typename Candidate::Cell_handle Cell_handle;
   const auto& numbering = candidate.numbering;
   const auto& v = numbering.input_vertices;
-  const auto is_as_in_input = [&](int w) { return same_place(candidate.sites[w], weighted_site(v[w]->point())); };
+  const auto is_as_in_input = [&](int w) { return numbering.is_input_site(w, candidate.sites[w]); };
   Cell_handle c;
   return std::all_of(q.begin(), q.end(), is_as_in_input) && numbering.input->is_cell(v[q[0]], v[q[1]], v[q[2]], v[q[3]], c);
 }

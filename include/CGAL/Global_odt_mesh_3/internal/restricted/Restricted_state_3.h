@@ -98,9 +98,8 @@ struct Restricted_state_3
   // Of a vertex at a site: as exact as in the input if it is there.
   Weighted_point point(int v, const Site& s) const
   {
-    const Weighted_point& of_input = numbering->input_vertices[v]->point();
-    if(same_place(s, weighted_site(of_input)))
-      return of_input;
+    if(numbering->is_input_site(v, s))
+      return numbering->input_vertices[v]->point();
     return typename Triangulation::Geom_traits().construct_weighted_point_3_object()(Bare_point(s.x, s.y, s.z));
   }
 

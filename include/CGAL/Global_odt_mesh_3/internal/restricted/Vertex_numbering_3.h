@@ -6,6 +6,9 @@
 #ifndef CGAL_GLOBAL_ODT_MESH_3_INTERNAL_RESTRICTED_VERTEX_NUMBERING_3_H
 #define CGAL_GLOBAL_ODT_MESH_3_INTERNAL_RESTRICTED_VERTEX_NUMBERING_3_H
 
+#include <CGAL/Global_odt_mesh_3/internal/geometry/Point_coordinates.h>
+#include <CGAL/Global_odt_mesh_3/internal/geometry/Site.h>
+
 #include <CGAL/Time_stamper.h>
 #include <CGAL/Unique_hash_map.h>
 
@@ -40,6 +43,8 @@ struct Vertex_numbering_3
   bool is_movable(int v) const { return v < number_of_movable_vertices; }
   bool is_interior(int v) const { return v < number_of_interior_vertices; }
   bool is_on_boundary(int v) const { return subdomain[v] == no_subdomain; }
+  // Whether the site is that of the vertex in the input.
+  bool is_input_site(int v, const Site& s) const { return same_place(s, weighted_site(input_vertices[v]->point())); }
 };
 
 } // namespace internal

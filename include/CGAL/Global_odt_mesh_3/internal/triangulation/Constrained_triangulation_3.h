@@ -61,10 +61,7 @@ struct Constrained_triangulation_3
   // nothing would ever untangle it.
   static bool is_inverted(const Cell_products& t)
   {
-    if(t.determinant > 0)
-      return false;
-    const double squared_length = (std::max)({ t.aa, t.bb, t.cc });
-    return !(t.determinant > -1e-14 * squared_length * std::sqrt(squared_length));
+    return !(t.determinant > 0) && !(t.determinant > -1e-14 * t.cubed_length());
   }
 
   double determinant(int a, int b, int c, int d) const { return products(a, b, c, d).determinant; }
