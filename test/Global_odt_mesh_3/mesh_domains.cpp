@@ -7,7 +7,7 @@
 
 #include <CGAL/Random.h>
 #include <CGAL/make_mesh_3.h>
-#include <CGAL/number_utils.h>
+#include <CGAL/number_type_config.h>
 
 #include <algorithm>
 #include <cmath>
