@@ -156,8 +156,7 @@ boundary gets an angle below the smallest of the input or below 30 degrees, whic
 no mesh with sizes that differ from those of the input, can be obtained otherwise. Where these conditions cannot be met,
 vertices move less, or not at all.
 The result is an exact regular triangulation in which each cell is in the subdomain that contains its dual point, at
-least as far as this holds for the input. (Where a boundary that stays has cells that are flat up to rounding, these
-remain in their subdomains, wherever rounding puts their dual points.)
+least as far as this holds for the input.
 
 With `optimize_boundary` set to `false`, vertices on surfaces stay, too, and with them all facets of the
 complex, their patch indices and surface centers, and the volume of each subdomain.

@@ -14,6 +14,7 @@
 
 #include <Eigen/Core>
 
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <iterator>
@@ -41,6 +42,7 @@ public:
   void write(C3t3& c3t3)
   {
     result_.triangulation().swap(state_.own->triangulation());
+    restore_orders();
     add_cells();
     add_facets();
     add_vertices(c3t3);
@@ -59,6 +61,43 @@ private:
   Triangulation& triangulation() { return result_.triangulation(); }
   Vertex_handle input_vertex(int v) const { return state_.numbering->input_vertices[v]; }
   int number_of_vertices() const { return state_.numbering->number_of_vertices(); }
+
+  // Of the vertices of cells that are in the same subdomain as in the input: on this order depends, by rounding, the dual
+  // point of a flat cell, and hence whether the domain finds it in that subdomain.
+  void restore_orders()
+  {
+    std::vector<Vertex_handle> opposite;
+    for(const Facet& f : state_.facets)
+      opposite.push_back(f.first->vertex(f.second));
+    for(const auto& b : state_.boundary_cells)
+    {
+      const Cell_handle from = state_.numbering->input_cell(b.first, state_.sites);
+      if(from == Cell_handle())
+        continue;
+      std::array<Vertex_handle, 4> v;
+      for(int i = 0; i < 4; ++i)
+        v[i] = state_.vertex(state_.numbering->input_number[from->vertex(i)]);
+      Cell_handle to;
+      if(triangulation().is_cell(v[0], v[1], v[2], v[3], to) && to->subdomain_index() == from->subdomain_index())
+        reorder(to, v);
+    }
+    for(std::size_t n = 0; n < opposite.size(); ++n)
+      state_.facets[n].second = state_.facets[n].first->index(opposite[n]);
+  }
+
+  // Facets lose their patches.
+  static void reorder(Cell_handle c, const std::array<Vertex_handle, 4>& v)
+  {
+    std::array<Cell_handle, 4> neighbors;
+    for(int i = 0; i < 4; ++i)
+      neighbors[i] = c->neighbor(c->index(v[i]));
+    for(int i = 0; i < 4; ++i)
+    {
+      c->set_vertex(i, v[i]);
+      c->set_neighbor(i, neighbors[i]);
+      c->set_surface_patch_index(i, Surface_patch_index());
+    }
+  }
 
   // From the labels that cells have got.
   void add_cells()

@@ -157,8 +157,8 @@ private:
     if(found.has_several_labels)
       return found;
     const bool is_boundary_cell = found.label == no_subdomain;
-    if(is_boundary_cell && candidate_.is_unchanged(q) && holds_label_of_state(q))
-      found.label_of_dual = candidate_.state.label_of_dual(q);
+    if(is_boundary_cell)
+      found.label_of_dual = known_label_of_dual(q);
     if(found.label_of_dual == no_subdomain && !candidate_.is_thorough() && (!is_boundary_cell || candidate_.boundary_moves()))
       found.label_of_dual = label_seen_from_boundary(q);
     // What the vertices see is not enough to send any of them back.
@@ -182,21 +182,31 @@ private:
     c->set_subdomain_index(domain_.subdomain(label));
     if(is_boundary_cell)
       note(c, IS_BOUNDARY_CELL);
-    if(label == label_of_dual || is_of_input(candidate_, q))
+    // The input may be as it likes.
+    if(label == label_of_dual || input_cell(q) != Cell_handle())
       note(c, IS_SETTLED);
     else
       report_cell_beyond_surface(candidate_, q, label, report);
   }
 
-  // Whether the dual point of an unchanged cell has the label in the state that the domain would give it. A cell may be so
-  // flat that its dual point depends, by rounding, on the order of the vertices, which may be another than in the
-  // state; then it keeps its label only if the boundary has to stay.
-  bool holds_label_of_state(const Quadruple& q) const
+  // The label of the dual point of a cell with all vertices on the boundary, or no_subdomain if it takes the domain to know.
+  // An unchanged cell may be so flat that its dual point depends, by rounding, on the order of the vertices, which may be
+  // another than in the state. One of the input gets the order that it has there when the state is written; others
+  // keep their labels only if the boundary has to stay.
+  int known_label_of_dual(const Quadruple& q) const
   {
-    if(!candidate_.is_thorough())
-      return true;
-    return candidate_.state.has_labels_of_domain && (!candidate_.boundary_moves() || is_dual_point_certain(q));
+    if(!candidate_.is_unchanged(q))
+      return no_subdomain;
+    const int of_state = candidate_.state.label_of_dual(q);
+    if(!candidate_.is_thorough() || (candidate_.state.has_labels_of_domain && is_dual_point_certain(q)))
+      return of_state;
+    const Cell_handle c = input_cell(q);
+    if(c != Cell_handle())
+      return domain_.label(c->subdomain_index());
+    return candidate_.state.has_labels_of_domain && !candidate_.boundary_moves() ? of_state : no_subdomain;
   }
+
+  Cell_handle input_cell(const Quadruple& q) const { return candidate_.numbering.input_cell(q, candidate_.sites); }
 
   bool is_dual_point_certain(const Quadruple& q) const
   {

@@ -18,18 +18,6 @@ namespace CGAL {
 namespace Global_odt_mesh_3 {
 namespace internal {
 
-// Whether a cell with its dual point in another subdomain is one of the input, which may be as it likes.
-template <class Candidate>
-bool is_of_input(const Candidate& candidate, const typename Candidate::Quadruple& q)
-{
-  typedef typename Candidate::Cell_handle Cell_handle;
-  const auto& numbering = candidate.numbering;
-  const auto& v = numbering.input_vertices;
-  const auto is_as_in_input = [&](int w) { return numbering.is_input_site(w, candidate.sites[w]); };
-  Cell_handle c;
-  return std::all_of(q.begin(), q.end(), is_as_in_input) && numbering.input->is_cell(v[q[0]], v[q[1]], v[q[2]], v[q[3]], c);
-}
-
 // The direction away from the boundary into the subdomain, as the normals at the vertices of a cell
 // tell, and the longest of the shortest edges there.
 template <class Candidate>

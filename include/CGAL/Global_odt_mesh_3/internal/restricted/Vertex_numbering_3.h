@@ -12,6 +12,8 @@
 #include <CGAL/Time_stamper.h>
 #include <CGAL/Unique_hash_map.h>
 
+#include <algorithm>
+#include <array>
 #include <cstddef>
 #include <vector>
 
@@ -26,6 +28,7 @@ struct Vertex_numbering_3
 {
   typedef Triangulation_ Triangulation;
   typedef typename Triangulation::Vertex_handle Vertex_handle;
+  typedef typename Triangulation::Cell_handle Cell_handle;
 
   static constexpr int no_subdomain = -1;
 
@@ -45,6 +48,17 @@ struct Vertex_numbering_3
   bool is_on_boundary(int v) const { return subdomain[v] == no_subdomain; }
   // Whether the site is that of the vertex in the input.
   bool is_input_site(int v, const Site& s) const { return same_place(s, weighted_site(input_vertices[v]->point())); }
+
+  // The cell of the input that has these vertices at their sites, if any.
+  Cell_handle input_cell(const std::array<int, 4>& q, const std::vector<Site>& sites) const
+  {
+    const auto is_as_in_input = [&](int v) { return is_input_site(v, sites[v]); };
+    const std::vector<Vertex_handle>& v = input_vertices;
+    Cell_handle c;
+    const bool is_there = std::all_of(q.begin(), q.end(), is_as_in_input)
+                          && input->is_cell(v[q[0]], v[q[1]], v[q[2]], v[q[3]], c);
+    return is_there ? c : Cell_handle();
+  }
 };
 
 } // namespace internal
