@@ -139,8 +139,9 @@ private:
         return true;
       if(complex_.motion() != Boundary_motion::BY_NORMALS || !control_.goes_on() || --tries == 0)
         return false;
-      // One on the way, and another last one.
+      // One on the way, which need not pay, and another last one.
       complex_.flatten(mesh_);
+      energy = (std::numeric_limits<double>::max)();
       plan_->add(Round_plan::MINIMIZE, 2);
     }
   }
