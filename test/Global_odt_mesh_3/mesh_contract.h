@@ -347,22 +347,19 @@ private:
       for(auto c = tr.finite_cells_begin(); c != tr.finite_cells_end(); ++c)
       {
         const Subdomain_index label = c3t3.subdomain_index(c);
-        const auto is_misplaced = [&]
-        {
-          const auto wanted = is_in_domain(tr.dual(c));
-          return label != (wanted ? Subdomain_index(*wanted) : Subdomain_index());
-        };
+        const auto q = tr.dual(c);
+        const auto wanted = is_in_domain(q);
+        const bool is_misplaced = label != (wanted ? Subdomain_index(*wanted) : Subdomain_index());
         // Where the dual point is just on the surface, the domain may say this or that.
         const auto is_ambiguous = [&]
         {
-          const auto q = tr.dual(c);
           return is_on_surface(domain, {{ CGAL::to_double(q.x()), CGAL::to_double(q.y()), CGAL::to_double(q.z()), 0 }},
                                1e-9 * std::cbrt(box_volume));
         };
-        if(is_misplaced() && !is_ambiguous())
+        if(is_misplaced && !is_ambiguous())
           ++misplaced_cells;
         // Cells cache their dual points.
-        if(!(tr.dual(c) == weighted_circumcenter(tr.point(c, 0), tr.point(c, 1), tr.point(c, 2), tr.point(c, 3))))
+        if(!(q == weighted_circumcenter(tr.point(c, 0), tr.point(c, 1), tr.point(c, 2), tr.point(c, 3))))
           ++stale_duals;
         if(!c3t3.is_in_complex(c))
           continue;

@@ -60,6 +60,8 @@ private:
 
   Triangulation& triangulation() { return result_.triangulation(); }
   Vertex_handle input_vertex(int v) const { return state_.numbering->input_vertices[v]; }
+  // Of the result, for one of the input.
+  Vertex_handle vertex(Vertex_handle of_input) const { return state_.vertex(state_.numbering->input_number[of_input]); }
   int number_of_vertices() const { return state_.numbering->number_of_vertices(); }
 
   // Of the vertices of cells that are in the same subdomain as in the input: on this order depends, by rounding, the dual
@@ -76,7 +78,7 @@ private:
         continue;
       std::array<Vertex_handle, 4> v;
       for(int i = 0; i < 4; ++i)
-        v[i] = state_.vertex(state_.numbering->input_number[from->vertex(i)]);
+        v[i] = vertex(from->vertex(i));
       Cell_handle to;
       if(triangulation().is_cell(v[0], v[1], v[2], v[3], to) && to->subdomain_index() == from->subdomain_index())
         reorder(to, v);
@@ -156,7 +158,7 @@ private:
   {
     for(auto v = c3t3.vertices_in_complex_begin(); v != c3t3.vertices_in_complex_end(); ++v)
     {
-      const Vertex_handle old = v, to = state_.vertex(state_.numbering->input_number[old]);
+      const Vertex_handle old = v, to = vertex(old);
       const bool special = to->is_special();
       result_.add_to_complex(to, c3t3.corner_index(old));
       to->set_special(special);
