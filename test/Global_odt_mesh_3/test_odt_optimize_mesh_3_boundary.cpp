@@ -412,20 +412,75 @@ static void missed_intersections(const Ellipsoid_domain& domain, const Ellipsoid
   }
 }
 
+namespace odt = CGAL::Global_odt_mesh_3::internal;
+
+// A complex, and a candidate of which no vertex has moved.
+struct Candidate_at_rest
+{
+  typedef odt::Restricted_complex_3<Ellipsoid_triangulation, Ellipsoid_domain> Complex;
+  typedef odt::Restricted_candidate_3<Ellipsoid_triangulation> Candidate;
+
+  Complex complex;
+  std::unique_ptr<Candidate> candidate;
+
+  Candidate_at_rest(const Ellipsoid_domain& domain, const Ellipsoid_c3t3& input)
+    : complex(domain, odt::Boundary_motion::BY_NORMALS)
+  {
+    odt::Moving_triangulation_3 mesh;
+    complex.start(odt::C3t3_reader_3<Ellipsoid_c3t3, Complex::Domain>(input, complex.domain()).read(mesh, true));
+    const auto& state = complex.state();
+    candidate = std::make_unique<Candidate>(state, state.sites, complex.motion(), true, odt::Thread_policy());
+    candidate->numbered = std::make_unique<odt::Numbered_triangulation_3<Ellipsoid_triangulation> >();
+    candidate->build(nullptr);
+  }
+};
+
+// If something is wrong although no vertex has moved, those at it are nudged a little, elsewhere each time; and the
+// candidate is beyond repair only when that has been done to all around.
+static void nudges(const Ellipsoid_domain& domain, const Ellipsoid_c3t3& input)
+{
+  typedef Candidate_at_rest::Candidate Candidate;
+  Candidate_at_rest at_rest(domain, input);
+  Candidate& candidate = *at_rest.candidate;
+  const std::array<int, 3> facet = candidate.state.boundary.complex().facets().front().vertices;
+  std::set<std::vector<double> > all_pushes;
+  int times = 0;
+  for(; times < 20; ++times)
+  {
+    odt::Restricted_report_3<Candidate> report(candidate);
+    report.send_back(facet);
+    check::that(report.offending_vertices().empty() && !report.is_clean(), "vertices that have not moved go back, or nothing is wrong");
+    if(report.pushes().size() != 3 || report.pushes().count(facet[0]) == 0)
+      break;
+    for(const auto& p : report.pushes())
+    {
+      double edge = (std::numeric_limits<double>::max)();
+      std::set<int> neighbors = { p.first };
+      candidate.numbered->grow(neighbors);
+      for(int w : neighbors)
+        if(w != p.first)
+          edge = (std::min)(edge, (odt::position(candidate.sites[w]) - odt::position(candidate.sites[p.first])).norm());
+      check::that(p.second.norm() > 0 && p.second.norm() < edge / 5, "a vertex is nudged by ", p.second.norm(), ", its shortest edge is ", edge);
+      check::that(all_pushes.insert({ p.second[0], p.second[1], p.second[2] }).second, "a vertex is nudged the same way twice");
+      ++candidate.times_pushed[p.first];
+    }
+  }
+  check::that(times > 0 && times < 20, "the same vertices are nudged ", times, " times");
+  for(int v = 0; v < candidate.numbering.number_of_vertices(); ++v)
+    candidate.times_pushed[v] = times;
+  odt::Restricted_report_3<Candidate> report(candidate);
+  report.send_back(facet);
+  check::that(report.is_beyond_repair() && report.pushes().empty(), "vertices are nudged forever");
+}
+
 // A facet for which no surface center is found has none, also when it is asked for again, until its vertices move.
 static void missed_surface_centers(const Ellipsoid_domain& domain, const Ellipsoid_c3t3& input)
 {
-  namespace odt = CGAL::Global_odt_mesh_3::internal;
-  typedef odt::Restricted_complex_3<Ellipsoid_triangulation, Ellipsoid_domain> Complex;
-  typedef odt::Surface_center_search_3<Complex::Domain> Search;
-  Complex complex(domain, odt::Boundary_motion::BY_NORMALS);
-  odt::Moving_triangulation_3 mesh;
-  complex.start(odt::C3t3_reader_3<Ellipsoid_c3t3, Complex::Domain>(input, complex.domain()).read(mesh, true));
-  const auto& state = complex.state();
-  Search::Candidate candidate(state, state.sites, complex.motion(), true, odt::Thread_policy());
-  candidate.numbered = std::make_unique<odt::Numbered_triangulation_3<Ellipsoid_triangulation> >();
-  candidate.build(nullptr);
-  Search search(candidate, complex.domain());
+  typedef odt::Surface_center_search_3<Candidate_at_rest::Complex::Domain> Search;
+  Candidate_at_rest at_rest(domain, input);
+  Search::Candidate& candidate = *at_rest.candidate;
+  const auto& state = at_rest.complex.state();
+  Search search(candidate, at_rest.complex.domain());
   // One between finite cells.
   const auto& tr = input.triangulation();
   const auto is_inside = [&](const auto& f) { return !tr.is_infinite(f.first) && !tr.is_infinite(f.first->neighbor(f.second)); };
@@ -600,6 +655,7 @@ int main()
   test("ellipsoid", c3t3, domain, smooth);
   missed_intersections(domain, c3t3);
   missed_surface_centers(domain, c3t3);
+  nudges(domain, c3t3);
   exceptions(domain, mesh(domain, 0.3));
   return check::result();
 }

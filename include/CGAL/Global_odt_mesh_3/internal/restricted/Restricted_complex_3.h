@@ -271,7 +271,7 @@ private:
   {
     std::set<int> offending = report.offending_vertices();
     for(const auto& p : report.pushes())
-      push(candidate, p.first, p.second, offending.count(p.first) > 0);
+      push(candidate, projection, p.first, p.second, offending.count(p.first) > 0);
     for(int ring = patient_attempts; ring <= attempt; ring += attempts_per_ring)
       candidate.numbered->grow(offending);
     const bool rebuilds = double(offending.size()) > most_moved_one_by_one * candidate.numbering.number_of_vertices()
@@ -297,13 +297,20 @@ private:
     return true;
   }
 
-  static void push(Candidate& candidate, int v, const Eigen::Vector3d& by, bool goes_back)
+  static void push(Candidate& candidate, Surface_projection& projection, int v, const Eigen::Vector3d& by, bool goes_back)
   {
     ++candidate.times_pushed[v];
     if(goes_back)
       return;
     Site& s = candidate.sites[v];
-    s = site_at(position(s) + by, s.weight);
+    if(candidate.numbering.is_interior(v))
+    {
+      s = site_at(position(s) + by, s.weight);
+      return;
+    }
+    const Eigen::Vector3d& normal = candidate.measured_boundary.shape(v, 0).normal;
+    s = site_at(position(s) + by - normal.dot(by) * normal, s.weight);
+    projection.return_to_surface(v, true);
   }
 
   bool send_back(Candidate& candidate, Surface_projection& projection, int v, int attempt)
