@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # Builds and runs the examples of CGAL's own packages Mesh_3 and Periodic_3_mesh_3, as Debian ships them, three times: as
-# they are; with the headers of this package first; and so with odt() added to each call of make_mesh_3().
+# they are; with the headers of this package first; and so with odt() added to the calls of make_mesh_3() of those that use no global optimizer.
 #
 #   run_examples_of_mesh_3.sh [--output directory, default build-mesh-3-examples] [example ...]
 #
@@ -38,7 +38,9 @@ build() {
   rm -rf "$directory"
   mkdir -p "$directory"
   cp -r "$output/examples/$2" "$directory/source"
-  [ "$1" != odt ] || sed -i -E '/odt|lloyd/!s/(make_(periodic_3_)?mesh_3<[A-Za-z0-9_]*>\([a-z_]*domain, *[a-z_]*criteria)/\1, CGAL::parameters::odt()/' "$directory"/source/*.cpp
+  # Some call a global optimizer already.
+  [ "$1" != odt ] || grep -LE 'odt|lloyd' "$directory"/source/*.cpp \
+    | xargs sed -i -E 's/(make_(periodic_3_)?mesh_3<[A-Za-z0-9_]*>\([a-z_]*domain, *[a-z_]*criteria)/\1, CGAL::parameters::odt()/'
   local flags=""
   [ "$1" = plain ] || flags="-I$root/include"
   cmake -S "$directory/source" -B "$directory/build" -DCMAKE_BUILD_TYPE=Release -DCMAKE_CXX_FLAGS="$flags" \

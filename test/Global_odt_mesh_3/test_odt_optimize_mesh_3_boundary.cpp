@@ -449,7 +449,8 @@ static void nudges(const Ellipsoid_domain& domain, const Ellipsoid_c3t3& input)
   {
     odt::Restricted_report_3<Candidate> report(candidate);
     report.send_back(facet);
-    check::that(report.offending_vertices().empty() && !report.is_clean(), "vertices that have not moved go back, or nothing is wrong");
+    check::that(report.offending_vertices().empty() && !report.is_clean(),
+                "vertices that have not moved go back, or nothing is wrong");
     if(report.pushes().size() != 3 || report.pushes().count(facet[0]) == 0)
       break;
     for(const auto& p : report.pushes())
@@ -460,14 +461,15 @@ static void nudges(const Ellipsoid_domain& domain, const Ellipsoid_c3t3& input)
       for(int w : neighbors)
         if(w != p.first)
           edge = (std::min)(edge, (odt::position(candidate.sites[w]) - odt::position(candidate.sites[p.first])).norm());
-      check::that(p.second.norm() > 0 && p.second.norm() < edge / 5, "a vertex is nudged by ", p.second.norm(), ", its shortest edge is ", edge);
-      check::that(all_pushes.insert({ p.second[0], p.second[1], p.second[2] }).second, "a vertex is nudged the same way twice");
-      ++candidate.times_pushed[p.first];
+      const Eigen::Vector3d& by = p.second;
+      check::that(by.norm() > 0 && by.norm() < edge / 5, "a vertex is nudged by ", by.norm(), ", its shortest edge is ", edge);
+      check::that(all_pushes.insert({ by[0], by[1], by[2] }).second, "a vertex is nudged the same way twice");
+      ++candidate.pushed_vertices[p.first];
     }
   }
   check::that(times > 0 && times < 20, "the same vertices are nudged ", times, " times");
   for(int v = 0; v < candidate.numbering.number_of_vertices(); ++v)
-    candidate.times_pushed[v] = times;
+    candidate.pushed_vertices[v] = times;
   odt::Restricted_report_3<Candidate> report(candidate);
   report.send_back(facet);
   check::that(report.is_beyond_repair() && report.pushes().empty(), "vertices are nudged forever");

@@ -48,12 +48,12 @@ void report_cell_beyond_surface(const Candidate& candidate, const typename Candi
   constexpr int most_pushes = 5, most_returns = 2;
   const auto may_go_back = [&](int v)
   {
-    return candidate.numbering.is_movable(v) && !candidate.is_home(v) && times_of(candidate.times_sent_back, v) < most_returns;
+    return candidate.numbering.is_movable(v) && !candidate.is_home(v) && candidate.times_sent_back(v) < most_returns;
   };
   const auto v = std::find_if(q.begin(), q.end(), [&](int w) { return candidate.numbering.is_interior(w); });
   double edge = 0;
   Eigen::Vector3d by = Eigen::Vector3d::Zero();
-  if(v != q.end() && std::none_of(q.begin(), q.end(), may_go_back) && times_of(candidate.times_pushed, *v) < most_pushes)
+  if(v != q.end() && std::none_of(q.begin(), q.end(), may_go_back) && candidate.times_pushed(*v) < most_pushes)
     by = inward(candidate, q, label, edge);
   const double length = by.norm();
   if(!(length > 0))
@@ -62,7 +62,7 @@ void report_cell_beyond_surface(const Candidate& candidate, const typename Candi
     return;
   }
   // The more often, the farther.
-  const double step = step_from_boundary * edge * (1 + times_of(candidate.times_pushed, *v));
+  const double step = step_from_boundary * edge * (1 + candidate.times_pushed(*v));
   report.push(*v, step / length * by);
 }
 

@@ -80,7 +80,7 @@ struct Restricted_candidate_3
   std::map<Quadruple, int> peeled_cells;
   std::map<Triple, int> peeled_facets;
   std::set<Triple> spared_facets, far_facets; // of flat boundary cells: all, and those too far from the surface
-  std::map<int, int> times_sent_back, times_pushed;           // of vertices
+  std::map<int, int> vertices_sent_back, pushed_vertices;     // and how often
 
   Restricted_candidate_3(const State& from, const std::vector<Site>& target, Boundary_motion how, bool is_last,
                          const Thread_policy& policy)
@@ -144,6 +144,9 @@ struct Restricted_candidate_3
     return surface_positions[v - numbering.number_of_interior_vertices];
   }
 
+  int times_sent_back(int v) const { return times(vertices_sent_back, v); }
+  int times_pushed(int v) const { return times(pushed_vertices, v); }
+
   bool is_home(int v) const { return same_place(sites[v], homes[v]); }
 
   template <class Vertices>
@@ -197,6 +200,13 @@ struct Restricted_candidate_3
         p.last_on_surface = next.sites[v];
     }
     return next;
+  }
+
+private:
+  static int times(const std::map<int, int>& vertices, int v)
+  {
+    const auto it = vertices.find(v);
+    return it == vertices.end() ? 0 : it->second;
   }
 };
 

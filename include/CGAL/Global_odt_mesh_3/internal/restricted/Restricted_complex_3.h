@@ -299,7 +299,7 @@ private:
 
   static void push(Candidate& candidate, Surface_projection& projection, int v, const Eigen::Vector3d& by, bool goes_back)
   {
-    ++candidate.times_pushed[v];
+    ++candidate.pushed_vertices[v];
     if(goes_back)
       return;
     Site& s = candidate.sites[v];
@@ -319,7 +319,7 @@ private:
     // On the way, few attempts matter more than long ways.
     const bool is_patient = attempt < patient_attempts && (!on_surface || candidate.is_thorough());
     const int most = on_surface ? halfway_returns_on_surface : halfway_returns;
-    const bool is_halfway = is_patient && candidate.times_sent_back[v]++ < most;
+    const bool is_halfway = is_patient && candidate.vertices_sent_back[v]++ < most;
     Site& s = candidate.sites[v];
     const Site& home = candidate.homes[v];
     s = is_halfway ? site_at((position(s) + position(home)) / 2, home.weight) : home;

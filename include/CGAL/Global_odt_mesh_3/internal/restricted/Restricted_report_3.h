@@ -23,13 +23,6 @@ namespace CGAL {
 namespace Global_odt_mesh_3 {
 namespace internal {
 
-// What a map from vertices to numbers has for one.
-inline int times_of(const std::map<int, int>& times, int v)
-{
-  const auto it = times.find(v);
-  return it == times.end() ? 0 : it->second;
-}
-
 // What a check finds wrong with a candidate: the offending vertices, which are to go back toward
 // where they were, and others that are to be pushed somewhere else.
 template <class Candidate>
@@ -114,7 +107,7 @@ private:
       bool found = false;
       for(int v : region)
         if(candidate_.numbering.is_movable(v) && candidate_.numbered->is_visible(v)
-           && times_of(candidate_.times_pushed, v) < most_nudges)
+           && candidate_.times_pushed(v) < most_nudges)
         {
           nudge(v);
           found = true;
@@ -135,7 +128,7 @@ private:
     double shortest = (std::numeric_limits<double>::max)();
     for(int w : neighbors)
       shortest = (std::min)(shortest, (position(candidate_.sites[w]) - position(candidate_.sites[v])).squaredNorm());
-    const int times = times_of(candidate_.times_pushed, v);
+    const int times = candidate_.times_pushed(v);
     Random_numbers<Split_mix_engine> random(Split_mix_engine(static_cast<std::uint64_t>(v), times));
     push(v, length_of_nudge * std::sqrt(shortest) * random.direction());
   }
