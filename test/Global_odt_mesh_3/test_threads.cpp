@@ -215,7 +215,7 @@ int main()
     CGAL::IO::save_binary_file(stream, c3t3);
     return stream.str();
   };
-  const C3t3 c3t3 = mesh_with(0.09), large = mesh_with(0.041);
+  const C3t3 c3t3 = mesh_with(0.09), large = mesh_with(0.05);
   check::that(c3t3.number_of_cells_in_complex() > 24000, "too few cells for several threads to have something to do");
   check::that(CGAL::Global_odt_mesh_3::internal::Block_annealing_3::usual_number_of_blocks(
                 large.triangulation().number_of_vertices()) > 1, "too few vertices for a search in blocks");

@@ -111,7 +111,7 @@ public:
   }
 
 private:
-  static constexpr int vertices_of_block = 20000;
+  static constexpr int vertices_of_block = 10000;
 
   // What the block adds to the gradients of vertices that it does not own goes into `at_seams`.
   void anneal(Moving_triangulation_3& part, const Mesh_blocks_3& blocks, int n, unsigned int seed,
