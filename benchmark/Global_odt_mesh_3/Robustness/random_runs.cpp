@@ -233,6 +233,7 @@ static int run_and_tell(const std::string& file, unsigned int seed, const std::s
   const std::string complaints = file + "." + std::to_string(seed);
   if(std::freopen(complaints.c_str(), "w", stderr) == nullptr)
     return EXIT_FAILURE;
+  std::setvbuf(stderr, nullptr, _IONBF, 0);             // what terminates the process is to be read there, too
   const Outcome outcome = run(seed, method);
   if(check::failures() > 0)
     return EXIT_FAILURE;
