@@ -121,6 +121,9 @@ struct Flips_taken_back
   Flat_triangulation_3& t;
   std::size_t most, number = 0;
 
+  bool permits_2_3(Slot) const { return true; }
+  bool permits_3_2(const Edge_ring_3&) const { return true; }
+
   std::array<int, 3> flip_2_3(Slot s)
   {
     if(++number > most)

@@ -464,6 +464,14 @@ static int slivers(const Moving_triangulation_3& mesh, double bound, int vertice
   return number;
 }
 
+static int number_of_cells(const Moving_triangulation_3& mesh)
+{
+  int number = 0;
+  for(int c = 0; c < mesh.topology.number_of_cell_slots(); ++c)
+    number += mesh.topology.is_alive(c);
+  return number;
+}
+
 static double energy(Moving_triangulation_3 mesh) { return Odt_objective_3(mesh).value(); }
 
 static bool is_same(const Site& a, const Site& b) { return a.x == b.x && a.y == b.y && a.z == b.z && a.weight == b.weight; }
@@ -577,6 +585,37 @@ static void removal_at_surface(Moving_triangulation_3 cube)
   }
 }
 
+// A mesh that is treated in parts first ends with as few slivers and as regular as one that is treated as a whole, also
+// if its parts are so small that hardly a vertex may move, or have no room for more cells.
+static void removal_in_parts(const Moving_triangulation_3& cube)
+{
+  const double bound = 30;
+  const auto removed = [&](int vertices_of_part, int free_cells)
+  {
+    Moving_triangulation_3 mesh = cube;
+    Sliver_removal_parameters parameters;
+    parameters.vertices_of_part = vertices_of_part;
+    parameters.free_cells_of_part = free_cells;
+    Sliver_removal_3 removal(mesh, bound, 1, nullptr, parameters);
+    removal.run();
+    check::that(mesh.topology.is_valid() && mesh.is_regular() && difference_to_exact(mesh) <= 4,
+                "the triangulation after a removal in parts is not CGAL's");
+    check::that(mesh.topology.number_of_cells() == number_of_cells(mesh), "cells are lost, or counted twice");
+    std::cout << "parts of " << vertices_of_part << " vertices: " << removal.number_of_moves() << " moves, sum of deficits "
+              << sum_of_deficits(mesh, bound) << std::endl;
+    return mesh;
+  };
+  const Moving_triangulation_3 whole = removed(1000000, 0);
+  for(int vertices : { 100, 300, 600 })
+    for(int free_cells : { 0, 100 })
+    {
+      const Moving_triangulation_3 mesh = removed(vertices, free_cells);
+      check::that(!has_same_sites(mesh, whole), "nothing is done in parts of ", vertices);
+      check::that(sum_of_deficits(mesh, bound) < 1.3 * sum_of_deficits(whole, bound) + 100, "parts of ", vertices,
+                  " leave more slivers");
+    }
+}
+
 // Where nothing may move or the bound is beyond reach, it comes to an end nonetheless.
 static void removal_in_vain(const Moving_triangulation_3& cube)
 {
@@ -634,6 +673,7 @@ int main()
   removal(minimized_cube(8), 5, 0.005);
   removal_at_surface(cube);
   removal_in_vain(cube);
+  removal_in_parts(minimized_cube(10));
   joint_tries(minimized_cube(8));
   return check::result();
 }

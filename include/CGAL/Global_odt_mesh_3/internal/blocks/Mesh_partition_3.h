@@ -6,6 +6,7 @@
 #ifndef CGAL_GLOBAL_ODT_MESH_3_INTERNAL_BLOCKS_MESH_PARTITION_3_H
 #define CGAL_GLOBAL_ODT_MESH_3_INTERNAL_BLOCKS_MESH_PARTITION_3_H
 
+#include <CGAL/Global_odt_mesh_3/internal/blocks/Space_partition_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/geometry/Random_source.h>
 #include <CGAL/Global_odt_mesh_3/internal/geometry/Site.h>
 #include <CGAL/Global_odt_mesh_3/internal/parallel/Buckets.h>
@@ -14,10 +15,8 @@
 #include <CGAL/Global_odt_mesh_3/internal/triangulation/Constrained_triangulation_3.h>
 
 #include <Eigen/Core>
-#include <Eigen/Geometry>
 
 #include <algorithm>
-#include <array>
 #include <atomic>
 #include <cstddef>
 #include <numeric>
@@ -27,17 +26,14 @@ namespace CGAL {
 namespace Global_odt_mesh_3 {
 namespace internal {
 
-// The cells of a mesh in blocks of about as many vertices, those of a kd-tree in a random frame with random cuts, so that
-// the seams of one partition are not those of another. It depends on the mesh and the random numbers alone.
+// The cells of a mesh in the blocks of a partition of space, by their centroids.
 class Mesh_partition_3
 {
 public:
   Mesh_partition_3(const Constrained_triangulation_3& mesh, int number_of_blocks, Random_source random,
                    const Thread_policy& threads)
   {
-    choose_frame(random);
-    std::vector<Eigen::Vector3d> samples = sample(mesh, std::size_t(number_of_blocks) * samples_of_block);
-    root_ = split(samples.begin(), samples.end(), number_of_blocks, random);
+    const Space_partition_3 space(mesh, number_of_blocks, random);
     const int cells = mesh.topology.number_of_cell_slots();
     std::vector<int> block(cells);
     // 0 for no block yet.
@@ -47,7 +43,7 @@ public:
     {
       for(int c = chunks.begin(n); c < chunks.end(n); ++c)
       {
-        block[c] = mesh.topology.is_alive(c) ? find_block(mesh, c) : int(no_block);
+        block[c] = mesh.topology.is_alive(c) ? space.block(centroid(mesh, c)) : int(no_block);
         for(int i = 0; i < 4 && block[c] >= 0; ++i)
           join(block_of_vertex[mesh.topology.vertices(c)[i]], block[c] + 1);
       }
@@ -72,83 +68,15 @@ public:
   }
 
 private:
-  static constexpr int no_block = -1, several_blocks = -1, samples_of_block = 200;
+  static constexpr int no_block = -1, several_blocks = -1;
   static constexpr int least_cells = 10000, most_chunks = 64;
-  static constexpr double spread_of_cuts = 0.1;     // around where the blocks would be of one size
 
-  struct Node
-  {
-    int axis;
-    double cut;
-    std::array<int, 2> child;       // or ~block
-  };
-
-  typedef std::vector<Eigen::Vector3d>::iterator Sample;
-
-  void choose_frame(Random_source& random)
-  {
-    frame_.row(0) = random.direction();
-    frame_.row(1) = frame_.row(0).cross(random.direction()).normalized();
-    frame_.row(2) = frame_.row(0).cross(frame_.row(1));
-  }
-
-  std::vector<Eigen::Vector3d> sample(const Constrained_triangulation_3& mesh, std::size_t number) const
-  {
-    const std::size_t step = 1 + mesh.sites.size() / number;
-    std::vector<Eigen::Vector3d> points;
-    for(std::size_t v = 0; v < mesh.sites.size(); v += step)
-      if(mesh.topology.incident_cell(static_cast<int>(v)) >= 0)
-        points.push_back(frame_ * position(mesh.sites[v]));
-    return points;
-  }
-
-  // Gives the number of the node, or ~block.
-  int split(Sample begin, Sample end, int blocks, Random_source& random)
-  {
-    if(blocks == 1)
-      return ~number_of_leaves_++;
-    const int first = (blocks + (random.uniform() < 0.5)) / 2;
-    const double share = double(first) / blocks + spread_of_cuts * (2 * random.uniform() - 1);
-    const Sample middle = begin + static_cast<std::ptrdiff_t>(share * double(end - begin));
-    Node node = { 0, 0, {} };
-    if(begin != end)
-    {
-      node.axis = longest_axis(begin, end);
-      std::nth_element(begin, middle, end, [&node](const Eigen::Vector3d& p, const Eigen::Vector3d& q)
-                       { return p[node.axis] < q[node.axis]; });
-      node.cut = (*middle)[node.axis];
-    }
-    const int number = static_cast<int>(nodes_.size());
-    nodes_.push_back(node);
-    const int low = split(begin, middle, first, random), high = split(middle, end, blocks - first, random);
-    nodes_[number].child = {{ low, high }};
-    return number;
-  }
-
-  static int longest_axis(Sample begin, Sample end)
-  {
-    Eigen::Vector3d low = *begin, high = *begin;
-    for(Sample p = begin; p != end; ++p)
-    {
-      low = low.cwiseMin(*p);
-      high = high.cwiseMax(*p);
-    }
-    int axis;
-    (high - low).maxCoeff(&axis);
-    return axis;
-  }
-
-  // That of the centroid.
-  int find_block(const Constrained_triangulation_3& mesh, int cell) const
+  static Eigen::Vector3d centroid(const Constrained_triangulation_3& mesh, int cell)
   {
     Eigen::Vector3d sum = Eigen::Vector3d::Zero();
-    for(int i = 0; i < 4; ++i)
-      sum += position(mesh.sites[mesh.topology.vertices(cell)[i]]);
-    const Eigen::Vector3d centroid = frame_ * (0.25 * sum);
-    int node = root_;
-    while(node >= 0)
-      node = nodes_[node].child[centroid[nodes_[node].axis] >= nodes_[node].cut];
-    return ~node;
+    for(int v : mesh.topology.cell(cell))
+      sum += position(mesh.sites[v]);
+    return 0.25 * sum;
   }
 
   // In whatever order cells come, the result is the same.
@@ -159,9 +87,6 @@ private:
       of_vertex.store(several_blocks, std::memory_order_relaxed);
   }
 
-  Eigen::Matrix3d frame_;
-  std::vector<Node> nodes_;
-  int root_ = 0, number_of_leaves_ = 0;
   Buckets cells_, vertices_;
 };
 

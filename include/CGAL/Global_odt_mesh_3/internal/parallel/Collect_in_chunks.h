@@ -16,19 +16,19 @@ namespace Global_odt_mesh_3 {
 namespace internal {
 
 // What f(n, found) adds to `found` for the numbers n below `size`, in their order.
-template <class F>
-std::vector<int> collect_in_chunks(int size, const Thread_policy& threads, const F& f)
+template <class T = int, class F>
+std::vector<T> collect_in_chunks(int size, const Thread_policy& threads, const F& f)
 {
   constexpr int least_length = 1000, most_chunks = 256;
   const Chunks chunks(size, least_length, most_chunks);
-  std::vector<std::vector<int> > found(chunks.number());
+  std::vector<std::vector<T> > found(chunks.number());
   threads.for_each_chunk(chunks.number(), [&](int n)
   {
     for(int k = chunks.begin(n); k < chunks.end(n); ++k)
       f(k, found[n]);
   });
-  std::vector<int> all;
-  for(const std::vector<int>& some : found)
+  std::vector<T> all;
+  for(const std::vector<T>& some : found)
     all.insert(all.end(), some.begin(), some.end());
   return all;
 }

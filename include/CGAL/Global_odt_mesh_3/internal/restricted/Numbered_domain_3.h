@@ -55,6 +55,9 @@ public:
     for_each_in_chunks(static_cast<int>(size), threads_, f, least_questions);
   }
 
+  // Those that may ask the domain.
+  const Thread_policy& threads() const { return threads_; }
+
   // As those of the oracle.
   Subdomain_index subdomain_at(const Bare_point& p) { return oracle_.subdomain(p); }
   bool project(Vector& p, const Vector& normal, double reach, int patch_number)

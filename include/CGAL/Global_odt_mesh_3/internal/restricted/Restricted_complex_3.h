@@ -105,7 +105,7 @@ public:
   bool is_close_to_surface(const Eigen::Vector3d& point) const { return fidelity_.is_close(point); }
 
   // Trials of single vertices. The state is incomplete until it adopts them.
-  Trial make_trial() { return Trial(state_, domain_, fidelity_, motion_ != Boundary_motion::NONE); }
+  Trial make_trial() { return Trial(state_, domain_, fidelity_, motion_ != Boundary_motion::NONE, threads_); }
 
   // Goes to where trials of this state have led, of which nothing is left there. False if that cannot be done: then the
   // state is as it was.

@@ -14,6 +14,8 @@
 #include <CGAL/Global_odt_mesh_3/internal/geometry/Sliver_count.h>
 #include <CGAL/Global_odt_mesh_3/internal/geometry/Sliver_steps.h>
 #include <CGAL/Global_odt_mesh_3/internal/geometry/Vertex_tuples.h>
+#include <CGAL/Global_odt_mesh_3/internal/parallel/Collect_in_chunks.h>
+#include <CGAL/Global_odt_mesh_3/internal/parallel/Thread_policy.h>
 #include <CGAL/Global_odt_mesh_3/internal/restricted/Facet_exchange_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/restricted/Fidelity_check_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/restricted/Lifted_vertex_3.h>
@@ -52,9 +54,11 @@ public:
   typedef typename Complex::Triangulation Triangulation;
   typedef typename Complex::Quadruple Quadruple;
 
-  // The state lends its triangulation. If `boundary_moves` is false, the boundary stays as it is.
-  Restricted_trial_3(State& state, Domain& domain, const Fidelity_check_3<Domain>& fidelity, bool boundary_moves)
-    : complex_(state, domain)
+  // The state lends its triangulation. If `boundary_moves` is false, the boundary stays as it is. Threads share what is done
+  // with all cells.
+  Restricted_trial_3(State& state, Domain& domain, const Fidelity_check_3<Domain>& fidelity, bool boundary_moves,
+                     const Thread_policy& threads = Thread_policy())
+    : complex_(state, domain, threads)
     , lifted_(complex_)
     , exchange_(complex_, lifted_, fidelity, boundary_moves)
     , boundary_moves_(boundary_moves)
@@ -82,12 +86,13 @@ public:
   // The cells below a bound, by sorted vertices.
   std::vector<Quadruple> slivers(double bound) const
   {
-    std::vector<Quadruple> result;
-    const Triangulation& tr = complex_.triangulation();
-    for(auto c = tr.finite_cells_begin(); c != tr.finite_cells_end(); ++c)
-      if(is_inside(complex_.label(c)) && is_sliver(complex_.numbers(c), bound))
-        result.push_back(sorted(complex_.numbers(c)));
-    return result;
+    const std::vector<Cell_handle>& cells = complex_.numbered->cells();
+    return collect_in_chunks<Quadruple>(static_cast<int>(cells.size()), complex_.threads, [&](int n, std::vector<Quadruple>& found)
+    {
+      const Quadruple q = complex_.numbers(cells[n]);
+      if(is_inside(complex_.label(cells[n])) && is_sliver(q, bound))
+        found.push_back(sorted(q));
+    });
   }
 
   // Those among the cells that the last trial has made.

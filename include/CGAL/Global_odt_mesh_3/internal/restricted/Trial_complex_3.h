@@ -8,6 +8,8 @@
 
 #include <CGAL/Global_odt_mesh_3/internal/geometry/Site.h>
 #include <CGAL/Global_odt_mesh_3/internal/geometry/Vertex_tuples.h>
+#include <CGAL/Global_odt_mesh_3/internal/parallel/Collect_in_chunks.h>
+#include <CGAL/Global_odt_mesh_3/internal/parallel/Thread_policy.h>
 #include <CGAL/Global_odt_mesh_3/internal/restricted/Cell_knowledge.h>
 #include <CGAL/Global_odt_mesh_3/internal/restricted/Numbered_triangulation_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/restricted/Restricted_candidate_3.h>
@@ -48,14 +50,16 @@ struct Trial_complex_3
   const State& state;
   const Vertex_numbering& numbering;
   Domain& domain;
+  Thread_policy threads;
   std::unique_ptr<Numbered_triangulation> numbered;
   std::vector<Site> sites;
   Exchangeable_boundary_3 boundary;
 
-  Trial_complex_3(State& from, Domain& d)
+  Trial_complex_3(State& from, Domain& d, const Thread_policy& policy)
     : state(from)
     , numbering(*from.numbering)
     , domain(d)
+    , threads(policy)
     , sites(from.sites)
     , boundary(from.boundary.complex())
   {
@@ -88,28 +92,16 @@ struct Trial_complex_3
   // Hands over triangulation and boundary to a candidate with the sites.
   void give(Candidate& candidate)
   {
-    std::vector<Found_facet> found;
-    Triangulation& tr = numbered->triangulation();
-    for(auto c = tr.all_cells_begin(); c != tr.all_cells_end(); ++c)
+    const std::vector<Cell_handle>& cells = numbered->cells();
+    std::vector<Found_facet> found = collect_in_chunks<Found_facet>(static_cast<int>(cells.size()), threads,
+                                                                    [&](int n, std::vector<Found_facet>& some)
     {
-      forget(Cell_handle(c));
-      note(Cell_handle(c), IS_SETTLED);
-      // Of facets that have been on the boundary, cells around the vertices that moved know it still.
-      for(int i = 0; i < 4; ++i)
-        c->set_surface_patch_index(i, typename Triangulation::Cell::Surface_patch_index());
-      const Quadruple q = numbers(c);
-      const auto is_off_boundary = [this](int v) { return v < 0 || !numbering.is_on_boundary(v); };
-      const auto off_boundary = std::count_if(q.begin(), q.end(), is_off_boundary);
-      if(off_boundary > 1)
-        continue;
-      for(int i = 0; i < 4; ++i)
-        if(off_boundary == 0 || is_off_boundary(q[i]))
-          find_facet(Facet(c, i), found);
-      if(off_boundary > 0)
-        continue;
-      note(Cell_handle(c), IS_BOUNDARY_CELL);
-      candidate.boundary_cells.emplace_back(c, label(c));
-    }
+      settle(cells[n]);
+      find_facets(cells[n], some);
+    });
+    for(Cell_handle c : cells)
+      if(knows(c, IS_BOUNDARY_CELL))
+        candidate.boundary_cells.emplace_back(c, label(c));
     std::sort(found.begin(), found.end(), [](const Found_facet& a, const Found_facet& b) { return a.key < b.key; });
     std::vector<Boundary_facet> facets;
     for(const Found_facet& f : found)
@@ -131,6 +123,31 @@ private:
     Boundary_facet of_boundary;
     Facet facet;
   };
+
+  // A cell that needs no look at the domain any more.
+  void settle(Cell_handle c) const
+  {
+    forget(c);
+    note(c, IS_SETTLED);
+    // Of facets that have been on the boundary, cells around the vertices that moved know it still.
+    for(int i = 0; i < 4; ++i)
+      c->set_surface_patch_index(i, typename Triangulation::Cell::Surface_patch_index());
+  }
+
+  // Those on the boundary whose first side is this cell, which is told if all its vertices are there.
+  void find_facets(Cell_handle c, std::vector<Found_facet>& found) const
+  {
+    const Quadruple q = numbers(c);
+    const auto is_off_boundary = [this](int v) { return v < 0 || !numbering.is_on_boundary(v); };
+    const auto off_boundary = std::count_if(q.begin(), q.end(), is_off_boundary);
+    if(off_boundary > 1)
+      return;
+    for(int i = 0; i < 4; ++i)
+      if(off_boundary == 0 || is_off_boundary(q[i]))
+        find_facet(Facet(c, i), found);
+    if(off_boundary == 0)
+      note(c, IS_BOUNDARY_CELL);
+  }
 
   // If it is on the boundary, and this is its first side.
   void find_facet(const Facet& f, std::vector<Found_facet>& found) const

@@ -6,135 +6,114 @@
 #ifndef CGAL_GLOBAL_ODT_MESH_3_INTERNAL_SLIVERS_SLIVER_REMOVAL_3_H
 #define CGAL_GLOBAL_ODT_MESH_3_INTERNAL_SLIVERS_SLIVER_REMOVAL_3_H
 
-#include <CGAL/Global_odt_mesh_3/internal/geometry/Angle_deficit_3.h>
+#include <CGAL/Global_odt_mesh_3/internal/blocks/Mesh_parts_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/geometry/Random_source.h>
 #include <CGAL/Global_odt_mesh_3/internal/parallel/Collect_in_chunks.h>
 #include <CGAL/Global_odt_mesh_3/internal/parallel/Thread_policy.h>
-#include <CGAL/Global_odt_mesh_3/internal/slivers/Vertex_trial_3.h>
+#include <CGAL/Global_odt_mesh_3/internal/slivers/Sliver_improvement_3.h>
+#include <CGAL/Global_odt_mesh_3/internal/slivers/Sliver_removal_parameters.h>
+#include <CGAL/Global_odt_mesh_3/internal/slivers/Vertex_motion_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/triangulation/Constrained_triangulation_3.h>
-
-#include <Eigen/Core>
+#include <CGAL/Global_odt_mesh_3/internal/triangulation/Flat_triangulation_3.h>
 
 #include <algorithm>
-#include <cmath>
 #include <cstddef>
-#include <limits>
-#include <utility>
+#include <deque>
 #include <vector>
 
 namespace CGAL {
 namespace Global_odt_mesh_3 {
 namespace internal {
 
-struct Sliver_removal_parameters
-{
-  double margin = 0.5;              // degrees by which cells should exceed the bound: surfaces may take some away
-  int tries_per_vertex = 8;
-  double farthest = 0.35, nearest = 0.12;   // the longest tries, over the mean incident edge length, near ones first
-  int most_failures = 3;            // for the same cell
-  int most_passes = 12;
-  double joint_farthest = 0.2;                // the longest of a vertex, over the same
-  int joint_tries_per_sliver = 2, most_joint_tries = 20, passes_after_joint_try = 5;
-  std::size_t most_tries = (std::numeric_limits<std::size_t>::max)();     // of single vertices, which are what takes time
-};
-
-// Where the vertices of slivers may go.
-class Vertex_motion_3
-{
-public:
-  virtual ~Vertex_motion_3() {}
-
-  // Changes a place for the vertex to one as good as allowed, quickly; false if the vertex has to
-  // stay.
-  virtual bool approach(int v, Site& s) = 0;
-
-  // Changes a place that has been approached, and has turned out to be promising, to one that is
-  // allowed, perhaps where it is; false if the vertex has to stay.
-  virtual bool settle(int v, Site& s) = 0;
-};
-
 // Removes the cells with dihedral angles below a bound by moving single vertices: each vertex of
 // such a cell tries random positions around it, and the one that lowers the deficit of the angles
 // most is taken. That disturbs few vertices, so that the energy hardly rises. Where no vertex
 // helps alone, all those of a cell are displaced at once, and stay so if that leads to less deficit.
+//
+// Large meshes are first treated in parts, on threads, with other seams each time: inside, and then at surfaces. What is left
+// at the seams is treated as a whole.
 class Sliver_removal_3
 {
 public:
-  // Without a motion, vertices of the interior go anywhere, and those on surfaces stay. Threads share the search for
-  // such cells.
+  // Without a motion, vertices of the interior go anywhere, and those on surfaces stay. The threads that are given last may
+  // ask for the motion of vertices on surfaces.
   Sliver_removal_3(Constrained_triangulation_3& mesh, double bound, unsigned int seed,
                    Vertex_motion_3* motion = nullptr,
                    const Sliver_removal_parameters& parameters = Sliver_removal_parameters(),
-                   const Thread_policy& threads = Thread_policy())
+                   const Thread_policy& threads = Thread_policy(), const Thread_policy& threads_at_surfaces = Thread_policy())
     : mesh_(mesh)
     , parameters_(parameters)
     , threads_(threads)
-    , trial_(mesh, bound + parameters.margin, threads)
-    , motion_(motion)
+    , threads_at_surfaces_(threads_at_surfaces)
+    , surfaces_move_(motion != nullptr && mesh.number_of_surface_vertices() > 0)
     , random_(seed)
-    , edge_length_(mesh.number_of_movable_vertices, 0)
+    , improvement_(mesh, bound, random_.seed(), motion, parameters, threads)
   {}
 
-  std::size_t number_of_moves() const { return number_of_moves_; }
-  std::size_t number_of_surface_moves() const { return number_of_surface_moves_; }
+  std::size_t number_of_moves() const { return improvement_.number_of_moves(); }
+  std::size_t number_of_surface_moves() const { return improvement_.number_of_surface_moves(); }
 
   // Of single vertices, whatever became of them.
-  std::size_t number_of_tries() const { return number_of_tries_; }
+  std::size_t number_of_tries() const { return improvement_.number_of_tries(); }
 
   // Until there are no such cells, nothing improves them any more, the tries are used up, or `may_go_on()`,
-  // asked before each of them, says no.
+  // asked before each of them, on threads, says no.
   template <class Predicate>
   void run(const Predicate& may_go_on)
   {
+    const int parts = static_cast<int>(mesh_.sites.size()) / parameters_.vertices_of_part;
+    for(bool at_surfaces : { false, true })
+      for(int n = 0; n < parameters_.partitions && parts > 1 && (!at_surfaces || surfaces_move_) && may_go_on(); ++n)
+        improve_parts(parts, at_surfaces, may_go_on);
     int joint_tries = parameters_.most_joint_tries;
     do
-      for(int n = 0; n < parameters_.most_passes && improve(all_slivers(), may_go_on); ++n) {}
+      for(int n = 0; n < parameters_.most_passes && improvement_.improve(all_slivers(), may_go_on); ++n) {}
     while(displace_slivers(joint_tries, may_go_on));
   }
 
   void run() { run([] { return true; }); }
 
 private:
-  // The worst come first.
-  std::vector<int> sort(std::vector<int> cells) const
-  {
-    std::vector<std::pair<double, int> > slivers;
-    for(int c : cells)
-      if(is_sliver(c))
-        slivers.emplace_back(-trial_.deficit(c), c);
-    std::sort(slivers.begin(), slivers.end());
-    slivers.erase(std::unique(slivers.begin(), slivers.end()), slivers.end());
-    cells.clear();
-    for(const auto& s : slivers)
-      cells.push_back(s.second);
-    return cells;
-  }
-
   std::vector<int> all_slivers() const
   {
-    return sort(collect_in_chunks(mesh_.topology.number_of_cell_slots(), threads_, [this](int c, std::vector<int>& found)
+    return improvement_.sort(collect_in_chunks(mesh_.topology.number_of_cell_slots(), threads_,
+                                               [this](int c, std::vector<int>& found)
     {
-      if(is_sliver(c))
+      if(improvement_.is_sliver(c))
         found.push_back(c);
     }));
   }
 
-  // Whether the cell lacks more than one angle at the bound does.
-  bool is_sliver(int c) const { return trial_.deficit(c) > parameters_.margin * parameters_.margin; }
-
-  // Whether something has been improved, or may be next time.
+  // Each part gets a share of the tries for the slivers that it has, those at surfaces or only the others.
   template <class Predicate>
-  bool improve(const std::vector<int>& slivers, const Predicate& may_go_on)
+  void improve_parts(int number_of_parts, bool at_surfaces, const Predicate& may_go_on)
   {
-    bool improved = false;
-    for(int c : slivers)
-    {
-      if(!has_tries() || !may_go_on())
-        return false;
-      if(is_sliver(c) && improve(c))
-        improved = true;
-    }
-    return improved;
+    const Mesh_parts_3 parts(mesh_, number_of_parts, Random_source(random_.seed()), threads_);
+    const std::vector<int> all = all_slivers();
+    if(all.empty() || !improvement_.has_tries())
+      return;
+    std::vector<std::vector<int> > slivers(number_of_parts);
+    for(int c : all)
+      if(const int part = parts.part(mesh_.topology.cell(c)); part != Mesh_parts_3::none && (at_surfaces || is_inside(c)))
+        slivers[part].push_back(c);
+    const std::size_t tries_for_each = (parameters_.most_tries - improvement_.number_of_tries()) / all.size();
+    std::vector<Flat_triangulation_3> topologies = mesh_.topology.split(number_of_parts, parameters_.free_cells_of_part);
+    improvement_.make_room();
+    std::deque<Sliver_improvement_3> improvements;
+    for(int n = 0; n < number_of_parts; ++n)
+      improvements.emplace_back(improvement_, topologies[n], parts, n, at_surfaces, random_.seed(),
+                                tries_for_each * slivers[n].size());
+    const Thread_policy& threads = at_surfaces ? threads_at_surfaces_ : threads_;
+    threads.for_each_chunk(number_of_parts, [&](int n) { improvements[n].improve_repeatedly(slivers[n], may_go_on); });
+    mesh_.topology.join(topologies);
+    for(const Sliver_improvement_3& part : improvements)
+      improvement_.join(part);
+  }
+
+  bool is_inside(int c) const
+  {
+    const int* const v = mesh_.topology.vertices(c);
+    return std::all_of(v, v + 4, [this](int w) { return w < mesh_.number_of_interior_vertices; });
   }
 
   // Whether something has been improved, within a number of tries.
@@ -143,187 +122,22 @@ private:
   {
     bool improved = false;
     for(int c : all_slivers())
-      for(int n = 0; n < parameters_.joint_tries_per_sliver && is_sliver(c); ++n)
+      for(int n = 0; n < parameters_.joint_tries_per_sliver && improvement_.is_sliver(c); ++n)
       {
-        if(!has_tries() || --joint_tries < 0 || !may_go_on())
+        if(!improvement_.has_tries() || --joint_tries < 0 || !may_go_on())
           return false;
-        if(displace_vertices(c, may_go_on))
+        if(improvement_.displace_vertices(c, may_go_on))
           improved = true;
       }
     return improved;
   }
 
-  template <class Predicate>
-  bool displace_vertices(int cell, const Predicate& may_go_on)
-  {
-    const std::size_t moves = number_of_moves_, surface_moves = number_of_surface_moves_;
-    change_ = 0;
-    trial_.set_mark();
-    for(int v : movable_vertices(cell))
-    {
-      Site s = displaced(v, parameters_.joint_farthest);
-      if(!approach(v, s) || (is_on_surface(v) && !motion_->settle(v, s)))
-        continue;
-      const double change = move(v, s);
-      if(std::isfinite(change))
-        accept(v, change);
-      else
-        trial_.reject();
-    }
-    for(int n = 0; n < parameters_.passes_after_joint_try && improve(sort(trial_.cells_since_mark()), may_go_on); ++n) {}
-    if(change_ < -least_improvement)
-    {
-      trial_.accept_since_mark();
-      return true;
-    }
-    trial_.reject_since_mark();
-    number_of_moves_ = moves;
-    number_of_surface_moves_ = surface_moves;
-    return false;
-  }
-
-  // Those of the interior come first: that needs no question to the domain.
-  std::vector<int> movable_vertices(int cell) const
-  {
-    const int* const v = mesh_.topology.vertices(cell);
-    std::vector<int> vertices(v, v + 4);
-    std::sort(vertices.begin(), vertices.end());
-    while(!vertices.empty() && vertices.back() >= mesh_.number_of_movable_vertices)
-      vertices.pop_back();
-    return vertices;
-  }
-
-  Site displaced(int v, double farthest)
-  {
-    const Site& s = mesh_.sites[v];
-    const Eigen::Vector3d d = edge_length(v) * random_.uniform() * farthest * random_.direction();
-    return { s.x + d[0], s.y + d[1], s.z + d[2], s.weight };
-  }
-
-  // The mean around the vertex when it is first asked for: few vertices are.
-  double edge_length(int v)
-  {
-    if(edge_length_[v] == 0)
-      edge_length_[v] = mesh_.mean_edge_length(v);
-    return edge_length_[v];
-  }
-
-  // Without a motion, no vertex on a surface gets beyond this.
-  bool approach(int v, Site& s) { return motion_ != nullptr ? motion_->approach(v, s) : !is_on_surface(v); }
-
-  // A cell that steps toward more do not help gets random positions tried when its turn comes again.
-  bool improve(int cell)
-  {
-    if(failures_.size() <= static_cast<std::size_t>(cell))
-      failures_.resize(mesh_.topology.number_of_cell_slots());
-    Failures& failures = failures_[cell];
-    if(failures.deficit != trial_.deficit(cell))
-      failures = { trial_.deficit(cell), 0 };
-    if(failures.number == parameters_.most_failures)
-      return false;
-    best_change_ = -least_improvement;
-    best_vertex_ = -1;
-    for(int v : movable_vertices(cell))
-      if(failures.number == 0 ? try_steps(v) : try_positions(v))
-        return true;
-    if(best_vertex_ < 0)
-      return ++failures.number < parameters_.most_failures;
-    accept(best_vertex_, move(best_vertex_, best_site_));
-    return true;
-  }
-
-  // These say whether a position was found, and accepted, that leaves no deficit.
-  bool try_steps(int v)
-  {
-    const Eigen::Vector3d step = trial_.step_to_more(v, parameters_.farthest * edge_length(v));
-    for(double factor : { 1., .5, .25 })
-      if(try_position(v, site_at(position(mesh_.sites[v]) + factor * step, mesh_.sites[v].weight)) == SOLVED)
-        return true;
-    return false;
-  }
-
-  bool try_positions(int v)
-  {
-    for(int n = 0; n < parameters_.tries_per_vertex; ++n)
-      switch(try_position(v, displaced(v, 2 * n < parameters_.tries_per_vertex ? parameters_.nearest : parameters_.farthest)))
-      {
-        case SOLVED: return true;
-        case STAYS: return false;
-        case TRIED: break;
-      }
-    return false;
-  }
-
-  enum Outcome { TRIED, STAYS, SOLVED };
-
-  Outcome try_position(int v, Site s)
-  {
-    if(!approach(v, s))
-      return STAYS;
-    double change = move(v, s, best_change_);
-    if(is_on_surface(v) && change < best_change_)
-    {
-      trial_.reject();
-      if(!motion_->settle(v, s))
-        return STAYS;
-      change = move(v, s, best_change_);
-    }
-    if(change < -least_improvement && trial_.deficit_after() == 0)
-    {
-      accept(v, change);
-      return SOLVED;
-    }
-    trial_.reject();
-    if(change < best_change_)
-    {
-      best_change_ = change;
-      best_vertex_ = v;
-      best_site_ = s;
-    }
-    return TRIED;
-  }
-
-  void accept(int v, double change)
-  {
-    trial_.accept();
-    change_ += change;
-    ++number_of_moves_;
-    number_of_surface_moves_ += is_on_surface(v);
-  }
-
-  bool has_tries() const { return number_of_tries_ < parameters_.most_tries; }
-
-  double move(int v, const Site& s, double most = (std::numeric_limits<double>::infinity)())
-  {
-    ++number_of_tries_;
-    return trial_.move(v, s, most);
-  }
-
-  bool is_on_surface(int v) const { return v >= mesh_.number_of_interior_vertices; }
-
-  // How often a cell has been tried in vain.
-  struct Failures
-  {
-    double deficit = 0;
-    int number = 0;
-  };
-
-  static constexpr double least_improvement = 1e-6;     // square degrees
-
   Constrained_triangulation_3& mesh_;
   Sliver_removal_parameters parameters_;
-  Thread_policy threads_;
-  Vertex_trial_3 trial_;
-  Vertex_motion_3* motion_;
+  Thread_policy threads_, threads_at_surfaces_;
+  bool surfaces_move_;
   Random_source random_;
-  std::vector<double> edge_length_;         // 0 where that is not known yet
-  std::vector<Failures> failures_;
-  double change_ = 0;             // of the deficit by all that has been accepted
-  double best_change_ = 0;
-  int best_vertex_ = -1;
-  Site best_site_ = { 0, 0, 0, 0 };
-  std::size_t number_of_moves_ = 0, number_of_surface_moves_ = 0;
-  std::size_t number_of_tries_ = 0;
+  Sliver_improvement_3 improvement_;
 };
 
 } // namespace internal

@@ -12,6 +12,8 @@
 #include <CGAL/Global_odt_mesh_3/internal/slivers/Cell_angles.h>
 #include <CGAL/Global_odt_mesh_3/internal/slivers/Exact_sliver_removal_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/slivers/Sliver_removal_3.h>
+#include <CGAL/Global_odt_mesh_3/internal/slivers/Sliver_removal_parameters.h>
+#include <CGAL/Global_odt_mesh_3/internal/slivers/Vertex_motion_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/surface/Boundary_geometry_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/triangulation/Moving_triangulation_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/triangulation/Slot.h>
@@ -85,6 +87,8 @@ private:
 
   static constexpr int first_step = 1, most_repetitions = 2;
   static constexpr std::size_t tries_for_an_exact_one = 3, tries_for_one_beyond = 10;
+  // What is tried beyond the last step is for the few worst cells, of which a large mesh has no more than a small one.
+  static constexpr std::size_t most_tries_beyond = 10000;
   static constexpr double share_of_climb = 0.8;         // of the exact ones; the others are for the worst cells
   // Above the angle, no step is taken if no bound is given, and cells are left below the one before or more of them
   // below this.
@@ -138,7 +142,8 @@ private:
   {
     Sliver_removal_parameters parameters;
     parameters.most_tries = tries_left() / 2;     // the rest is for what can be removed in the complex only
-    Sliver_removal_3 removal(mesh_, Sliver_steps::angles[step], seed_++, this, parameters, mesh_.threads());
+    Sliver_removal_3 removal(mesh_, Sliver_steps::angles[step], seed_++, this, parameters, mesh_.threads(),
+                             complex_.domain().threads());
     removal.run(has_time);
     number_of_tries_ += removal.number_of_tries();
     return removal.number_of_moves() > 0;
@@ -164,7 +169,7 @@ private:
       return s <= step ? removal.number_of_slivers(Sliver_steps::angles[s]) : trial.slivers(Sliver_steps::angles[s]).size();
     };
     if(next < Sliver_steps::number && !is_worthwhile(next, below))
-      raise(next, most_tries / tries_for_one_beyond);
+      raise(next, (std::min)(most_tries / tries_for_one_beyond, most_tries_beyond));
     number_of_tries_ += tries_for_an_exact_one * removal.number_of_tries();
     complex_.adopt(trial);
   }
@@ -201,8 +206,9 @@ private:
   bool keeps_facets_close(int v, const Site& s)
   {
     const Moving_triangulation_3& mesh = mesh_;
-    mesh.topology.star(v, star_);
-    for(Slot slot : star_)
+    std::vector<Slot> star;
+    mesh.topology.star(v, star);
+    for(Slot slot : star)
       for(int i : facet_indices(slot.index()))
       {
         const Slot facet = slot.in_cell(i), across = mesh.topology.neighbor(facet);
@@ -228,7 +234,6 @@ private:
   std::size_t most_tries_, number_of_tries_ = 0;
   Cell_angles reached_;
   typename Exact_removal::Failures failures_;
-  std::vector<Slot> star_;
 };
 
 } // namespace internal

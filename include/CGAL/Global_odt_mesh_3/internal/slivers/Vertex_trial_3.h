@@ -6,12 +6,14 @@
 #ifndef CGAL_GLOBAL_ODT_MESH_3_INTERNAL_SLIVERS_VERTEX_TRIAL_3_H
 #define CGAL_GLOBAL_ODT_MESH_3_INTERNAL_SLIVERS_VERTEX_TRIAL_3_H
 
+#include <CGAL/Global_odt_mesh_3/internal/blocks/Mesh_parts_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/geometry/Angle_deficit_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/geometry/Angle_step_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/geometry/Site.h>
 #include <CGAL/Global_odt_mesh_3/internal/parallel/For_each_in_chunks.h>
 #include <CGAL/Global_odt_mesh_3/internal/parallel/Thread_policy.h>
 #include <CGAL/Global_odt_mesh_3/internal/triangulation/Constrained_triangulation_3.h>
+#include <CGAL/Global_odt_mesh_3/internal/triangulation/Flat_triangulation_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/triangulation/Flips_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/triangulation/Lawson_flips_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/triangulation/Slot.h>
@@ -20,9 +22,11 @@
 
 #include <Eigen/Core>
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <limits>
+#include <memory>
 #include <utility>
 #include <vector>
 
@@ -33,20 +37,65 @@ namespace internal {
 // What moving one vertex of a constrained regular triangulation does to the angles of the
 // cells, after the flips that it entails; to be accepted or taken back. So may be all that
 // has been accepted since a mark was set.
+//
+// Threads may try vertices in several parts of the mesh at the same time.
 class Vertex_trial_3
 {
 public:
   // `bound`, in degrees, is what the dihedral angles should reach.
   Vertex_trial_3(Constrained_triangulation_3& mesh, double bound, const Thread_policy& threads = Thread_policy())
     : mesh_(mesh)
+    , topology_(mesh.topology)
     , angle_deficit_(bound)
+    , cells_(std::make_shared<Cells>())
   {
     make_room();
-    for_each_in_chunks(mesh.topology.number_of_cell_slots(), threads, [this](int c) { deficit_[c] = measure(c); });
+    for_each_in_chunks(topology_.number_of_cell_slots(), threads, [this](int c) { cells_->deficit[c] = measure(c); });
   }
 
+  // In one of the parts that the topology of the whole has been split into.
+  Vertex_trial_3(Vertex_trial_3& whole, Flat_triangulation_3& topology, const Mesh_parts_3& parts, int part, bool surfaces_move)
+    : mesh_(whole.mesh_)
+    , topology_(topology)
+    , angle_deficit_(whole.angle_deficit_)
+    , parts_(&parts)
+    , part_(part)
+    , surfaces_move_(surfaces_move)
+    , cells_(whole.cells_)
+    , trial_(whole.trial_)
+  {}
+
+  Vertex_trial_3(const Vertex_trial_3&) = delete;
+  Vertex_trial_3& operator=(const Vertex_trial_3&) = delete;
+
+  // For the cells that the topology has become longer by.
+  void make_room()
+  {
+    cells_->deficit.resize(topology_.number_of_cell_slots(), 0);
+    cells_->trial.resize(topology_.number_of_cell_slots(), 0);
+  }
+
+  // Takes over what a part has tried.
+  void join(const Vertex_trial_3& part) { trial_ = (std::max)(trial_, part.trial_); }
+
   // Zero for cells that are not alive.
-  double deficit(int cell) const { return deficit_[cell]; }
+  double deficit(int cell) const { return cells_->deficit[cell]; }
+
+  // In a part, whether all cells of the vertex are in it, and those on its surface move if it has one.
+  bool may_move(int v)
+  {
+    if(parts_ == nullptr)
+      return true;
+    topology_.star(v, star_);
+    return permits((surfaces_move_ || v < mesh_.number_of_interior_vertices)
+                   && std::all_of(star_.begin(), star_.end(), [this](Slot t) { return is_in_part(t.cell()); }));
+  }
+
+  // How often a vertex or a flip has been refused because of the part.
+  std::size_t number_of_refusals() const { return number_of_refusals_; }
+
+  // The cells that the last trial has touched, alive or not.
+  const std::vector<int>& touched_cells() const { return touched_; }
 
   // The change of the sum of the deficits if the vertex goes to `s`, or infinity if it cannot
   // or if that would be more than `most`. The mesh stays as tried until accept() or reject().
@@ -58,9 +107,9 @@ public:
     from_ = mesh_.sites[v];
     before_ = after_ = 0;
     if(!has_mark_)
-      mesh_.topology.begin_trial();
-    begin_ = mesh_.topology.trial_length();
-    mesh_.topology.star(v, star_);
+      topology_.begin_trial();
+    begin_ = topology_.trial_length();
+    topology_.star(v, star_);
     mesh_.sites[v] = s;
     irregular_.clear();
     for(Slot t : star_)
@@ -73,7 +122,7 @@ public:
     if(!Lawson_flips_3<Vertex_trial_3>(mesh_, *this, irregular_).make_regular())
       return (std::numeric_limits<double>::infinity)();
     for(int c : touched_)
-      if(mesh_.topology.is_alive(c))
+      if(topology_.is_alive(c))
       {
         if(is_beyond_surface(c))
           return (std::numeric_limits<double>::infinity)();
@@ -88,9 +137,9 @@ public:
   Eigen::Vector3d step_to_more(int v, double longest)
   {
     Angle_step_3 step(angle_deficit_);
-    mesh_.topology.star(v, star_);
+    topology_.star(v, star_);
     for(Slot t : star_)
-      if(deficit_[t.cell()] > 0)
+      if(deficit(t.cell()) > 0)
         step.add(mesh_.cell_sites(t.cell()), t.index());
     return step.displacement(longest);
   }
@@ -103,28 +152,28 @@ public:
     if(has_mark_)
       sites_since_mark_.emplace_back(vertex_, from_);
     else
-      mesh_.topology.end_trial();
+      topology_.end_trial();
     for(int c : touched_)
     {
       if(has_mark_)
-        deficits_since_mark_.emplace_back(c, deficit_[c]);
-      deficit_[c] = measure(c);
+        deficits_since_mark_.emplace_back(c, deficit(c));
+      cells_->deficit[c] = measure(c);
     }
   }
 
   void reject()
   {
-    mesh_.topology.undo_trial(begin_);
+    topology_.undo_trial(begin_);
     mesh_.sites[vertex_] = from_;
     if(!has_mark_)
-      mesh_.topology.end_trial();
+      topology_.end_trial();
   }
 
   void set_mark()
   {
     CGAL_assertion(!has_mark_);
     has_mark_ = true;
-    mesh_.topology.begin_trial();
+    topology_.begin_trial();
   }
 
   // The cells that may have got other deficits since the mark, some more than once.
@@ -139,30 +188,56 @@ public:
   void accept_since_mark()
   {
     CGAL_assertion(has_mark_);
-    mesh_.topology.end_trial();
+    topology_.end_trial();
     forget_mark();
   }
 
   void reject_since_mark()
   {
     CGAL_assertion(has_mark_);
-    mesh_.topology.undo_trial();
+    topology_.undo_trial();
     for(auto s = sites_since_mark_.rbegin(); s != sites_since_mark_.rend(); ++s)
       mesh_.sites[s->first] = s->second;
     for(auto d = deficits_since_mark_.rbegin(); d != deficits_since_mark_.rend(); ++d)
-      deficit_[d->first] = d->second;
-    CGAL_expensive_assertion(mesh_.topology.is_valid());
+      cells_->deficit[d->first] = d->second;
+    CGAL_expensive_assertion(topology_.is_valid());
     accept_since_mark();
   }
 
 private:
   friend class Lawson_flips_3<Vertex_trial_3>;
 
+  struct Cells
+  {
+    std::vector<double> deficit;
+    std::vector<std::size_t> trial;         // the last that has touched the cell
+  };
+
+  bool is_in_part(int c) const { return parts_->part(topology_.cell(c)) == part_; }
+
+  bool permits(bool is_permitted)
+  {
+    number_of_refusals_ += !is_permitted;
+    return is_permitted;
+  }
+
+  bool permits_2_3(Slot s)
+  {
+    return parts_ == nullptr
+           || permits(topology_.has_free_cell() && is_in_part(s.cell()) && is_in_part(topology_.neighbor(s).cell()));
+  }
+
+  bool permits_3_2(const Edge_ring_3& ring)
+  {
+    return parts_ == nullptr
+           || permits(std::all_of(ring.begin(), ring.end(), [this](Slot s) { return is_in_part(s.cell()); }));
+  }
+
   std::array<int, 3> flip_2_3(Slot s)
   {
     touch(s.cell());
-    touch(mesh_.topology.neighbor(s).cell());
-    const std::array<int, 3> cells = internal::flip_2_3(mesh_.topology, s);
+    touch(topology_.neighbor(s).cell());
+    const std::array<int, 3> cells = internal::flip_2_3(topology_, s);
     make_room();
     for(int c : cells)
       touch(c);
@@ -173,17 +248,17 @@ private:
   {
     for(Slot s : ring)
       touch(s.cell());
-    return internal::flip_3_2(mesh_.topology, ring);
+    return internal::flip_3_2(topology_, ring);
   }
 
   // Cells that were not there before have no deficit.
   void touch(int c)
   {
-    if(trial_of_cell_[c] == trial_)
+    if(cells_->trial[c] == trial_)
       return;
-    trial_of_cell_[c] = trial_;
+    cells_->trial[c] = trial_;
     touched_.push_back(c);
-    before_ += deficit_[c];
+    before_ += deficit(c);
   }
 
   void forget_mark()
@@ -193,28 +268,25 @@ private:
     deficits_since_mark_.clear();
   }
 
-  void make_room()
-  {
-    deficit_.resize(mesh_.topology.number_of_cell_slots(), 0);
-    trial_of_cell_.resize(mesh_.topology.number_of_cell_slots(), 0);
-  }
-
   double measure(int c) const { return mesh_.deficit(c, angle_deficit_); }
 
   // Whether a vertex of the interior has pushed the dual point of the cell through the surface.
   bool is_beyond_surface(int c) const
   {
     for(int i = 0; i < 4; ++i)
-      if(mesh_.topology.vertices(c)[i] < mesh_.number_of_interior_vertices && mesh_.is_beyond_surface(Slot(c, i)))
+      if(topology_.vertices(c)[i] < mesh_.number_of_interior_vertices && mesh_.is_beyond_surface(Slot(c, i)))
         return true;
     return false;
   }
 
   Constrained_triangulation_3& mesh_;
+  Flat_triangulation_3& topology_;          // that of the mesh, or a part of it
   Angle_deficit_3 angle_deficit_;
-  std::vector<double> deficit_;             // of each cell
-  std::vector<std::size_t> trial_of_cell_;
-  std::size_t trial_ = 0;
+  const Mesh_parts_3* parts_ = nullptr;     // null for the whole
+  int part_ = Mesh_parts_3::none;
+  bool surfaces_move_ = true;
+  std::shared_ptr<Cells> cells_;            // of the whole mesh
+  std::size_t trial_ = 0, number_of_refusals_ = 0;
   int vertex_ = -1;
   Site from_;
   double before_ = 0, after_ = 0;

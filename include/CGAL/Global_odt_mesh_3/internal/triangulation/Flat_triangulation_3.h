@@ -34,6 +34,8 @@ class Flat_triangulation_3
   enum Array { CELL_VERTICES, NEIGHBORS, VERTEX_CELL, CONSTRAINED_SLOTS, FREE_CELLS, NUMBER_OF_ARRAYS };
 
 public:
+  Flat_triangulation_3() {}
+
   static constexpr int no_vertex = -1;
   // With room for those that flips make, their slots have numbers of type int.
   static constexpr std::size_t most_cells = std::size_t(1) << 28;
@@ -124,8 +126,8 @@ public:
   // Adds a cell whose neighbors are still to be set.
   int add_cell(int v0, int v1, int v2, int v3)
   {
-    if(arrays_[FREE_CELLS].empty())
-      add_room();
+    if(!has_free_cell())
+      add_room(1);
     const int c = arrays_.pop(FREE_CELLS);
     set_cell(c, v0, v1, v2, v3);
     return c;
@@ -147,6 +149,34 @@ public:
     for(int i = 0; i < 4; ++i)
       arrays_.write(CELL_VERTICES, Slot(c, i).id(), no_vertex);
     arrays_.push(FREE_CELLS, c);
+  }
+
+  // If not, the triangulation gets longer when a cell is added, which its parts cannot.
+  bool has_free_cell() const { return !arrays_[FREE_CELLS].empty(); }
+
+  // The triangulation in parts, each with so many free cells, that threads may change at the same time, on trial as they
+  // like, until they are joined: a part is the whole, but may change only cells of which no other part changes, or looks
+  // at, a vertex or neighbor. Ends a trial.
+  std::vector<Flat_triangulation_3> split(int number_of_parts, int free_cells)
+  {
+    end_trial();
+    std::vector<int>& free = arrays_.unguarded(FREE_CELLS);
+    add_room((std::max)(0, number_of_parts * free_cells - static_cast<int>(free.size())));
+    std::vector<Flat_triangulation_3> parts;
+    for(int n = 0; n < number_of_parts; ++n)
+    {
+      parts.push_back(Flat_triangulation_3(arrays_.part(FREE_CELLS, std::vector<int>(free.end() - free_cells, free.end()))));
+      free.resize(free.size() - free_cells);
+    }
+    return parts;
+  }
+
+  void join(const std::vector<Flat_triangulation_3>& parts)
+  {
+    std::vector<int>& free = arrays_.unguarded(FREE_CELLS);
+    for(const Flat_triangulation_3& part : parts)
+      free.insert(free.end(), part.arrays_[FREE_CELLS].begin(), part.arrays_[FREE_CELLS].end());
+    CGAL_expensive_assertion(is_valid());
   }
 
   // The other may be a side of a constrained facet.
@@ -250,13 +280,16 @@ private:
   // A chunk is to be worth the trouble of a thread.
   static constexpr int least_cells = 10000, most_chunks = 16;
 
-  // For one cell, which is free.
-  void add_room()
+  explicit Flat_triangulation_3(Undoable_arrays<NUMBER_OF_ARRAYS> arrays) : arrays_(std::move(arrays)) {}
+
+  // For cells that are free.
+  void add_room(int cells)
   {
-    const int c = number_of_cell_slots();
-    arrays_.extend(CELL_VERTICES, arrays_[CELL_VERTICES].size() + 4, no_vertex);
-    arrays_.extend(NEIGHBORS, arrays_[NEIGHBORS].size() + 4, Slot().id());
-    arrays_.extend(FREE_CELLS, 1, c);
+    const int begin = number_of_cell_slots();
+    arrays_.extend(CELL_VERTICES, arrays_[CELL_VERTICES].size() + 4 * std::size_t(cells), no_vertex);
+    arrays_.extend(NEIGHBORS, arrays_[NEIGHBORS].size() + 4 * std::size_t(cells), Slot().id());
+    for(int n = 0; n < cells; ++n)
+      arrays_.extend(FREE_CELLS, arrays_[FREE_CELLS].size() + 1, begin + n);
   }
 
   // For each cell, -1 for those that are not alive.

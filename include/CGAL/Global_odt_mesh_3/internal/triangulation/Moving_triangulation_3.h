@@ -198,6 +198,9 @@ private:
     });
   }
 
+  bool permits_2_3(Slot) const { return true; }
+  bool permits_3_2(const Edge_ring_3&) const { return true; }
+
   std::array<int, 3> flip_2_3(Slot s)
   {
     ++statistics_.flips;

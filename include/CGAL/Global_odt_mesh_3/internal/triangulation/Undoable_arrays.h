@@ -10,6 +10,8 @@
 
 #include <array>
 #include <cstddef>
+#include <memory>
+#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -24,18 +26,48 @@ template <int number_of_arrays>
 class Undoable_arrays
 {
 public:
-  const std::vector<int>& operator[](int array) const { return arrays_[array]; }
+  Undoable_arrays()
+  {
+    for(auto& a : arrays_)
+      a = std::make_shared<std::vector<int> >();
+  }
+
+  Undoable_arrays(const Undoable_arrays& other)
+    : is_on_trial_(other.is_on_trial_)
+    , changes_(other.changes_)
+  {
+    for(int a = 0; a < number_of_arrays; ++a)
+      arrays_[a] = std::make_shared<std::vector<int> >(other[a]);
+  }
+
+  Undoable_arrays& operator=(const Undoable_arrays& other) { return *this = Undoable_arrays(other); }
+
+  // Leaves nothing but what may be assigned to.
+  Undoable_arrays(Undoable_arrays&&) noexcept = default;
+  Undoable_arrays& operator=(Undoable_arrays&&) noexcept = default;
+
+  // The same arrays, except one with other contents, for trials of its own. None may get longer but that one, and no two
+  // threads change the same entries.
+  Undoable_arrays part(int array, std::vector<int> contents) const
+  {
+    Undoable_arrays result;
+    result.arrays_ = arrays_;
+    result.arrays_[array] = std::make_shared<std::vector<int> >(std::move(contents));
+    return result;
+  }
+
+  const std::vector<int>& operator[](int array) const { return *arrays_[array]; }
 
   // For changes that are not to be undone.
   std::vector<int>& unguarded(int array)
   {
     CGAL_assertion(changes_[array].empty());
-    return arrays_[array];
+    return *arrays_[array];
   }
 
   void write(int array, int place, int value)
   {
-    int& entry = arrays_[array][place];
+    int& entry = (*arrays_[array])[place];
     if(is_on_trial_)
       changes_[array].push_back({ place, entry });
     entry = value;
@@ -43,22 +75,22 @@ public:
 
   void push(int array, int value)
   {
-    arrays_[array].push_back(value);
+    arrays_[array]->push_back(value);
     if(is_on_trial_)
       changes_[array].push_back({ pushed, value });
   }
 
   int pop(int array)
   {
-    const int value = arrays_[array].back();
-    arrays_[array].pop_back();
+    const int value = arrays_[array]->back();
+    arrays_[array]->pop_back();
     if(is_on_trial_)
       changes_[array].push_back({ popped, value });
     return value;
   }
 
   // Makes the array longer, which stays when a trial is undone.
-  void extend(int array, std::size_t size, int value) { arrays_[array].resize(size, value); }
+  void extend(int array, std::size_t size, int value) { arrays_[array]->resize(size, value); }
 
   void begin_trial()
   {
@@ -94,7 +126,7 @@ public:
   void undo_trial(const Trial_length& length)
   {
     for(int a = 0; a < number_of_arrays; ++a)
-      undo(arrays_[a], changes_[a], length[a]);
+      undo(*arrays_[a], changes_[a], length[a]);
   }
 
 private:
@@ -120,7 +152,7 @@ private:
     }
   }
 
-  std::array<std::vector<int>, number_of_arrays> arrays_;
+  std::array<std::shared_ptr<std::vector<int> >, number_of_arrays> arrays_;
   bool is_on_trial_ = false;
   std::array<std::vector<Change>, number_of_arrays> changes_;
 };
