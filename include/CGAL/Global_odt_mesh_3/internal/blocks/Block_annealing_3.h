@@ -43,10 +43,15 @@ public:
   // In one partition. They are so many more as there are vertices that rest, at seams, in each of them.
   static constexpr int iterations_in_block = 10, steps_in_block = 11;
 
-  // That is worth the trouble. It depends on the mesh alone, so that the result does not depend on the threads.
+  // That is worth the trouble. It depends on the mesh alone, so that the result does not depend on the threads; but numbers
+  // of threads that are powers of two should have as many blocks each.
   static int usual_number_of_blocks(std::size_t number_of_vertices)
   {
-    return (std::max)(1, static_cast<int>(number_of_vertices / vertices_of_block));
+    const int number = (std::max)(1, static_cast<int>(number_of_vertices / vertices_of_block));
+    int unit = 1;
+    while(6 * unit <= number)
+      unit *= 2;
+    return number / unit * unit;
   }
 
   Block_annealing_3(Moving_triangulation_3& mesh, int number_of_blocks, unsigned int seed,

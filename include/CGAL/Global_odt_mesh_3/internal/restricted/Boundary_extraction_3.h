@@ -8,6 +8,7 @@
 
 #include <CGAL/Global_odt_mesh_3/internal/geometry/Facet_dual_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/geometry/Vertex_tuples.h>
+#include <CGAL/Global_odt_mesh_3/internal/parallel/Collect_in_chunks.h>
 #include <CGAL/Global_odt_mesh_3/internal/restricted/Cell_knowledge.h>
 #include <CGAL/Global_odt_mesh_3/internal/restricted/Restricted_candidate_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/surface/Boundary_complex_3.h>
@@ -40,15 +41,15 @@ public:
     : candidate_(candidate)
     , domain_(domain)
   {
-    std::vector<std::pair<Triple, Facet> > found;
-    for(Cell_handle c : candidate.cells_at_boundary)
+    typedef std::pair<Triple, Facet> Found_facet;
+    const std::vector<Cell_handle>& cells = candidate.cells_at_boundary;
+    std::vector<Found_facet> found = collect_in_chunks<Found_facet>(static_cast<int>(cells.size()), candidate.threads,
+                                                                    [&](int n, std::vector<Found_facet>& some)
+    {
       for(int i = 0; i < 4; ++i)
-      {
-        const Cell_handle d = c->neighbor(i);
-        if((candidate.state.has_unseparating_facets || c->subdomain_index() != d->subdomain_index()
-            || knows(c, IS_BOUNDARY_CELL) || knows(d, IS_BOUNDARY_CELL)) && candidate.numbered->is_first_side(Facet(c, i)))
-          found.emplace_back(sorted(candidate.numbered->vertices(Facet(c, i))), Facet(c, i));
-      }
+        if(const Facet f(cells[n], i); may_be_on_boundary(f) && candidate.numbered->is_first_side(f))
+          some.emplace_back(sorted(candidate.numbered->vertices(f)), f);
+    });
     std::sort(found.begin(), found.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
     for(const auto& f : found)
       possible_facets_.push_back(f.second);
@@ -85,6 +86,13 @@ private:
   typedef typename Candidate::Cell_handle Cell_handle;
   typedef typename Candidate::Facet Facet;
   typedef typename Candidate::Triple Triple;
+
+  bool may_be_on_boundary(const Facet& f) const
+  {
+    const Cell_handle c = f.first, d = c->neighbor(f.second);
+    return candidate_.state.has_unseparating_facets || c->subdomain_index() != d->subdomain_index()
+           || knows(c, IS_BOUNDARY_CELL) || knows(d, IS_BOUNDARY_CELL);
+  }
 
   // The patch from which it has been peeled, or else that on which all vertices agree.
   int patch_of_new_facet(const Boundary_facet& f)

@@ -51,11 +51,9 @@ class Restricted_trial_3
 public:
   typedef Trial_complex_3<Domain> Complex;
   typedef typename Complex::State State;
-  typedef typename Complex::Triangulation Triangulation;
   typedef typename Complex::Quadruple Quadruple;
 
-  // The state lends its triangulation. If `boundary_moves` is false, the boundary stays as it is. Threads share what is done
-  // with all cells.
+  // The state lends its triangulation. If `boundary_moves` is false, the boundary stays. Threads share visits of all cells.
   Restricted_trial_3(State& state, Domain& domain, const Fidelity_check_3<Domain>& fidelity, bool boundary_moves,
                      const Thread_policy& threads = Thread_policy())
     : complex_(state, domain, threads)
