@@ -21,6 +21,7 @@
 #include <CGAL/Global_odt_mesh_3/internal/geometry/Vertex_tuples.h>
 #include <CGAL/Global_odt_mesh_3/internal/optimization/Odt_objective_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/slivers/Sliver_removal_3.h>
+#include <CGAL/Global_odt_mesh_3/internal/slivers/Vertex_motion_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/surface/Surface_cvt_term_3.h>
 #include <CGAL/Regular_triangulation_3.h>
 #include <CGAL/tags.h>
@@ -37,6 +38,7 @@
 #include <cmath>
 #include <cstddef>
 #include <functional>
+#include <limits>
 #include <memory>
 #include <random>
 #include <set>
@@ -389,25 +391,72 @@ static void same_for_all_threads(const Moving_triangulation_3& input, bool is_gr
   }
 }
 
-// Threads share what the removal of slivers does with all cells.
+// Vertices on surfaces stay where they are in one direction; those that ask are counted, and too many are refused.
+struct Motion_in_planes
+  : public Vertex_motion_3
+{
+  Motion_in_planes(const Moving_triangulation_3& from, long most) : from(from), most(most) {}
+
+  bool approach(int v, Site& s) override
+  {
+    if(v >= from.number_of_interior_vertices)
+      s.z = from.sites[v].z;
+    return true;
+  }
+
+  bool settle(int, Site&) override
+  {
+    if(++settled > most)
+      throw std::runtime_error("the motion fails");
+    return true;
+  }
+
+  const Moving_triangulation_3& from;
+  long most;
+  std::atomic<long> settled = 0;
+};
+
+// Threads share what the removal of slivers does with all cells, and the parts of the mesh; an exception in one of these
+// is heard of.
 static void slivers(const Moving_triangulation_3& input)
 {
   check::that(input.topology.number_of_cells() > 30000, "too few cells for threads to share");
-  const auto removed = [&](const Thread_policy& threads)
+  const bool surfaces_move = input.number_of_surface_vertices() > 0;
+  const auto removed = [&](const Thread_policy& threads, const Thread_policy& threads_at_surfaces, int vertices_of_part,
+                           long most = (std::numeric_limits<long>::max)())
   {
     Moving_triangulation_3 mesh = input;
     Sliver_removal_parameters parameters;
-    parameters.most_tries = 20000;
-    Sliver_removal_3 removal(mesh, 10, 1, nullptr, parameters, threads);
+    parameters.most_tries = 100000;
+    parameters.vertices_of_part = vertices_of_part;
+    Motion_in_planes motion(input, most);
+    Sliver_removal_3 removal(mesh, 15, 1, &motion, parameters, threads, threads_at_surfaces);
     removal.run();
     check::that(removal.number_of_moves() > 100, "only ", removal.number_of_moves(), " moves");
+    check::that((removal.number_of_surface_moves() > 0) == surfaces_move, removal.number_of_surface_moves(), " moves on surfaces");
+    check::that(mesh.topology.is_valid(), "parts are joined to what is no triangulation");
     return coordinates(mesh);
   };
-  const std::vector<double> expected = removed(Thread_policy());
-  for(std::size_t threads : { 1, 2, 3, 8 })
+  const Thread_policy one;
+  std::vector<std::vector<double> > expected;
+  for(int vertices_of_part : { 800, 3000, 1000000 })
   {
-    tbb::global_control control(tbb::global_control::max_allowed_parallelism, threads);
-    check::that(removed(on_threads()) == expected, threads, " threads remove other slivers than one");
+    expected.push_back(removed(one, one, vertices_of_part));
+    for(std::size_t threads : { 1, 2, 3, 8 })
+    {
+      tbb::global_control control(tbb::global_control::max_allowed_parallelism, threads);
+      check::that(removed(on_threads(), one, vertices_of_part) == expected.back(), threads, " threads remove other slivers than one");
+      check::that(removed(on_threads(), on_threads(), vertices_of_part) == expected.back(), threads,
+                  " threads at surfaces remove other slivers than one");
+    }
+  }
+  check::that(expected[0] != expected[1] && expected[1] != expected[2], "parts are not what they should be");
+  for(const Thread_policy& threads : { one, on_threads() })
+  {
+    bool has_thrown = false;
+    try { removed(on_threads(), threads, 800, 5); }
+    catch(const std::runtime_error&) { has_thrown = true; }
+    check::that(has_thrown == surfaces_move, "the exception of the motion is lost");
   }
 }
 
@@ -454,6 +503,7 @@ int main()
     }
   }
   surface_terms(sphere);
+  slivers(sphere);
   slivers(halves);
   ends_before(halves);
   return check::result();

@@ -9,8 +9,11 @@
 #include "check.h"
 #include "random_cube_triangulation.h"
 
+#include <CGAL/Global_odt_mesh_3/internal/blocks/Mesh_parts_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/geometry/Angle_deficit_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/geometry/Cell_shape_3.h>
+#include <CGAL/Global_odt_mesh_3/internal/geometry/Random_source.h>
+#include <CGAL/Global_odt_mesh_3/internal/geometry/Vertex_tuples.h>
 #include <CGAL/Global_odt_mesh_3/internal/optimization/Limited_memory_bfgs.h>
 #include <CGAL/Global_odt_mesh_3/internal/optimization/Odt_objective_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/slivers/Sliver_removal_3.h>
@@ -25,6 +28,7 @@
 #include <limits>
 #include <optional>
 #include <random>
+#include <set>
 #include <vector>
 
 using namespace CGAL::Global_odt_mesh_3::internal;
@@ -54,6 +58,14 @@ static double sum_of_deficits(const Moving_triangulation_3& mesh, double bound)
     if(mesh.topology.is_alive(c))
       sum += deficit(cell(mesh, c), bound);
   return sum;
+}
+
+static int number_of_cells(const Moving_triangulation_3& mesh)
+{
+  int number = 0;
+  for(int c = 0; c < mesh.topology.number_of_cell_slots(); ++c)
+    number += mesh.topology.is_alive(c);
+  return number;
 }
 
 // The deficit is the sum of the squares of what the six angles lack, a function of the shape of
@@ -356,6 +368,59 @@ static void vertex_trials(bool weighted, bool has_surface, std::mt19937& random)
   check::that(difference_to_exact(mesh) == 0, "the triangulation is not CGAL's in the end");
 }
 
+// Trials in a part of the mesh leave all cells that are not of the part as they are, and what they know is known to the whole.
+static void trials_in_parts(std::mt19937& random)
+{
+  const double bound = 30;
+  Moving_triangulation_3 mesh = random_cube(4, 600, 0, false, random);
+  const Mesh_parts_3 parts(mesh, 2, Random_source(1), Thread_policy());
+  const auto cells_outside = [&]
+  {
+    std::set<std::array<int, 4> > outside;
+    for(int c = 0; c < mesh.topology.number_of_cell_slots(); ++c)
+      if(mesh.topology.is_alive(c) && parts.part(mesh.topology.cell(c)) != 0)
+        outside.insert(sorted(mesh.topology.cell(c)));
+    return outside;
+  };
+  const std::set<std::array<int, 4> > outside = cells_outside();
+  const int cells = mesh.topology.number_of_cells();
+  Vertex_trial_3 whole(mesh, bound);
+  std::vector<Flat_triangulation_3> topologies = mesh.topology.split(2, 20);
+  whole.make_room();
+  check::that(mesh.topology.number_of_cell_slots() >= cells + 40 && number_of_cells(mesh) == cells && mesh.topology.is_valid(),
+              "a split alters the whole");
+  Vertex_trial_3 trial(whole, topologies[0], parts, 0, true);
+  std::vector<double> edge_length;
+  mesh.mean_edge_lengths(edge_length);
+  std::uniform_real_distribution<double> u(-1, 1);
+  int accepted = 0, refused = 0;
+  for(int n = 0; n < 1000; ++n)
+  {
+    const int v = std::uniform_int_distribution<int>(0, mesh.number_of_movable_vertices - 1)(random);
+    const std::size_t refusals = trial.number_of_refusals();
+    if(!trial.may_move(v))
+      continue;
+    Site s = mesh.sites[v];
+    const double reach = 0.4 * edge_length[v];
+    s = { s.x + reach * u(random), s.y + reach * u(random), s.z + reach * u(random), s.weight };
+    const double change = trial.move(v, s);
+    const bool is_refused = trial.number_of_refusals() > refusals;
+    check::that(!is_refused || !std::isfinite(change), "a trial goes beyond its part");
+    refused += is_refused;
+    accepted += std::isfinite(change);
+    std::isfinite(change) ? trial.accept() : trial.reject();
+  }
+  std::cout << "trials in a part: " << accepted << " accepted, " << refused << " refused" << std::endl;
+  check::that(accepted > 50 && refused > 5, "not all kinds of trials made in a part");
+  check::that(cells_outside() == outside, "trials in a part alter cells outside of it");
+  mesh.topology.join(topologies);
+  whole.join(trial);
+  check::that(mesh.topology.is_valid() && mesh.topology.number_of_cells() == number_of_cells(mesh), "parts do not join");
+  for(int c = 0; c < mesh.topology.number_of_cell_slots(); ++c)
+    check::that(whole.deficit(c) == (mesh.topology.is_alive(c) ? deficit(cell(mesh, c), bound) : 0),
+                "the whole does not know a deficit of a part");
+}
+
 // What has been accepted since a mark is taken back as a whole, or stays.
 static void marked_trials(std::mt19937& random)
 {
@@ -461,14 +526,6 @@ static int slivers(const Moving_triangulation_3& mesh, double bound, int vertice
       const int* const v = mesh.topology.vertices(c);
       number += *std::min_element(v, v + 4) < vertices && deficit(cell(mesh, c), bound) > 0;
     }
-  return number;
-}
-
-static int number_of_cells(const Moving_triangulation_3& mesh)
-{
-  int number = 0;
-  for(int c = 0; c < mesh.topology.number_of_cell_slots(); ++c)
-    number += mesh.topology.is_alive(c);
   return number;
 }
 
@@ -666,6 +723,7 @@ int main()
   vertex_trials(false, false, random);
   vertex_trials(true, false, random);
   vertex_trials(false, true, random);
+  trials_in_parts(random);
   marked_trials(random);
   // The grid on the surface is coarse for the vertices inside, which makes slivers, or fits them.
   const Moving_triangulation_3 cube = minimized_cube(6);
