@@ -165,10 +165,10 @@ If the domain, a field or the callback throws, `c3t3` is as it was before the ca
 `random_seed` the result is the same, bit for bit, unless `time_limit` shortens the schedule. Handles to vertices and
 cells of `c3t3` become invalid.
 
-If `C3T3::Triangulation::Concurrency_tag` is convertible to `CGAL::Parallel_tag` and the program links TBB, search and
-minimization run on several threads, within the limits of the caller's `tbb::global_control` and `tbb::task_arena`: meshes
-of more than 40,000 vertices are searched in blocks, on which threads work independently, unless fields
-of the user are evaluated. Slivers are removed on one thread.
+If `C3T3::Triangulation::Concurrency_tag` is convertible to `CGAL::Parallel_tag` and the program links TBB, search,
+minimization, and most of the removal of slivers run on several threads, within the limits of the caller's
+`tbb::global_control` and `tbb::task_arena`: meshes of more than 20,000 vertices are searched in blocks, on which threads work
+independently, unless fields of the user are evaluated.
 The result is the same, bit for bit, for any number of threads, and for the same mesh with `CGAL::Sequential_tag`.
 Fields, the callback and the visitor, and the domain unless `domain_is_thread_safe` is `true`, are only called from the
 thread that calls this function; in a search in blocks, the visitor is told of ten iterations at once.

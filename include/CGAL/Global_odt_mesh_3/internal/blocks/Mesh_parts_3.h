@@ -31,14 +31,11 @@ public:
 
   Mesh_parts_3(const Constrained_triangulation_3& mesh, int number_of_parts, Random_source random, const Thread_policy& threads)
     : part_of_vertex_(mesh.sites.size())
-    , number_of_parts_(number_of_parts)
   {
     const Space_partition_3 space(mesh, number_of_parts, random);
     for_each_in_chunks(static_cast<int>(mesh.sites.size()), threads,
                        [&](int v) { part_of_vertex_[v] = space.block(position(mesh.sites[v])); });
   }
-
-  int number_of_parts() const { return number_of_parts_; }
 
   // Of a cell with these vertices.
   int part(const std::array<int, 4>& cell) const
@@ -49,7 +46,6 @@ public:
 
 private:
   std::vector<int> part_of_vertex_;
-  int number_of_parts_;
 };
 
 } // namespace internal

@@ -23,7 +23,7 @@ struct Sliver_removal_parameters
   int most_passes = 12;
   double joint_farthest = 0.2;                // the longest of a vertex, over the same
   int joint_tries_per_sliver = 2, most_joint_tries = 20, passes_after_joint_try = 5;
-  int vertices_of_part = 8000, partitions = 3;    // how large parts are, and how often others are made
+  int vertices_of_part = 5000, partitions = 3;    // how large parts are, and how often others are made
   int free_cells_of_part = 500;                   // by which it may get larger
   std::size_t most_tries = (std::numeric_limits<std::size_t>::max)();     // of single vertices, which are what takes time
 };
