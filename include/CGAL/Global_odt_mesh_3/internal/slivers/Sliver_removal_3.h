@@ -47,7 +47,7 @@ public:
     , threads_at_surfaces_(threads_at_surfaces)
     , surfaces_move_(motion != nullptr && mesh.number_of_surface_vertices() > 0)
     , random_(seed)
-    , improvement_(mesh, bound, random_.seed(), motion, parameters, threads)
+    , improvement_(mesh, bound, seed, motion, parameters, threads)
   {}
 
   std::size_t number_of_moves() const { return improvement_.number_of_moves(); }
