@@ -88,7 +88,7 @@ private:
   static constexpr int first_step = 1, most_repetitions = 2;
   static constexpr std::size_t tries_for_an_exact_one = 3, tries_for_one_beyond = 10;
   // What is tried beyond the last step is for the few worst cells, of which a large mesh has no more than a small one.
-  static constexpr std::size_t most_tries_beyond = 4000;
+  static constexpr std::size_t most_tries_beyond = 15000;
   static constexpr double share_of_climb = 0.8;         // of the exact ones; the others are for the worst cells
   // Above the angle, no step is taken if no bound is given, and cells are left below the one before or more of them
   // below this.
