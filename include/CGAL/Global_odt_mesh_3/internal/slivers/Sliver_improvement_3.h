@@ -220,11 +220,11 @@ private:
     best_vertex_ = -1;
     const std::size_t refusals = trial_.number_of_refusals();
     const std::vector<int> vertices = movable_vertices(cell);
-    const bool is_at_seam = trial_.number_of_refusals() > refusals;
-    for(int v : is_at_seam ? std::vector<int>() : vertices)
-      if(failures.number == 0 ? try_steps(v) : try_positions(v))
-        return true;
-    // Something else is better left to another part, or the whole.
+    if(trial_.number_of_refusals() == refusals)
+      for(int v : vertices)
+        if(failures.number == 0 ? try_steps(v) : try_positions(v))
+          return true;
+    // What is at a seam is better left to another part, or the whole.
     if(trial_.number_of_refusals() > refusals)
     {
       left_cells_.push_back(cell);
