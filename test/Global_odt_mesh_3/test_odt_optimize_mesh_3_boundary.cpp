@@ -418,7 +418,7 @@ namespace odt = CGAL::Global_odt_mesh_3::internal;
 struct Candidate_at_rest
 {
   typedef odt::Restricted_complex_3<Ellipsoid_triangulation, Ellipsoid_domain> Complex;
-  typedef odt::Restricted_candidate_3<Ellipsoid_triangulation> Candidate;
+  typedef odt::Restricted_candidate_3<Complex::Triangulation> Candidate;
 
   Complex complex;
   std::unique_ptr<Candidate> candidate;
@@ -430,7 +430,7 @@ struct Candidate_at_rest
     complex.start(odt::C3t3_reader_3<Ellipsoid_c3t3, Complex::Domain>(input, complex.domain()).read(mesh, true));
     const auto& state = complex.state();
     candidate = std::make_unique<Candidate>(state, state.sites, complex.motion(), true, odt::Thread_policy());
-    candidate->numbered = std::make_unique<odt::Numbered_triangulation_3<Ellipsoid_triangulation> >();
+    candidate->numbered = std::make_unique<odt::Numbered_triangulation_3<Complex::Triangulation> >();
     candidate->build(nullptr);
   }
 };

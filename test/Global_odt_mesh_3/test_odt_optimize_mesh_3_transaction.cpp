@@ -76,11 +76,11 @@ static std::vector<std::array<int, 6> > labelled_cells(const Complex::State& sta
     int on_surface = 0;
     for(int i = 0; i < 4; ++i)
     {
-      q[i] = state.triangulation().is_infinite(h->vertex(i)) ? -1 : state.number(h->vertex(i));
-      on_surface += h->is_facet_on_surface(i);
+      q[i] = state.triangulation().is_infinite(h->vertex(i)) ? -1 : h->vertex(i)->info();
+      on_surface += h->is_facet_in_complex(i);
     }
     q = sorted(q);
-    cells.push_back({{ q[0], q[1], q[2], q[3], static_cast<int>(h->subdomain_index()), on_surface }});
+    cells.push_back({{ q[0], q[1], q[2], q[3], h->label(), on_surface }});
   }
   std::sort(cells.begin(), cells.end());
   return cells;
@@ -101,7 +101,7 @@ static std::vector<double> contents(const Complex::State& state)
                         double(f.labels[1]), double(f.patch) });
   for(int v = 0; v < state.numbering->number_of_movable_vertices; ++v)
   {
-    const Point_3& p = state.triangulation().point(state.vertex(v)).point();
+    const Point_3& p = state.triangulation().point(state.numbered->vertex(v)).point();
     c.insert(c.end(), { p.x(), p.y(), p.z() });
   }
   for(const auto& cell : labelled_cells(state))
@@ -111,10 +111,10 @@ static std::vector<double> contents(const Complex::State& state)
     {
       std::array<int, 3> vertices;
       for(int i = 0; i < 3; ++i)
-        vertices[i] = state.number(g.first->vertex(facet_indices(g.second)[i]));
+        vertices[i] = g.first->vertex(facet_indices(g.second)[i])->info();
       vertices = rotated(vertices);
       c.insert(c.end(), vertices.begin(), vertices.end());
-      c.push_back(g.first->is_facet_on_surface(g.second));
+      c.push_back(g.first->is_facet_in_complex(g.second));
     }
   return c;
 }

@@ -14,6 +14,7 @@
 #include <CGAL/Global_odt_mesh_3/internal/restricted/Cell_certificate_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/restricted/Exact_regularity_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/restricted/Restricted_complex_3.h>
+#include <CGAL/Global_odt_mesh_3/internal/restricted/Restricted_triangulation_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/restricted/Taken_cells_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/restricted/Triangulation_takeover_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/triangulation/Flips_3.h>
@@ -64,7 +65,7 @@ static bool is_tidy(const Numbered_triangulation_3<Triangulation>& numbered, con
   const Triangulation& tr = numbered.triangulation();
   for(auto c : tr.all_cell_handles())
     for(int i = 0; i < 4; ++i)
-      if(c->is_facet_visited(i) || c->tds_data().is_in_conflict())
+      if(c->is_marked(i) || c->tds_data().is_in_conflict())
         return false;
   for(int v = 0; v < static_cast<int>(points.size()); ++v)
     if(!numbered.is_visible(v) || tr.point(numbered.vertex(v)) != points[v])
@@ -74,9 +75,10 @@ static bool is_tidy(const Numbered_triangulation_3<Triangulation>& numbered, con
 
 // What is taken over from the mesh for positions that may be others is what insertion gives; how many vertices
 // were inserted for it, or -1 if it was not taken over.
-template <class Triangulation>
+template <class Input>
 int take_over(const std::string& name, const Moving_triangulation_3& mesh, const std::vector<Site>& sites, Outcome expected)
 {
+  typedef Restricted_triangulation_3<Input> Triangulation;
   typedef typename Triangulation::Weighted_point Weighted_point;
   std::vector<Weighted_point> points;
   for(const Site& s : sites)
@@ -215,7 +217,7 @@ void complexes(const std::string& name, const C3t3& c3t3, const Domain& domain, 
     if(!done)
       continue;
     const auto &a = with.complex.state(), &b = without.complex.state();
-    check::that(cells(*a.own) == cells(*b.own), name, ": the complexes have other cells");
+    check::that(cells(*a.numbered) == cells(*b.numbered), name, ": the complexes have other cells");
     check::that(a.has_positions(b.sites) && a.boundary_cells == b.boundary_cells, name, ": the complexes differ");
     std::set<std::array<int, 3> > facets[2];
     for(const Boundary_facet& f : a.boundary.complex().facets())
@@ -448,7 +450,7 @@ static void hiding_vertices()
   std::vector<Weighted_point> points;
   for(const Site& s : sites)
     points.push_back(at(s));
-  Numbered_triangulation_3<Labeled_triangulation> numbered;
+  Numbered_triangulation_3<Restricted_triangulation_3<Labeled_triangulation> > numbered;
   numbered.build(points, sites);
   check::that(numbered.is_complete(), "a visible vertex is not there");
   numbered.move(2, at({ 1.1, 0, 0, 0 }));

@@ -128,9 +128,10 @@ void measure(C3t3& c3t3, const Domain& domain, const std::string& what)
   timer.start();
   const double cpu = seconds([&] { what == "cgal" ? odt_of_mesh_3(c3t3, domain) : run_ours(c3t3, domain); });
   timer.stop();
+  const double peak = peak_memory();
   const CGAL::Mesh_quality_report_3 q = CGAL::mesh_quality_report_3(c3t3, { 10, 20, 30, 40 });
   std::printf("  wall %.2f s, CPU %.2f s, %.1f microseconds a vertex; memory beside the mesh %.2f kB a vertex\n", timer.time(),
-              cpu, 1e6 * cpu / vertices, (peak_memory() - memory) / 1000 / vertices);
+              cpu, 1e6 * cpu / vertices, (peak - memory) / 1000 / vertices);
   std::printf("  angles %.2f - %.2f, mean 3r/R %.4f, cells below 20, 30, 40: %zu %zu %zu\n", q.smallest_angle, q.largest_angle,
               q.mean_radius_ratio, q.cells_below[1].second, q.cells_below[2].second, q.cells_below[3].second);
   std::printf("  hash %016zx\n", hash_of_coordinates(c3t3));

@@ -83,11 +83,14 @@ public:
     return make_rounds();
   }
 
+  // Comes last: nothing is left here but the code and statistics.
   void commit()
   {
     const auto in_stage = during(Stage_clock::WRITE);
+    rounds_.reset();
+    mesh_ = Moving_triangulation_3();
     if(!complex_.state().is_input)
-      C3t3_writer_3<C3t3, Domain>(complex_.take_state(), complex_.domain()).write(c3t3_);
+      C3t3_writer_3<C3t3, Domain>(complex_.take_state(), complex_.domain(), threads_).write(c3t3_);
   }
 
   Mesh_optimization_return_code code() const { return code_; }

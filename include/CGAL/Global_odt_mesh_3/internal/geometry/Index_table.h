@@ -6,6 +6,9 @@
 #ifndef CGAL_GLOBAL_ODT_MESH_3_INTERNAL_GEOMETRY_INDEX_TABLE_H
 #define CGAL_GLOBAL_ODT_MESH_3_INTERNAL_GEOMETRY_INDEX_TABLE_H
 
+#include <CGAL/assertions.h>
+
+#include <algorithm>
 #include <cstddef>
 #include <vector>
 
@@ -28,6 +31,14 @@ public:
         return static_cast<int>(last_);
     values_.push_back(value);
     return static_cast<int>(last_);
+  }
+
+  // Of a value that has one.
+  int number_of_known(const T& value) const
+  {
+    const auto it = std::find(values_.begin(), values_.end(), value);
+    CGAL_assertion(it != values_.end());
+    return static_cast<int>(it - values_.begin());
   }
 
   const T& value(int number) const { return values_[number]; }

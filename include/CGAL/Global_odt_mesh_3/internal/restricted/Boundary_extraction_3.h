@@ -65,7 +65,7 @@ public:
     for(const Facet& f : possible_facets_)
     {
       const Cell_handle c = f.first, d = c->neighbor(f.second);
-      const bool separates = c->subdomain_index() != d->subdomain_index();
+      const bool separates = c->label() != d->label();
       if(!separates && !candidate_.state.has_unseparating_facets)
         continue;
       Boundary_facet b;
@@ -73,7 +73,7 @@ public:
       const int old = candidate_.state.facet_number(b.vertices);
       if(!separates && (old < 0 || old_facets[old].labels[0] != old_facets[old].labels[1]))
         continue;
-      b.labels = {{ domain_.label(c->subdomain_index()), domain_.label(d->subdomain_index()) }};
+      b.labels = {{ c->label(), d->label() }};
       b.patch = old >= 0 ? old_facets[old].patch : patch_of_new_facet(b);
       found.push_back(b);
       candidate_.facets.push_back(f);
@@ -90,7 +90,7 @@ private:
   bool may_be_on_boundary(const Facet& f) const
   {
     const Cell_handle c = f.first, d = c->neighbor(f.second);
-    return candidate_.state.has_unseparating_facets || c->subdomain_index() != d->subdomain_index()
+    return candidate_.state.has_unseparating_facets || c->label() != d->label()
            || knows(c, IS_BOUNDARY_CELL) || knows(d, IS_BOUNDARY_CELL);
   }
 

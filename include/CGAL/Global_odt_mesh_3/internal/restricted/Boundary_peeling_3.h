@@ -53,7 +53,7 @@ public:
       const std::shared_ptr<const Boundary_complex_3> before = candidate_.boundary_complex;
       for(const auto& p : peeled)
       {
-        p.first->set_subdomain_index(domain_.subdomain(p.second.second));
+        p.first->set_label(p.second.second);
         forget(p.first, IS_SETTLED);
       }
       extraction_.find_boundary();
@@ -124,7 +124,7 @@ private:
         else
         {
           refused_.insert(p->first);
-          p->first->set_subdomain_index(domain_.subdomain(p->second.first));
+          p->first->set_label(p->second.first);
           p = peeled.erase(p);
         }
     }

@@ -14,11 +14,13 @@
 #include <CGAL/Global_odt_mesh_3/internal/restricted/Estimated_surface_center_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/restricted/Flatten_state_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/restricted/Restricted_state_3.h>
+#include <CGAL/Global_odt_mesh_3/internal/restricted/Triangulation_restorer_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/restricted/Vertex_numbering_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/surface/Boundary_complex_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/surface/Boundary_geometry_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/triangulation/All_cells.h>
 #include <CGAL/Global_odt_mesh_3/internal/triangulation/Flat_triangulation_3.h>
+#include <CGAL/Global_odt_mesh_3/internal/triangulation/Flatten_triangulation_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/triangulation/Moving_triangulation_3.h>
 
 #include <Eigen/Core>
@@ -41,7 +43,7 @@ class C3t3_reader_3
 {
 public:
   typedef typename C3t3::Triangulation Triangulation;
-  typedef Restricted_state_3<Triangulation> State;
+  typedef Restricted_state_3<typename Domain::Triangulation> State;
 
   C3t3_reader_3(const C3t3& c3t3, Domain& domain, const Thread_policy& threads = Thread_policy())
     : threads_(threads)
@@ -66,12 +68,12 @@ public:
     for(auto v = tr_.finite_vertices_begin(); v != tr_.finite_vertices_end(); ++v)
       add_vertex(v, weighted_site(tr_.point(v)));
     // Which vertices move is seen from the cells and facets around them.
-    const Constrained_facets<Triangulation> around = flatten(mesh.topology);
+    const Constrained_facets around = flatten(mesh.topology);
     sort_vertices(boundary(around), mesh.topology, boundary_moves);
-    Constrained_facets<Triangulation> facets = flatten(mesh.topology);
-    for(Constrained_facet<Triangulation>& f : facets)
+    Constrained_facets facets = flatten(mesh.topology);
+    for(Constrained_facet& f : facets)
       f.vertices = rotated(f.vertices);
-    Constrained_facets<Triangulation> in_order = facets;
+    Constrained_facets in_order = facets;
     std::sort(in_order.begin(), in_order.end(), [](const auto& a, const auto& b)
               { return sorted(a.vertices) < sorted(b.vertices); });
     state_.boundary = Boundary_geometry_3(std::make_shared<const Boundary_complex_3>(boundary(in_order)), state_.sites);
@@ -81,20 +83,29 @@ public:
     read_surface_centers(in_order);
     read_labels();
     load_positions(state_, facets, mesh);
+    state_.facets.resize(in_order.size());
+    Triangulation_restorer_3<Domain>(state_, domain_)(nullptr, state_.sites, threads_);
     return std::move(state_);
   }
 
 private:
   typedef typename State::Vertex_numbering Vertex_numbering;
+  typedef internal::Constrained_facet<Triangulation> Constrained_facet;
+  typedef std::vector<Constrained_facet> Constrained_facets;
   typedef typename Triangulation::Vertex_handle Vertex_handle;
   typedef typename Triangulation::Cell_handle Cell_handle;
   typedef typename Triangulation::Bare_point Bare_point;
 
   // With the numbers that vertices have.
-  Constrained_facets<Triangulation> flatten(Flat_triangulation_3& flat) const
+  Constrained_facets flatten(Flat_triangulation_3& flat) const
   {
-    return flatten_complex_3(tr_, cells_, [this](Vertex_handle v) { return state_.number(v); }, threads_, flat);
+    const auto number_of = [this](Vertex_handle v) { return number(v); };
+    const auto subdomain = [](Cell_handle c) { return c->subdomain_index(); };
+    const auto is_on_surface = [](Cell_handle c, int i) { return c->is_facet_on_surface(i); };
+    return flatten_triangulation_3(tr_, cells_, number_of, subdomain, is_on_surface, threads_, flat);
   }
+
+  int number(Vertex_handle v) const { return state_.numbering->input_number[v]; }
 
   void add_vertex(Vertex_handle v, const Site& s)
   {
@@ -103,11 +114,11 @@ private:
     state_.sites.push_back(s);
   }
 
-  Boundary_complex_3 boundary(const Constrained_facets<Triangulation>& constrained_facets)
+  Boundary_complex_3 boundary(const Constrained_facets& constrained_facets)
   {
     std::vector<Boundary_facet> facets;
     facets.reserve(constrained_facets.size());
-    for(const Constrained_facet<Triangulation>& f : constrained_facets)
+    for(const Constrained_facet& f : constrained_facets)
     {
       const Cell_handle c = f.facet.first;
       const int i = f.facet.second;
@@ -152,10 +163,10 @@ private:
   // A complex that was not made by the mesher, or comes from a file, may lack surface centers, which is seen from their
   // indices: the points are then not even numbers that are the same each time. A point of the dual line stands in,
   // without being told to anybody.
-  void read_surface_centers(const Constrained_facets<Triangulation>& facets)
+  void read_surface_centers(const Constrained_facets& facets)
   {
     constexpr double most_spread = 1e-4;      // of the powers of the center with respect to the vertices
-    for(const Constrained_facet<Triangulation>& f : facets)
+    for(const Constrained_facet& f : facets)
     {
       const Cell_handle c = f.facet.first;
       const int i = f.facet.second;
@@ -170,7 +181,6 @@ private:
          || !domain_.is_on_patch(c->get_facet_surface_center_index(i), domain_.patch_number(c->surface_patch_index(i)))
          || !(power.maxCoeff() - power.minCoeff() <= most_spread * std::abs(power[0])))
         point = estimated_surface_center(f.vertices, state_.boundary, state_.sites);
-      state_.facets.push_back(f.facet);
       state_.centers.push_back({ point, p, c->get_facet_surface_center_index(i), true, true });
     }
   }
@@ -186,7 +196,7 @@ private:
     {
       std::array<int, 4> q;
       for(int i = 0; i < 4; ++i)
-        q[i] = state_.number(c->vertex(i));
+        q[i] = number(c->vertex(i));
       if(std::all_of(q.begin(), q.end(), [this](int v) { return numbering_->is_on_boundary(v); }))
         state_.boundary_cells.emplace(sorted(q), domain_.label(c->subdomain_index()));
     }

@@ -6,18 +6,22 @@
 #ifndef CGAL_GLOBAL_ODT_MESH_3_INTERNAL_RESTRICTED_C3T3_WRITER_3_H
 #define CGAL_GLOBAL_ODT_MESH_3_INTERNAL_RESTRICTED_C3T3_WRITER_3_H
 
-#include <CGAL/Global_odt_mesh_3/internal/geometry/Facet_dual_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/geometry/Point_coordinates.h>
+#include <CGAL/Global_odt_mesh_3/internal/parallel/For_each_in_chunks.h>
+#include <CGAL/Global_odt_mesh_3/internal/parallel/Thread_policy.h>
+#include <CGAL/Global_odt_mesh_3/internal/restricted/Numbered_triangulation_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/restricted/Restricted_state_3.h>
-
-#include <CGAL/number_utils.h>
+#include <CGAL/Global_odt_mesh_3/internal/restricted/Triangulation_table_3.h>
+#include <CGAL/Global_odt_mesh_3/internal/surface/Boundary_complex_3.h>
+#include <CGAL/Global_odt_mesh_3/internal/triangulation/All_cells.h>
 
 #include <Eigen/Core>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
-#include <iterator>
+#include <memory>
 #include <utility>
 #include <vector>
 
@@ -25,111 +29,189 @@ namespace CGAL {
 namespace Global_odt_mesh_3 {
 namespace internal {
 
-// Writes a state, which has come from a c3t3, to that c3t3: cells, facets, features and vertices, with what the
-// first one says of them. The c3t3 is only changed by a swap at the end.
+// Writes a state to the c3t3 from which the first one has come.
+//
+// Vertices stay, with all that the c3t3 says of them: they get their points. Cells are new, in the memory of the old ones.
+// Whatever may throw, as it takes memory, comes before the first change.
 template <class C3t3, class Domain>
 class C3t3_writer_3
 {
 public:
   typedef typename C3t3::Triangulation Triangulation;
-  typedef Restricted_state_3<Triangulation> State;
+  typedef Restricted_state_3<typename Domain::Triangulation> State;
 
-  C3t3_writer_3(State state, const Domain& domain)
+  C3t3_writer_3(State state, const Domain& domain, const Thread_policy& threads = Thread_policy())
     : state_(std::move(state))
     , domain_(domain)
+    , threads_(threads)
+    , numbered_(std::move(state_.numbered))
   {}
 
   void write(C3t3& c3t3)
   {
-    result_.triangulation().swap(state_.own->triangulation());
     restore_orders();
-    add_cells();
-    add_facets();
-    add_vertices(c3t3);
-    add_features(c3t3);
-    c3t3.swap(result_);
-    c3t3.clear_manifold_info();
+    measure_circumradii();
+    const std::vector<typename Triangulation::Weighted_point> points = state_.points(state_.sites);
+    const Triangulation_table_3 table = take_triangulation();
+    Triangulation& tr = c3t3.triangulation();
+    std::vector<Cell_handle> cells = all_cells(tr);
+    add_spare_cells(tr, table.number_of_cells(), cells);
+
+    empty(c3t3, cells);
+    renew_cells(tr, table.number_of_cells(), cells);
+    table.connect(vertices(), cells, Thread_policy(), tr);
+    for(std::size_t v = 0; v < points.size(); ++v)
+    {
+      vertices()[v]->set_point(points[v]);
+      // As CGAL's optimizers leave it there.
+      if(circumradii_[v].number > 0)
+        vertices()[v]->set_meshing_info(circumradii_[v].sum / circumradii_[v].number);
+    }
+    fill(c3t3, cells);
   }
 
 private:
   typedef typename Triangulation::Vertex_handle Vertex_handle;
   typedef typename Triangulation::Cell_handle Cell_handle;
   typedef typename Triangulation::Facet Facet;
-  typedef typename C3t3::Subdomain_index Subdomain_index;
-  typedef typename C3t3::Surface_patch_index Surface_patch_index;
+  typedef Numbered_triangulation_3<typename Domain::Triangulation> Numbered_triangulation;
+  typedef typename Numbered_triangulation::Vertex_handle Labelled_vertex;
+  typedef typename Numbered_triangulation::Cell_handle Labelled_cell;
 
-  Triangulation& triangulation() { return result_.triangulation(); }
-  Vertex_handle input_vertex(int v) const { return state_.numbering->input_vertices[v]; }
-  // Of the result, for one of the input.
-  Vertex_handle vertex(Vertex_handle of_input) const { return state_.vertex(state_.numbering->input_number[of_input]); }
-  int number_of_vertices() const { return state_.numbering->number_of_vertices(); }
+  struct Circumradii
+  {
+    double sum = 0;
+    int number = 0;
+  };
+
+  // Of the c3t3, by number.
+  const std::vector<Vertex_handle>& vertices() const { return state_.numbering->input_vertices; }
 
   // Of the vertices of cells that are in the same subdomain as in the input: on this order depends, by rounding, the dual
   // point of a flat cell, and hence whether the domain finds it in that subdomain.
   void restore_orders()
   {
-    std::vector<Vertex_handle> opposite;
-    for(const Facet& f : state_.facets)
+    std::vector<Labelled_vertex> opposite;
+    for(const auto& f : state_.facets)
       opposite.push_back(f.first->vertex(f.second));
     for(const auto& b : state_.boundary_cells)
     {
       const Cell_handle from = state_.numbering->input_cell(b.first, state_.sites);
       if(from == Cell_handle())
         continue;
-      std::array<Vertex_handle, 4> v;
+      std::array<Labelled_vertex, 4> v;
       for(int i = 0; i < 4; ++i)
-        v[i] = vertex(from->vertex(i));
-      Cell_handle to;
-      if(triangulation().is_cell(v[0], v[1], v[2], v[3], to) && to->subdomain_index() == from->subdomain_index())
+        v[i] = numbered_->vertex(state_.numbering->input_number[from->vertex(i)]);
+      Labelled_cell to;
+      if(numbered_->triangulation().is_cell(v[0], v[1], v[2], v[3], to)
+         && to->label() == domain_.known_label(from->subdomain_index()))
         reorder(to, v);
     }
     for(std::size_t n = 0; n < opposite.size(); ++n)
       state_.facets[n].second = state_.facets[n].first->index(opposite[n]);
   }
 
-  // Facets lose their patches.
-  static void reorder(Cell_handle c, const std::array<Vertex_handle, 4>& v)
+  static void reorder(Labelled_cell c, const std::array<Labelled_vertex, 4>& v)
   {
-    std::array<Cell_handle, 4> neighbors;
+    std::array<Labelled_cell, 4> neighbors;
     for(int i = 0; i < 4; ++i)
       neighbors[i] = c->neighbor(c->index(v[i]));
     for(int i = 0; i < 4; ++i)
     {
       c->set_vertex(i, v[i]);
       c->set_neighbor(i, neighbors[i]);
-      c->set_surface_patch_index(i, Surface_patch_index());
     }
   }
 
-  // From the labels that cells have got.
-  void add_cells()
+  // Of the cells in the complex around each vertex.
+  void measure_circumradii()
   {
-    radius_sum_.assign(number_of_vertices(), 0);
-    radius_count_.assign(number_of_vertices(), 0);
-    for(auto c = triangulation().finite_cells_begin(); c != triangulation().finite_cells_end(); ++c)
+    circumradii_.resize(state_.sites.size());
+    for(Labelled_cell c : numbered_->cells())
     {
-      const Subdomain_index label = c->subdomain_index();
-      if(label == Subdomain_index())
+      if(c->label() == domain_.outside())
         continue;
-      c->set_subdomain_index(Subdomain_index());
-      result_.add_to_complex(c, label);
-      add_circumradius(c);
+      const Eigen::Vector3d p = coordinates(numbered_->triangulation().dual(c));
+      for(int i = 0; i < 4; ++i)
+      {
+        const int v = Numbered_triangulation::number(c->vertex(i));
+        circumradii_[v].sum += std::sqrt(squared_distance(state_.sites[v], p));
+        ++circumradii_[v].number;
+      }
     }
   }
 
-  void add_facets()
+  // Keeps the labels of cells and the places of those of the boundary facets, but not the triangulation.
+  Triangulation_table_3 take_triangulation()
   {
-    for(std::size_t n = 0; n < state_.facets.size(); ++n)
+    const std::unique_ptr<Numbered_triangulation> numbered = std::move(numbered_);
+    const std::vector<Labelled_cell>& cells = numbered->cells();
+    labels_.resize(cells.size());
+    for_each_in_chunks(static_cast<int>(cells.size()), threads_, [&](int n)
     {
-      const Facet f = state_.facets[n];
-      const Facet mirror = triangulation().mirror_facet(f);
-      f.first->set_surface_patch_index(f.second, Surface_patch_index());
-      mirror.first->set_surface_patch_index(mirror.second, Surface_patch_index());
+      labels_[n] = cells[n]->label();
+      cells[n]->set_label(n);               // as all that is asked for now is its place
+    });
+    const auto place = [](Labelled_cell c) { return c->label(); };
+    for(const auto& f : state_.facets)
+      facet_cells_.push_back(place(f.first));
+    return Triangulation_table_3(numbered->triangulation(), cells, Numbered_triangulation::number, place, threads_);
+  }
+
+  // Until there are so many. One at least, as the first one may take memory for the container.
+  static void add_spare_cells(Triangulation& tr, std::size_t number, std::vector<Cell_handle>& cells)
+  {
+    const std::size_t before = cells.size();
+    cells.reserve((std::max)(number, before + 1));
+    try
+    {
+      do
+        cells.push_back(tr.tds().create_cell());
+      while(cells.size() < number);
+    }
+    catch(...)
+    {
+      for(std::size_t n = before; n < cells.size(); ++n)
+        tr.tds().cells().erase(cells[n]);
+      throw;
+    }
+  }
+
+  // Takes all cells and facets out of the complex.
+  static void empty(C3t3& c3t3, const std::vector<Cell_handle>& cells)
+  {
+    c3t3.clear_manifold_info();
+    for(Cell_handle c : cells)
+    {
+      c3t3.remove_from_complex(c);
+      for(int i = 0; i < 4; ++i)
+        if(c->is_facet_on_surface(i))
+          c3t3.remove_from_complex(c, i);
+    }
+  }
+
+  // Erased in the opposite order, they come back in the same one.
+  static void renew_cells(Triangulation& tr, std::size_t number, std::vector<Cell_handle>& cells)
+  {
+    std::for_each(cells.rbegin(), cells.rend(), [&tr](Cell_handle c) { tr.tds().cells().erase(c); });
+    cells.resize(number);
+    for(Cell_handle& c : cells)
+      c = tr.tds().create_cell();
+  }
+
+  void fill(C3t3& c3t3, const std::vector<Cell_handle>& cells) const
+  {
+    for(std::size_t n = 0; n < cells.size(); ++n)
+      if(labels_[n] != domain_.outside())
+        c3t3.add_to_complex(cells[n], domain_.subdomain(labels_[n]));
+    for(std::size_t n = 0; n < facet_cells_.size(); ++n)
+    {
       const int patch = state_.boundary.complex().facets()[n].patch;
       if(patch == Boundary_facet::no_patch)
         continue;
-      result_.add_to_complex(f, domain_.patch(patch));
-      for(const Facet& g : { f, mirror })
+      const Facet f(cells[facet_cells_[n]], state_.facets[n].second);
+      c3t3.add_to_complex(f, domain_.patch(patch));
+      for(const Facet& g : { f, c3t3.triangulation().mirror_facet(f) })
       {
         g.first->set_facet_surface_center(g.second, state_.centers[n].stored);
         g.first->set_facet_surface_center_index(g.second, state_.centers[n].index);
@@ -137,66 +219,12 @@ private:
     }
   }
 
-  void add_vertices(const C3t3& c3t3)
-  {
-    const bool has_far_points = c3t3.number_of_far_points() > 0;
-    for(int v = 0; v < number_of_vertices(); ++v)
-    {
-      const Vertex_handle from = input_vertex(v), to = state_.vertex(v);
-      to->set_dimension(from->in_dimension());
-      to->set_index(from->index());
-      to->set_special(from->is_special());
-      // As CGAL's optimizers leave it there.
-      to->set_meshing_info(radius_count_[v] > 0 ? radius_sum_[v] / radius_count_[v]
-                                                : CGAL::to_double(from->meshing_info()));
-      if(has_far_points && from->in_dimension() == -1)
-        result_.add_far_point(to);
-    }
-  }
-
-  void add_features(const C3t3& c3t3)
-  {
-    for(auto v = c3t3.vertices_in_complex_begin(); v != c3t3.vertices_in_complex_end(); ++v)
-    {
-      const Vertex_handle old = v, to = vertex(old);
-      const bool special = to->is_special();
-      result_.add_to_complex(to, c3t3.corner_index(old));
-      to->set_special(special);
-    }
-    if(c3t3.number_of_edges_in_complex() == 0)
-      return;
-    std::vector<std::pair<Vertex_handle, typename C3t3::Curve_index> > neighbors;
-    for(int v = 0; v < number_of_vertices(); ++v)
-    {
-      if(input_vertex(v)->in_dimension() >= 2)
-        continue;
-      neighbors.clear();
-      c3t3.adjacent_vertices_in_complex(input_vertex(v), std::back_inserter(neighbors));
-      for(const auto& n : neighbors)
-      {
-        const int w = state_.numbering->input_number[n.first];
-        if(v < w)
-          result_.add_to_complex(state_.vertex(v), state_.vertex(w), n.second);
-      }
-    }
-  }
-
-  // The mean of the circumradii around a vertex.
-  void add_circumradius(Cell_handle c)
-  {
-    const Eigen::Vector3d p = coordinates(triangulation().dual(c));
-    for(int i = 0; i < 4; ++i)
-    {
-      const int v = state_.number(c->vertex(i));
-      radius_sum_[v] += std::sqrt(squared_distance(state_.sites[v], p));
-      ++radius_count_[v];
-    }
-  }
-
   State state_;
   const Domain& domain_;
-  C3t3 result_;
-  std::vector<double> radius_sum_, radius_count_;
+  const Thread_policy threads_;
+  std::unique_ptr<Numbered_triangulation> numbered_;
+  std::vector<Circumradii> circumradii_;        // around vertices
+  std::vector<int> labels_, facet_cells_;
 };
 
 } // namespace internal

@@ -77,7 +77,7 @@ public:
       if(knows(c, MAY_HAVE_BOUNDARY_FACETS))
         candidate_.cells_at_boundary.push_back(c);
       if(knows(c, IS_BOUNDARY_CELL))
-        candidate_.boundary_cells.emplace_back(c, domain_.label(c->subdomain_index()));
+        candidate_.boundary_cells.emplace_back(c, c->label());
     }
     return report;
   }
@@ -86,6 +86,7 @@ private:
   typedef typename Candidate::Triangulation Triangulation;
   typedef typename Candidate::Quadruple Quadruple;
   typedef typename Candidate::Cell_handle Cell_handle;
+  typedef typename Candidate::Vertex_numbering::Cell_handle Input_cell;
 
   // What is known of a cell: the label that its vertices off the boundary have, if any, unless these have several,
   // and where its dual point lies, as a label or as the domain has told.
@@ -144,7 +145,7 @@ private:
     int label;
     if(is_in_question || !find_label(q, label))
       return false;
-    c->set_subdomain_index(domain_.subdomain(label));
+    c->set_label(label);
     note(c, IS_SETTLED);
     return true;
   }
@@ -179,11 +180,11 @@ private:
     const int label_of_dual = found.subdomain_of_dual ? domain_.label(*found.subdomain_of_dual) : found.label_of_dual;
     const bool is_boundary_cell = found.label == no_subdomain;
     const int label = is_boundary_cell ? label_of_dual : found.label;
-    c->set_subdomain_index(domain_.subdomain(label));
+    c->set_label(label);
     if(is_boundary_cell)
       note(c, IS_BOUNDARY_CELL);
     // The input may be as it likes.
-    if(label == label_of_dual || input_cell(q) != Cell_handle())
+    if(label == label_of_dual || input_cell(q) != Input_cell())
       note(c, IS_SETTLED);
     else
       report_cell_beyond_surface(candidate_, q, label, report);
@@ -200,13 +201,13 @@ private:
     const int of_state = candidate_.state.label_of_dual(q);
     if(!candidate_.is_thorough() || (candidate_.state.has_labels_of_domain && is_dual_point_certain(q)))
       return of_state;
-    const Cell_handle c = input_cell(q);
-    if(c != Cell_handle())
-      return domain_.label(c->subdomain_index());
+    const Input_cell c = input_cell(q);
+    if(c != Input_cell())
+      return domain_.known_label(c->subdomain_index());
     return candidate_.state.has_labels_of_domain && !candidate_.boundary_moves() ? of_state : no_subdomain;
   }
 
-  Cell_handle input_cell(const Quadruple& q) const { return candidate_.numbering.input_cell(q, candidate_.sites); }
+  Input_cell input_cell(const Quadruple& q) const { return candidate_.numbering.input_cell(q, candidate_.sites); }
 
   bool is_dual_point_certain(const Quadruple& q) const
   {

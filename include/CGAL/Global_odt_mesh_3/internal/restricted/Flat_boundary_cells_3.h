@@ -51,9 +51,9 @@ public:
     std::array<int, 4> facet;
     int count = 0;
     for(int i = 0; i < 4; ++i)
-      if(c->neighbor(i)->subdomain_index() != c->subdomain_index())
+      if(c->neighbor(i)->label() != c->label())
         facet[count++] = i;
-    if(count != 2 || c->neighbor(facet[0])->subdomain_index() != c->neighbor(facet[1])->subdomain_index())
+    if(count != 2 || c->neighbor(facet[0])->label() != c->neighbor(facet[1])->label())
       return no_subdomain;
     const Quadruple q = candidate_.numbers(c);
     const Cell_shape_3 shape(candidate_.sites[q[0]], candidate_.sites[q[1]], candidate_.sites[q[2]], candidate_.sites[q[3]]);
@@ -68,7 +68,7 @@ public:
       if(!shapes_.is_good(t, candidate_.sites) || !fidelity_.is_faithful(candidate_, t) || !has_surface_center(Facet(c, i)))
         return no_subdomain;
     }
-    return domain_.label(c->neighbor(facet[0])->subdomain_index());
+    return c->neighbor(facet[0])->label();
   }
 
   // Spares the boundary facets of these cells the checks of facets.
@@ -78,7 +78,7 @@ public:
     for(const auto& c : candidate_.boundary_cells)
       if(label_beyond(c.first, c.second) != no_subdomain)
         for(int i = 0; i < 4; ++i)
-          if(c.first->neighbor(i)->subdomain_index() != c.first->subdomain_index())
+          if(c.first->neighbor(i)->label() != c.first->label())
             candidate_.spared_facets.insert(sorted(candidate_.numbered->vertices(Facet(c.first, i))));
   }
 

@@ -68,7 +68,7 @@ public:
     star_.clear();
     for(Cell_handle c : star)
     {
-      star_.push_back(Cell{ complex_.numbers(c), complex_.label(c) });
+      star_.push_back(Cell{ complex_.numbers(c), c->label() });
       around.push_back(triangulation().mirror_facet({ c, c->index(complex_.numbered->vertex(v)) }));
     }
     complex_.numbered->remove(v);
@@ -133,7 +133,7 @@ public:
   {
     for(const Hole_cell& h : hole_)
       if(h.label >= 0)
-        h.handle->set_subdomain_index(complex_.domain.subdomain(h.label));
+        h.handle->set_label(h.label);
     insert(conflicts_.front(), new_cells_);
   }
 
@@ -157,9 +157,9 @@ private:
     hole_.clear();
     const auto add = [this](Cell_handle c)
     {
-      if(c->is_facet_visited(IN_HOLE))
+      if(c->is_marked(IN_HOLE))
         return;
-      c->set_facet_visited(IN_HOLE);
+      c->mark(IN_HOLE);
       hole_.push_back({ c, label_of_vertices(complex_.numbers(c)) });
     };
     std::set<std::pair<Cell_handle, int> > walls;
@@ -219,20 +219,20 @@ private:
     old_cells_ = star_;
     for(Cell_handle c : conflicts_)
     {
-      c->set_facet_visited(IN_CONFLICT);
-      if(!c->is_facet_visited(IN_HOLE))
-        old_cells_.push_back(Cell{ complex_.numbers(c), complex_.label(c) });
+      c->mark(IN_CONFLICT);
+      if(!c->is_marked(IN_HOLE))
+        old_cells_.push_back(Cell{ complex_.numbers(c), c->label() });
     }
     new_cells_.clear();
     kept_of_hole_.clear();
     for(std::size_t n = 0; n < hole_.size(); ++n)
-      if(!hole_[n].handle->is_facet_visited(IN_CONFLICT))
+      if(!hole_[n].handle->is_marked(IN_CONFLICT))
       {
         new_cells_.push_back(Cell{ complex_.numbers(hole_[n].handle), hole_[n].label });
         kept_of_hole_.push_back(n);
       }
     for(Cell_handle c : conflicts_)
-      c->reset_visited(IN_CONFLICT);
+      c->unmark(IN_CONFLICT);
     for(const Facet& f : walls_)
     {
       Quadruple q = complex_.numbers(f.first);
@@ -245,7 +245,7 @@ private:
   void insert(Cell_handle start, const std::vector<Cell>& cells)
   {
     for(const Hole_cell& h : hole_)
-      h.handle->reset_visited(IN_HOLE);
+      h.handle->unmark(IN_HOLE);
     const int v = std::exchange(vertex_, -1);
     complex_.numbered->insert_near(v, complex_.point(v), start);
     CGAL_assertion(complex_.numbered->is_visible(v));
@@ -260,7 +260,7 @@ private:
       const Quadruple q = sorted(complex_.numbers(c));
       const auto it = std::lower_bound(labels.begin(), labels.end(), std::make_pair(q, int(mixed)));
       CGAL_assertion(it != labels.end() && it->first == q);
-      c->set_subdomain_index(complex_.domain.subdomain(it->second));
+      c->set_label(it->second);
     }
   }
 

@@ -43,6 +43,8 @@ public:
 
   int outside() const { return outside_; }
   int label(const Subdomain_index& subdomain) { return labels_.number(subdomain); }
+  // Of a subdomain that has one; threads may ask.
+  int known_label(const Subdomain_index& subdomain) const { return labels_.number_of_known(subdomain); }
   const Subdomain_index& subdomain(int label) const { return labels_.value(label); }
   int patch_number(const Surface_patch_index& patch) { return patches_.number(patch); }
   const Surface_patch_index& patch(int number) const { return patches_.value(number); }

@@ -8,11 +8,14 @@
 
 #include <CGAL/Global_odt_mesh_3/internal/geometry/Spatial_order.h>
 #include <CGAL/Global_odt_mesh_3/internal/geometry/Vertex_tuples.h>
+#include <CGAL/Global_odt_mesh_3/internal/parallel/Thread_policy.h>
+#include <CGAL/Global_odt_mesh_3/internal/restricted/Triangulation_table_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/triangulation/All_cells.h>
 #include <CGAL/Global_odt_mesh_3/internal/triangulation/Slot.h>
 
+#include <CGAL/Time_stamper.h>
+#include <CGAL/Unique_hash_map.h>
 #include <CGAL/assertions.h>
-#include <CGAL/number_utils.h>
 
 #include <algorithm>
 #include <array>
@@ -27,8 +30,7 @@ namespace CGAL {
 namespace Global_odt_mesh_3 {
 namespace internal {
 
-// CGAL's exact regular triangulation of weighted points, whose vertices know
-// their numbers: until the complex is filled, a vertex's meshing_info is it.
+// The exact regular triangulation of the vertices of a complex, and its vertices by their numbers.
 template <class Triangulation>
 class Numbered_triangulation_3
 {
@@ -55,7 +57,7 @@ public:
     return cells_;
   }
 
-  static int number(Vertex_handle h) { return static_cast<int>(h->meshing_info()); }
+  static int number(Vertex_handle h) { return h->info(); }
 
   // The vertices of a finite facet, clockwise seen from its cell, from the lowest on: in an order that does not depend on
   // that of the cell.
@@ -110,7 +112,7 @@ public:
     cells_.clear();
     vertices_[v] = tr_.tds().create_vertex();
     vertices_[v]->set_point(p);
-    vertices_[v]->set_meshing_info(v);
+    vertices_[v]->info() = v;
   }
 
   // Whether each number has a vertex of its own.
@@ -142,21 +144,26 @@ public:
   // Puts it back, at or near a cell.
   void insert_near(int v, const Weighted_point& p, Cell_handle start) { insert(v, p, start); }
 
-  // Becomes a copy of another triangulation, `number(vertex)` being the numbers of its vertices.
-  template <class Number>
-  void copy(const Triangulation& tr, const Number& number)
+  // Becomes a copy of the input, whose points and numbers of vertices are given.
+  template <class Input, class Number>
+  void copy(const Input& input, const std::vector<Weighted_point>& points, const Number& number, const Thread_policy& threads)
   {
-    tr_ = tr;
-    cells_.clear();
-    vertices_.assign(tr.number_of_vertices(), Vertex_handle());
-    auto to = tr_.finite_vertices_begin();
-    for(auto from = tr.finite_vertices_begin(); from != tr.finite_vertices_end(); ++from, ++to)
-    {
-      CGAL_assertion(tr_.point(to) == tr.point(from));
-      const int v = number(from);
-      to->set_meshing_info(v);
-      vertices_[v] = to;
-    }
+    typedef typename Input::Cell_handle Input_cell;
+    const std::vector<Input_cell> cells = all_cells(input);
+    CGAL::Unique_hash_map<Input_cell, int, CGAL::Hash_handles_with_or_without_timestamps> places(-1, cells.size());
+    for(std::size_t n = 0; n < cells.size(); ++n)
+      places[cells[n]] = static_cast<int>(n);
+    const auto place = [&known = std::as_const(places)](Input_cell c) { return known[c]; };
+    clear(points.size());
+    tr_.tds().clear();
+    tr_.tds().set_dimension(3);
+    tr_.set_infinite_vertex(tr_.tds().create_vertex());
+    for(std::size_t v = 0; v < points.size(); ++v)
+      create_vertex(static_cast<int>(v), points[v]);
+    cells_.reserve(cells.size());
+    while(cells_.size() < cells.size())
+      cells_.push_back(tr_.tds().create_cell());
+    Triangulation_table_3(input, cells, number, place, threads).connect(vertices_, cells_, threads, tr_);
   }
 
   // Adds all neighbors.
@@ -183,7 +190,7 @@ private:
     if(tr_.number_of_vertices() > before || std::find(vertices_.begin(), vertices_.end(), h) == vertices_.end())
     {
       vertices_[v] = h;
-      h->set_meshing_info(v);
+      h->info() = v;
       if(tr_.number_of_vertices() != before + 1)
         forget_hidden_vertices();
     }

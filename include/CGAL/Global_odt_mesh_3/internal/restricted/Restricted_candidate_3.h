@@ -170,8 +170,7 @@ struct Restricted_candidate_3
   }
 
   // The candidate becomes a state.
-  template <class Domain>
-  State finish(const Domain& domain)
+  State finish()
   {
     CGAL_assertion(centers.size() == facets.size() && boundary.complex().facets().size() == facets.size());
     CGAL_expensive_assertion(triangulation().is_valid());
@@ -183,7 +182,7 @@ struct Restricted_candidate_3
       next.boundary_cells.emplace(sorted(numbers(c.first)), c.second);
     const std::vector<Cell_handle>& cells = numbered->cells();
     for_each_in_chunks(static_cast<int>(cells.size()), threads, [&cells](int n) { forget(cells[n]); });
-    next.own = std::move(numbered);
+    next.numbered = std::move(numbered);
     next.boundary = std::move(boundary);
     next.facets = std::move(facets);
     next.centers = std::move(centers);
@@ -191,7 +190,7 @@ struct Restricted_candidate_3
     next.peeled_facets = std::move(peeled_facets);
     next.far_facets = std::move(far_facets);
     next.number_facets();
-    next.store_patches(domain);
+    next.mark_facets();
     next.surface_positions = std::move(surface_positions);
     for(int v = numbering.number_of_interior_vertices; v < numbering.number_of_movable_vertices; ++v)
     {

@@ -23,6 +23,7 @@
 #include <CGAL/Global_odt_mesh_3/internal/restricted/Restricted_report_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/restricted/Restricted_state_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/restricted/Restricted_trial_3.h>
+#include <CGAL/Global_odt_mesh_3/internal/restricted/Restricted_triangulation_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/restricted/Surface_centers_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/restricted/Surface_projection_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/restricted/Topology_check_3.h>
@@ -50,10 +51,11 @@ namespace internal {
 // boundary, pierce it, get hidden, leave a cell of their subdomain with its dual point in
 // another, or make a facet too thin or too far from the surface, go back toward where they were, until
 // all is well. Then the candidate takes the state's place; or else, also if anything throws, the state is as it was.
-template <class Triangulation, class Mesh_domain>
+template <class Input_triangulation, class Mesh_domain>
 class Restricted_complex_3
 {
 public:
+  typedef Restricted_triangulation_3<Input_triangulation> Triangulation;
   typedef Numbered_domain_3<Triangulation, Mesh_domain> Domain;
   typedef Restricted_state_3<Triangulation> State;
   typedef Restricted_trial_3<Domain> Trial;
@@ -130,7 +132,7 @@ public:
       restore(state_, std::move(candidate.numbered), candidate.sites);
       return false;
     }
-    state_ = candidate.finish(domain_);
+    state_ = candidate.finish();
     return true;
   }
 
@@ -154,7 +156,7 @@ public:
   // Goes back to a state that has been replaced.
   void return_to(State earlier)
   {
-    restore(earlier, std::move(state_.own), state_.sites);
+    restore(earlier, std::move(state_.numbered), state_.sites);
     state_ = std::move(earlier);
   }
 
@@ -189,11 +191,11 @@ private:
   {
     const Stage_clock::In_stage in_stage(threads_.clock(), Stage_clock::CHECK);
     Candidate candidate(state_, target, motion_, is_final, threads_);
-    candidate.numbered = state_.is_input ? std::make_unique<Numbered_triangulation>() : std::move(state_.own);
+    candidate.numbered = std::move(state_.numbered);
     try
     {
       if(complete(candidate, mesh))
-        return std::exchange(state_, candidate.finish(domain_));
+        return std::exchange(state_, candidate.finish());
     }
     catch(...)
     {

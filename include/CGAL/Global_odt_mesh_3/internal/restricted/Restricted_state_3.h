@@ -40,13 +40,13 @@ template <class Triangulation_>
 struct Restricted_state_3
 {
   typedef Triangulation_ Triangulation;
-  typedef typename Triangulation::Vertex_handle Vertex_handle;
   typedef typename Triangulation::Cell_handle Cell_handle;
   typedef typename Triangulation::Facet Facet;
   typedef typename Triangulation::Bare_point Bare_point;
   typedef typename Triangulation::Weighted_point Weighted_point;
-  typedef typename Triangulation::Vertex::Index Index;
-  typedef Vertex_numbering_3<Triangulation> Vertex_numbering;
+  typedef typename Triangulation::Input_triangulation Input_triangulation;
+  typedef typename Input_triangulation::Vertex::Index Index;
+  typedef Vertex_numbering_3<Input_triangulation> Vertex_numbering;
   typedef Eigen::Vector3d Vector;
   typedef std::array<int, 3> Triple;
   typedef std::array<int, 4> Quadruple;
@@ -73,7 +73,7 @@ struct Restricted_state_3
 
   std::shared_ptr<const Vertex_numbering> numbering;
   bool is_input = false;
-  std::unique_ptr<Numbered_triangulation_3<Triangulation> > own;    // of any other state, unless it is lent
+  std::unique_ptr<Numbered_triangulation_3<Triangulation> > numbered;       // unless it is lent
   std::vector<Site> sites;
   std::vector<Surface_position> surface_positions;  // of the vertices that move on surfaces
   Boundary_geometry_3 boundary;
@@ -87,12 +87,7 @@ struct Restricted_state_3
   bool has_unseparating_facets = false;
   bool has_labels_of_domain = false;                // also of the boundary cells
 
-  const Triangulation& triangulation() const { return is_input ? *numbering->input : own->triangulation(); }
-  Vertex_handle vertex(int v) const { return is_input ? numbering->input_vertices[v] : own->vertex(v); }
-  int number(Vertex_handle v) const
-  {
-    return is_input ? numbering->input_number[v] : Numbered_triangulation_3<Triangulation>::number(v);
-  }
+  const Triangulation& triangulation() const { return numbered->triangulation(); }
 
   // Of a vertex at a site: as exact as in the input if it is there.
   Weighted_point point(int v, const Site& s) const
@@ -157,18 +152,13 @@ struct Restricted_state_3
     }
   }
 
-  // To be called when cells know no patches: those of the boundary facets.
-  template <class Domain>
-  void store_patches(const Domain& domain)
+  // Tells cells, which know of none, which of their facets are in the complex.
+  void mark_facets()
   {
     for(std::size_t n = 0; n < facets.size(); ++n)
-    {
-      const int patch = boundary.complex().facets()[n].patch;
-      if(patch == Boundary_facet::no_patch)
-        continue;
-      for(const Facet& f : { facets[n], triangulation().mirror_facet(facets[n]) })
-        f.first->set_surface_patch_index(f.second, domain.patch(patch));
-    }
+      if(boundary.complex().facets()[n].patch != Boundary_facet::no_patch)
+        for(const Facet& f : { facets[n], triangulation().mirror_facet(facets[n]) })
+          f.first->set_facet_in_complex(f.second);
   }
 
   // The signed height of the surface over the plane of a boundary facet, where the

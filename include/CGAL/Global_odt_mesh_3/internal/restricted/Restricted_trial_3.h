@@ -88,7 +88,7 @@ public:
     return collect_in_chunks<Quadruple>(static_cast<int>(cells.size()), complex_.threads, [&](int n, std::vector<Quadruple>& found)
     {
       const Quadruple q = complex_.numbers(cells[n]);
-      if(is_inside(complex_.label(cells[n])) && is_sliver(q, bound))
+      if(is_inside(cells[n]->label()) && is_sliver(q, bound))
         found.push_back(sorted(q));
     });
   }
@@ -108,7 +108,7 @@ public:
   {
     double angle = 90;
     Cell_handle c;
-    if(is_cell(q, c) && is_inside(complex_.label(c)))
+    if(is_cell(q, c) && is_inside(c->label()))
       Angle_deficit_3(90).for_each_lack(cell_sites(q), [&angle](double lack) { angle = (std::min)(angle, 90 - lack); });
     return angle;
   }
@@ -312,7 +312,7 @@ private:
     complex_.triangulation().incident_cells(complex_.numbered->vertex(v), std::back_inserter(cells));
     star_.clear();
     for(Cell_handle c : cells)
-      if(is_inside(complex_.label(c)))
+      if(is_inside(c->label()))
         star_.push_back(in_canonical_order(complex_.numbers(c)));
     std::sort(star_.begin(), star_.end());
   }

@@ -68,7 +68,7 @@ public:
   bool is_between_subdomains(const Facet& facet, const Triple& t, const Surface_center& center) const
   {
     const Cell_handle c = facet.first, d = c->neighbor(facet.second);
-    if(is_infinite(c) || is_infinite(d) || c->subdomain_index() == d->subdomain_index())
+    if(is_infinite(c) || is_infinite(d) || c->label() == d->label())
       return true;
     const Facet_dual_3 dual(t, candidate_.sites);
     const auto ends = std::minmax({ dual.height(dual_point(c)), dual.height(dual_point(d)) });

@@ -30,8 +30,8 @@ namespace CGAL {
 namespace Global_odt_mesh_3 {
 namespace internal {
 
-// A state whose vertices can be moved one by one: in its own triangulation, which it lends, or in a copy of the input's.
-// Its cells know their subdomains, but facets are in the boundary alone.
+// A state whose vertices can be moved one by one, in the triangulation that it lends. Cells know their labels, but facets
+// are in the boundary alone.
 template <class Domain>
 struct Trial_complex_3
 {
@@ -60,23 +60,16 @@ struct Trial_complex_3
     , numbering(*from.numbering)
     , domain(d)
     , threads(policy)
+    , numbered(std::move(from.numbered))
     , sites(from.sites)
     , boundary(from.boundary.complex())
   {
-    if(!from.is_input)
-    {
-      numbered = std::move(from.own);
-      return;
-    }
-    numbered = std::make_unique<Numbered_triangulation>();
-    numbered->copy(from.triangulation(), [&from](Vertex_handle v) { return from.number(v); });
   }
 
   Trial_complex_3(const Trial_complex_3&) = delete;
   Trial_complex_3& operator=(const Trial_complex_3&) = delete;
 
   const Triangulation& triangulation() const { return numbered->triangulation(); }
-  int label(Cell_handle c) const { return domain.label(c->subdomain_index()); }
 
   // Of the vertices of a cell, -1 for the infinite one.
   Quadruple numbers(Cell_handle c) const
@@ -101,7 +94,7 @@ struct Trial_complex_3
     });
     for(Cell_handle c : cells)
       if(knows(c, IS_BOUNDARY_CELL))
-        candidate.boundary_cells.emplace_back(c, label(c));
+        candidate.boundary_cells.emplace_back(c, c->label());
     std::sort(found.begin(), found.end(), [](const Found_facet& a, const Found_facet& b) { return a.key < b.key; });
     std::vector<Boundary_facet> facets;
     for(const Found_facet& f : found)
@@ -130,8 +123,7 @@ private:
     forget(c);
     note(c, IS_SETTLED);
     // Of facets that have been on the boundary, cells around the vertices that moved know it still.
-    for(int i = 0; i < 4; ++i)
-      c->set_surface_patch_index(i, typename Triangulation::Cell::Surface_patch_index());
+    c->forget_facets();
   }
 
   // Those on the boundary whose first side is this cell, which is told if all its vertices are there.
@@ -160,7 +152,7 @@ private:
     const int n = boundary.find(key);
     if(n < 0)
       return;
-    b.labels = {{ label(f.first), label(f.first->neighbor(f.second)) }};
+    b.labels = {{ f.first->label(), f.first->neighbor(f.second)->label() }};
     b.patch = boundary.facet(n).patch;
     found.push_back({ key, b, f });
   }

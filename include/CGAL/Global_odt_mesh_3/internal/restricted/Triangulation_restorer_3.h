@@ -44,17 +44,17 @@ public:
   // Its vertices are at the sites.
   void operator()(std::unique_ptr<Numbered_triangulation> lent, const std::vector<Site>& sites, const Thread_policy& threads)
   {
-    if(state_.is_input)
-      return;
-    state_.own = lent != nullptr ? std::move(lent) : std::make_unique<Numbered_triangulation>();
+    state_.numbered = lent != nullptr ? std::move(lent) : std::make_unique<Numbered_triangulation>();
     if(!move_vertices(sites))
-      state_.own->build(state_.points(state_.sites), state_.sites);
-    CGAL_assertion(state_.own->is_complete());
+      build(threads);
+    CGAL_assertion(state_.numbered->is_complete());
     label_cells(threads);
-    state_.store_patches(domain_);
+    state_.mark_facets();
   }
 
 private:
+  typedef typename State::Vertex_numbering Vertex_numbering;
+  typedef typename Vertex_numbering::Vertex_handle Input_vertex;
   typedef typename Triangulation::Cell_handle Cell_handle;
   typedef typename Triangulation::Facet Facet;
   typedef typename State::Triple Triple;
@@ -63,39 +63,48 @@ private:
   // If more vertices are elsewhere, a new triangulation is faster than moving them.
   static constexpr double most_moved_one_by_one = 1 / 20.;
 
+  // The input is what it is, be it regular or not.
+  void build(const Thread_policy& threads)
+  {
+    const Vertex_numbering& numbering = *state_.numbering;
+    const auto number = [&numbering](Input_vertex v) { return numbering.input_number[v]; };
+    if(state_.is_input)
+      state_.numbered->copy(*numbering.input, state_.points(state_.sites), number, threads);
+    else
+      state_.numbered->build(state_.points(state_.sites), state_.sites);
+  }
+
   // False if that is not the way.
   bool move_vertices(const std::vector<Site>& sites)
   {
-    if(state_.own->number_of_vertices() != sites.size() || !state_.own->is_complete() || sites.size() != state_.sites.size())
+    if(state_.numbered->number_of_vertices() != sites.size() || !state_.numbered->is_complete() || sites.size() != state_.sites.size())
       return false;
     std::vector<int> moved;
     for(int v = 0; v < state_.numbering->number_of_vertices(); ++v)
       if(!same_place(sites[v], state_.sites[v]))
         moved.push_back(v);
-    if(double(moved.size()) > most_moved_one_by_one * double(sites.size()))
+    if(double(moved.size()) > (state_.is_input ? 0 : most_moved_one_by_one) * double(sites.size()))
       return false;
     for(int v : moved)
-      state_.own->move(v, state_.point(v, state_.sites[v]));
-    return state_.own->is_complete();
+      state_.numbered->move(v, state_.point(v, state_.sites[v]));
+    return state_.numbered->is_complete();
   }
 
   void label_cells(const Thread_policy& threads)
   {
-    const std::vector<Cell_handle>& cells = state_.own->cells();
+    const std::vector<Cell_handle>& cells = state_.numbered->cells();
     for_each_in_chunks(static_cast<int>(cells.size()), threads, [&](int n) { label_cell(cells[n]); });
   }
 
   void label_cell(Cell_handle c)
   {
-    const Triangulation& tr = state_.own->triangulation();
+    const Triangulation& tr = state_.numbered->triangulation();
     forget(c);
+    c->forget_facets();
     Quadruple q;
     for(int i = 0; i < 4; ++i)
-    {
-      q[i] = tr.is_infinite(c->vertex(i)) ? -1 : state_.number(c->vertex(i));
-      c->set_surface_patch_index(i, typename Triangulation::Cell::Surface_patch_index());
-    }
-    c->set_subdomain_index(domain_.subdomain(label(q)));
+      q[i] = tr.is_infinite(c->vertex(i)) ? -1 : Numbered_triangulation::number(c->vertex(i));
+    c->set_label(label(q));
     for(int i = 0; i < 4; ++i)
       find_facet(Facet(c, i), q);
   }
@@ -118,7 +127,7 @@ private:
     for(int i = 1; i < 4; ++i)
       if(q[(f.second + i) % 4] < 0 || !state_.numbering->is_on_boundary(q[(f.second + i) % 4]))
         return;
-    const Triple t = state_.own->vertices(f);
+    const Triple t = state_.numbered->vertices(f);
     const int n = state_.facet_number(t);
     if(n >= 0 && rotated(state_.boundary.complex().facets()[n].vertices) == t)
       state_.facets[n] = f;

@@ -154,9 +154,9 @@ private:
   {
     for(const Facet& f : inner_)
     {
-      if(f.first->is_facet_visited(f.second))
+      if(f.first->is_marked(f.second))
         return false;
-      f.first->set_facet_visited(f.second);
+      f.first->mark(f.second);
     }
     for(const Facet& f : inner_)
       add_inside(f.first);
@@ -165,7 +165,7 @@ private:
       if(tr_.is_infinite(inside_[n]))
         return false;
       for(int i = 0; i < 4; ++i)
-        if(!inside_[n]->is_facet_visited(i))
+        if(!inside_[n]->is_marked(i))
           add_inside(inside_[n]->neighbor(i));
     }
     return std::none_of(inner_.begin(), inner_.end(), [](const Facet& f)

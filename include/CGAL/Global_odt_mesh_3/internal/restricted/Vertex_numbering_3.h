@@ -22,17 +22,17 @@ namespace Global_odt_mesh_3 {
 namespace internal {
 
 // The vertices of a complex, numbered along space filling curves: first those of the interior that
-// move, then those that move on surfaces, then the others. It is the same in all states of the complex.
-template <class Triangulation_>
+// move, then those that move on surfaces, then the others. It is the same in all states of the complex. Input is the
+// triangulation of the c3t3.
+template <class Input>
 struct Vertex_numbering_3
 {
-  typedef Triangulation_ Triangulation;
-  typedef typename Triangulation::Vertex_handle Vertex_handle;
-  typedef typename Triangulation::Cell_handle Cell_handle;
+  typedef typename Input::Vertex_handle Vertex_handle;
+  typedef typename Input::Cell_handle Cell_handle;
 
   static constexpr int no_subdomain = -1;
 
-  const Triangulation* input = nullptr;
+  const Input* input = nullptr;
   std::vector<Vertex_handle> input_vertices;
   CGAL::Unique_hash_map<Vertex_handle, int, CGAL::Hash_handles_with_or_without_timestamps> input_number;
   // A vertex that no boundary facet touches belongs to one subdomain for good, and so
