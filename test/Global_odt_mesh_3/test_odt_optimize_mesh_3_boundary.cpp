@@ -428,6 +428,7 @@ struct Candidate_at_rest
   {
     odt::Moving_triangulation_3 mesh;
     complex.start(odt::C3t3_reader_3<Ellipsoid_c3t3, Complex::Domain>(input, complex.domain()).read(mesh, true));
+    complex.provide_triangulation();
     const auto& state = complex.state();
     candidate = std::make_unique<Candidate>(state, state.sites, complex.motion(), true, odt::Thread_policy());
     candidate->numbered = std::make_unique<odt::Numbered_triangulation_3<Complex::Triangulation> >();
@@ -484,7 +485,7 @@ static void missed_surface_centers(const Ellipsoid_domain& domain, const Ellipso
   const auto& state = at_rest.complex.state();
   Search search(candidate, at_rest.complex.domain());
   // One between finite cells.
-  const auto& tr = input.triangulation();
+  const auto& tr = state.triangulation();
   const auto is_inside = [&](const auto& f) { return !tr.is_infinite(f.first) && !tr.is_infinite(f.first->neighbor(f.second)); };
   const std::size_t facet = std::find_if(state.facets.begin(), state.facets.end(), is_inside) - state.facets.begin();
   check::that(facet < state.facets.size(), "there is no facet between finite cells");

@@ -24,11 +24,13 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstddef>
 #include <functional>
 #include <iostream>
 #include <iterator>
 #include <stdexcept>
 #include <string>
+#include <utility>
 #include <vector>
 
 using domains::Labeled_c3t3;
@@ -513,6 +515,39 @@ struct Counting_visitor
   void end_of_iteration(int i) { iterations = i == iterations ? i + 1 : -1; }
 };
 
+// Handles of vertices stay valid, in the same order, and what the mesh says of them stays, although cells are new.
+static void vertices_stay(const Labeled_c3t3& input, const Labeled_domain& domain)
+{
+  Labeled_c3t3 c3t3(input);
+  const auto& tr = c3t3.triangulation();
+  const auto handles = [&tr]
+  {
+    std::vector<Labeled_c3t3::Vertex_handle> all;
+    for(auto v = tr.finite_vertices_begin(); v != tr.finite_vertices_end(); ++v)
+      all.push_back(v);
+    return all;
+  };
+  const auto before = handles();
+  std::vector<Point_3> points;
+  std::vector<std::pair<int, Labeled_c3t3::Index> > facts;
+  for(auto v : before)
+  {
+    points.push_back(tr.point(v).point());
+    facts.emplace_back(v->in_dimension(), v->index());
+  }
+  CGAL::odt_optimize_mesh_3(c3t3, domain);
+  check::that(handles() == before, "vertices are others, or in another order");
+  int moved = 0;
+  for(std::size_t n = 0; n < before.size(); ++n)
+  {
+    check::that(before[n]->in_dimension() == facts[n].first && before[n]->index() == facts[n].second,
+                "a vertex has another dimension or index");
+    check::that(tr.is_vertex(before[n]) && before[n]->cell()->has_vertex(before[n]), "a vertex has no cell");
+    moved += tr.point(before[n]).point() != points[n];
+  }
+  check::that(moved > 0.9 * double(before.size()), "only ", moved, " vertices have moved");
+}
+
 static void visitor(const Labeled_c3t3& input, const Labeled_domain& domain)
 {
   Counting_visitor v;
@@ -689,6 +724,7 @@ int main()
   time_limit();
   throwing_fields(mesh, domain);
   exceptions(mesh);
+  vertices_stay(mesh, domain);
   visitor(mesh, domain);
   degenerate(mesh, domain);
   structured(domain);

@@ -142,6 +142,7 @@ static std::unique_ptr<Complex> load(const Labeled_c3t3& c3t3, const Labeled_dom
   auto complex = std::make_unique<Complex>(domain, motion);
   Moving_triangulation_3 mesh;
   complex->start(C3t3_reader_3<Labeled_c3t3, Complex::Domain>(c3t3, complex->domain()).read(mesh, true));
+  complex->provide_triangulation();
   return complex;
 }
 

@@ -41,7 +41,7 @@ struct Contents
   {
     const auto& complex = trial.complex();
     for(auto c : complex.triangulation().all_cell_handles())
-      cells.insert({ sorted(complex.numbers(c)), complex.label(c) });
+      cells.insert({ sorted(complex.numbers(c)), c->label() });
     for(const Exchangeable_boundary_3::Facet& f : complex.boundary.facets())
       facets.insert({ f.vertices, {{ f.labels[0], f.labels[1], f.patch }} });
     for(const Site& s : complex.sites)

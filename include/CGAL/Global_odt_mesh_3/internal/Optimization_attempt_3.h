@@ -143,7 +143,7 @@ private:
       if(complex_.motion() != Boundary_motion::BY_NORMALS || !control_.goes_on() || --tries == 0)
         return false;
       // One on the way, which need not pay, and another last one.
-      complex_.flatten(mesh_);
+      flatten_for_round();
       energy = (std::numeric_limits<double>::max)();
       plan_->add(Round_plan::MINIMIZE, 2);
     }
@@ -154,7 +154,14 @@ private:
   void store_round()
   {
     complex_.advance(mesh_, false);
+    flatten_for_round();
+  }
+
+  // A round needs the memory more than the triangulation.
+  void flatten_for_round()
+  {
     complex_.flatten(mesh_);
+    complex_.release_triangulation();
   }
 
   // After the last round: the interior goes to its minimum, or to where the parameters say, slivers are removed,

@@ -10,11 +10,11 @@
 #include <CGAL/Global_odt_mesh_3/internal/geometry/Site.h>
 #include <CGAL/Global_odt_mesh_3/internal/geometry/Spatial_order.h>
 #include <CGAL/Global_odt_mesh_3/internal/geometry/Vertex_tuples.h>
+#include <CGAL/Global_odt_mesh_3/internal/parallel/Collect_in_chunks.h>
 #include <CGAL/Global_odt_mesh_3/internal/parallel/Thread_policy.h>
 #include <CGAL/Global_odt_mesh_3/internal/restricted/Estimated_surface_center_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/restricted/Flatten_state_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/restricted/Restricted_state_3.h>
-#include <CGAL/Global_odt_mesh_3/internal/restricted/Triangulation_restorer_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/restricted/Vertex_numbering_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/surface/Boundary_complex_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/surface/Boundary_geometry_3.h>
@@ -37,7 +37,7 @@ namespace CGAL {
 namespace Global_odt_mesh_3 {
 namespace internal {
 
-// Reads a c3t3: the first state, and the flat mesh of it.
+// Reads a c3t3: the first state, still without a triangulation, and the flat mesh of it.
 template <class C3t3, class Domain>
 class C3t3_reader_3
 {
@@ -83,8 +83,6 @@ public:
     read_surface_centers(in_order);
     read_labels();
     load_positions(state_, facets, mesh);
-    state_.facets.resize(in_order.size());
-    Triangulation_restorer_3<Domain>(state_, domain_)(nullptr, state_.sites, threads_);
     return std::move(state_);
   }
 
@@ -192,15 +190,21 @@ private:
       numbering_->subdomain.push_back(state_.boundary.complex().has_facets(v)
                                         ? int(State::no_subdomain)
                                         : domain_.label(numbering_->input_vertices[v]->cell()->subdomain_index()));
-    for(auto c = tr_.finite_cells_begin(); c != tr_.finite_cells_end(); ++c)
+    const auto find_boundary_cells = [this](int n, std::vector<int>& found)
     {
-      std::array<int, 4> q;
-      for(int i = 0; i < 4; ++i)
-        q[i] = number(c->vertex(i));
-      if(std::all_of(q.begin(), q.end(), [this](int v) { return numbering_->is_on_boundary(v); }))
-        state_.boundary_cells.emplace(sorted(q), domain_.label(c->subdomain_index()));
-    }
+      const Cell_handle c = cells_[n];
+      if(!tr_.is_infinite(c) && is_on_boundary(numbers(c)))
+        found.push_back(n);
+    };
+    for(int n : collect_in_chunks(static_cast<int>(cells_.size()), threads_, find_boundary_cells))
+      state_.boundary_cells.emplace(sorted(numbers(cells_[n])), domain_.label(cells_[n]->subdomain_index()));
   }
+
+  std::array<int, 4> numbers(Cell_handle c) const
+  { return {{ number(c->vertex(0)), number(c->vertex(1)), number(c->vertex(2)), number(c->vertex(3)) }}; }
+
+  bool is_on_boundary(const std::array<int, 4>& q) const
+  { return std::all_of(q.begin(), q.end(), [this](int v) { return numbering_->is_on_boundary(v); }); }
 
   Thread_policy threads_;
   const Triangulation& tr_;

@@ -7,6 +7,8 @@
 #define CGAL_GLOBAL_ODT_MESH_3_INTERNAL_RESTRICTED_C3T3_WRITER_3_H
 
 #include <CGAL/Global_odt_mesh_3/internal/geometry/Point_coordinates.h>
+#include <CGAL/Global_odt_mesh_3/internal/parallel/Chunked_sums.h>
+#include <CGAL/Global_odt_mesh_3/internal/parallel/Chunks.h>
 #include <CGAL/Global_odt_mesh_3/internal/parallel/For_each_in_chunks.h>
 #include <CGAL/Global_odt_mesh_3/internal/parallel/Thread_policy.h>
 #include <CGAL/Global_odt_mesh_3/internal/restricted/Numbered_triangulation_3.h>
@@ -61,12 +63,13 @@ public:
     renew_cells(tr, table.number_of_cells(), cells);
     table.connect(vertices(), cells, Thread_policy(), tr);
     for(std::size_t v = 0; v < points.size(); ++v)
-    {
       vertices()[v]->set_point(points[v]);
-      // As CGAL's optimizers leave it there.
-      if(circumradii_[v].number > 0)
-        vertices()[v]->set_meshing_info(circumradii_[v].sum / circumradii_[v].number);
-    }
+    // As CGAL's optimizers leave it there.
+    circumradii_.for_each_sum(0, circumradii_.number_of_blocks(), [this](int v, const Circumradii& r)
+    {
+      if(r.number > 0)
+        vertices()[v]->set_meshing_info(r.sum / r.number);
+    });
     fill(c3t3, cells);
   }
 
@@ -80,8 +83,14 @@ private:
 
   struct Circumradii
   {
-    double sum = 0;
-    int number = 0;
+    double sum = 0, number = 0;
+
+    Circumradii& operator+=(const Circumradii& o)
+    {
+      sum += o.sum;
+      number += o.number;
+      return *this;
+    }
   };
 
   // Of the c3t3, by number.
@@ -126,18 +135,25 @@ private:
   // Of the cells in the complex around each vertex.
   void measure_circumradii()
   {
-    circumradii_.resize(state_.sites.size());
-    for(Labelled_cell c : numbered_->cells())
+    constexpr int least_length = 10000, most_chunks = 16;
+    const std::vector<Labelled_cell>& cells = numbered_->cells();
+    const Chunks chunks(static_cast<int>(cells.size()), least_length, most_chunks);
+    circumradii_.resize(state_.sites.size(), chunks.number());
+    threads_.for_each_chunk(chunks.number(), [&](int k)
     {
-      if(c->label() == domain_.outside())
-        continue;
-      const Eigen::Vector3d p = coordinates(numbered_->triangulation().dual(c));
-      for(int i = 0; i < 4; ++i)
-      {
-        const int v = Numbered_triangulation::number(c->vertex(i));
-        circumradii_[v].sum += std::sqrt(squared_distance(state_.sites[v], p));
-        ++circumradii_[v].number;
-      }
+      for(int n = chunks.begin(k); n < chunks.end(k); ++n)
+        if(cells[n]->label() != domain_.outside())
+          add_circumradius(cells[n], circumradii_.part(k));
+    });
+  }
+
+  void add_circumradius(Labelled_cell c, const typename Chunked_sums<Circumradii>::Part& sums) const
+  {
+    const Eigen::Vector3d p = coordinates(numbered_->triangulation().dual(c));
+    for(int i = 0; i < 4; ++i)
+    {
+      const int v = Numbered_triangulation::number(c->vertex(i));
+      sums.add(v, { std::sqrt(squared_distance(state_.sites[v], p)), 1 });
     }
   }
 
@@ -223,7 +239,7 @@ private:
   const Domain& domain_;
   const Thread_policy threads_;
   std::unique_ptr<Numbered_triangulation> numbered_;
-  std::vector<Circumradii> circumradii_;        // around vertices
+  Chunked_sums<Circumradii> circumradii_;       // around vertices
   std::vector<int> labels_, facet_cells_;
 };
 

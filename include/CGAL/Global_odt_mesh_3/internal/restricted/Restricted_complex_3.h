@@ -12,6 +12,7 @@
 #include <CGAL/Global_odt_mesh_3/internal/restricted/Boundary_extraction_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/restricted/Boundary_motion.h>
 #include <CGAL/Global_odt_mesh_3/internal/restricted/Boundary_peeling_3.h>
+#include <CGAL/Global_odt_mesh_3/internal/restricted/Candidate_repair_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/restricted/Cell_labels_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/restricted/Facet_shape_check_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/restricted/Fidelity_check_3.h>
@@ -32,12 +33,9 @@
 
 #include <Eigen/Core>
 
-#include <algorithm>
 #include <cstddef>
-#include <iterator>
 #include <memory>
 #include <optional>
-#include <set>
 #include <utility>
 #include <vector>
 
@@ -87,15 +85,30 @@ public:
 
   const State& state() const { return state_; }
   // The last one, of which nothing is left here.
-  State take_state() { return std::move(state_); }
+  State take_state()
+  {
+    provide_triangulation();
+    return std::move(state_);
+  }
   Domain& domain() { return domain_; }
   const Domain& domain() const { return domain_; }
   Boundary_motion motion() const { return motion_; }
   bool is_surface_rough() const { return motion_ == Boundary_motion::BY_DOMAIN; }
 
-  // Loads the state into a mesh.
-  void flatten(Moving_triangulation_3& mesh) const
+  // Makes the triangulation of the state if there is none.
+  void provide_triangulation()
   {
+    if(state_.numbered == nullptr)
+      restore(state_, nullptr, state_.sites);
+  }
+
+  // Until somebody asks for the triangulation, there is none.
+  void release_triangulation() { state_.numbered.reset(); }
+
+  // Loads the state into a mesh.
+  void flatten(Moving_triangulation_3& mesh)
+  {
+    provide_triangulation();
     const Stage_clock::In_stage in_stage(threads_.clock(), Stage_clock::FLATTEN);
     flatten_state_3(state_, threads_, mesh);
   }
@@ -107,7 +120,11 @@ public:
   bool is_close_to_surface(const Eigen::Vector3d& point) const { return fidelity_.is_close(point); }
 
   // Trials of single vertices. The state is incomplete until it adopts them.
-  Trial make_trial() { return Trial(state_, domain_, fidelity_, motion_ != Boundary_motion::NONE, threads_); }
+  Trial make_trial()
+  {
+    provide_triangulation();
+    return Trial(state_, domain_, fidelity_, motion_ != Boundary_motion::NONE, threads_);
+  }
 
   // Goes to where trials of this state have led, of which nothing is left there. False if that cannot be done: then the
   // state is as it was.
@@ -167,13 +184,8 @@ private:
   typedef Surface_projection_3<Domain> Surface_projection;
 
   static constexpr int most_attempts = 40;
-  // In these, vertices go back half way first; then home, along with more and more neighbors.
-  static constexpr int patient_attempts = 10, attempts_per_ring = 3;
   // Then a valid complex matters more than the shape of facets.
   static constexpr int attempts_at_good_facets = 10;
-  static constexpr int halfway_returns = 2, halfway_returns_on_surface = 1;
-  // If more vertices go back, a new triangulation is faster than moving them.
-  static constexpr double most_moved_one_by_one = 1 / 20.;
 
   void restore(State& state, std::unique_ptr<Numbered_triangulation> lent, const std::vector<Site>& sites) const
   {
@@ -191,7 +203,7 @@ private:
   {
     const Stage_clock::In_stage in_stage(threads_.clock(), Stage_clock::CHECK);
     Candidate candidate(state_, target, motion_, is_final, threads_);
-    candidate.numbered = std::move(state_.numbered);
+    candidate.numbered = state_.numbered != nullptr ? std::move(state_.numbered) : std::make_unique<Numbered_triangulation>();
     try
     {
       if(complete(candidate, mesh))
@@ -213,13 +225,14 @@ private:
     if(candidate.boundary_moves())
       projection.project_all();
     build(candidate, mesh);
+    Candidate_repair_3<Domain> repair(candidate, projection, [&] { build(candidate, nullptr); });
     for(int attempt = 0; attempt < most_attempts; ++attempt)
     {
       const bool wants_good_facets = (candidate.is_final || !has_long_ways_) && attempt < attempts_at_good_facets;
       const Report report = check(candidate, wants_good_facets);
       if(report.is_clean())
         return true;
-      if(report.is_beyond_repair() || !apply(report, candidate, projection, attempt))
+      if(report.is_beyond_repair() || !repair.apply(report, attempt))
         return false;
     }
     return false;
@@ -265,74 +278,6 @@ private:
     if(report.offending_vertices().empty())
       report.give_up();
     return report;
-  }
-
-  // Pushes vertices, and moves the offending ones toward where they were; false if one cannot be put back onto
-  // its surface.
-  bool apply(const Report& report, Candidate& candidate, Surface_projection& projection, int attempt)
-  {
-    std::set<int> offending = report.offending_vertices();
-    for(const auto& p : report.pushes())
-      push(candidate, projection, p.first, p.second, offending.count(p.first) > 0);
-    for(int ring = patient_attempts; ring <= attempt; ring += attempts_per_ring)
-      candidate.numbered->grow(offending);
-    const bool rebuilds = double(offending.size()) > most_moved_one_by_one * candidate.numbering.number_of_vertices()
-                          || !candidate.numbered->is_complete();
-    for(int v : offending)
-    {
-      if(!candidate.numbering.is_movable(v) || candidate.is_home(v))
-        continue;
-      if(!send_back(candidate, projection, v, attempt))
-        return false;
-      if(!rebuilds)
-        candidate.move(v);
-    }
-    if(rebuilds)
-      build(candidate, nullptr);
-    else
-      for(const auto& p : report.pushes())
-        candidate.move(p.first);
-    const auto has_moved = [&](int v) { return offending.count(v) > 0 || report.pushes().count(v) > 0; };
-    forget_facets(candidate.known_centers, has_moved);
-    forget_facets(candidate.known_distances, has_moved);
-    candidate.measure();
-    return true;
-  }
-
-  static void push(Candidate& candidate, Surface_projection& projection, int v, const Eigen::Vector3d& by, bool goes_back)
-  {
-    ++candidate.pushed_vertices[v];
-    if(goes_back)
-      return;
-    Site& s = candidate.sites[v];
-    if(candidate.numbering.is_interior(v))
-    {
-      s = site_at(position(s) + by, s.weight);
-      return;
-    }
-    const Eigen::Vector3d& normal = candidate.measured_boundary.shape(v, 0).normal;
-    s = site_at(position(s) + by - normal.dot(by) * normal, s.weight);
-    projection.return_to_surface(v, true);
-  }
-
-  bool send_back(Candidate& candidate, Surface_projection& projection, int v, int attempt)
-  {
-    const bool on_surface = !candidate.numbering.is_interior(v);
-    // On the way, few attempts matter more than long ways.
-    const bool is_patient = attempt < patient_attempts && (!on_surface || candidate.is_thorough());
-    const int most = on_surface ? halfway_returns_on_surface : halfway_returns;
-    const bool is_halfway = is_patient && candidate.vertices_sent_back[v]++ < most;
-    Site& s = candidate.sites[v];
-    const Site& home = candidate.homes[v];
-    s = is_halfway ? site_at((position(s) + position(home)) / 2, home.weight) : home;
-    return !on_surface || projection.return_to_surface(v, is_halfway);
-  }
-
-  template <class Answers, class Predicate>
-  static void forget_facets(Answers& answers, const Predicate& has_moved)
-  {
-    for(auto it = answers.begin(); it != answers.end(); )
-      it = std::any_of(it->first.begin(), it->first.end(), has_moved) ? answers.erase(it) : std::next(it);
   }
 
   Domain domain_;

@@ -35,7 +35,7 @@ namespace internal {
 
 // A valid complex: positions, the exact regular triangulation of them, its restriction to the
 // domain, and where the vertices on surfaces are. Once made, it does not change; but its triangulation, which takes most
-// of the memory, may be lent to a next one.
+// of the memory, may be lent to a next one, or be released as long as nobody asks for it.
 template <class Triangulation_>
 struct Restricted_state_3
 {
@@ -73,11 +73,11 @@ struct Restricted_state_3
 
   std::shared_ptr<const Vertex_numbering> numbering;
   bool is_input = false;
-  std::unique_ptr<Numbered_triangulation_3<Triangulation> > numbered;       // unless it is lent
+  std::unique_ptr<Numbered_triangulation_3<Triangulation> > numbered;       // unless it is lent or released
   std::vector<Site> sites;
   std::vector<Surface_position> surface_positions;  // of the vertices that move on surfaces
   Boundary_geometry_3 boundary;
-  std::vector<Facet> facets;                        // of the triangulation, on side 0
+  std::vector<Facet> facets;                        // of the triangulation, on side 0; they go with it
   std::vector<Surface_center> centers;
   std::unordered_map<Triple, int, boost::hash<Triple> > facet_numbers;
   std::unordered_map<Quadruple, int, boost::hash<Quadruple> > boundary_cells;   // with all vertices on the boundary; labels

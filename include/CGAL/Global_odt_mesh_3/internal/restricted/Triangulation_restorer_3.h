@@ -26,7 +26,7 @@ namespace CGAL {
 namespace Global_odt_mesh_3 {
 namespace internal {
 
-// Gives a state that has lent its triangulation this one back, whatever has become of it. Symbolic perturbation makes
+// Gives a state that has lent its triangulation this one back, whatever has become of it, or another one. Symbolic perturbation makes
 // the regular triangulation of weighted points unique; its cells are labelled, and boundary facets found, by their vertices.
 template <class Domain>
 class Triangulation_restorer_3
@@ -44,6 +44,7 @@ public:
   // Its vertices are at the sites.
   void operator()(std::unique_ptr<Numbered_triangulation> lent, const std::vector<Site>& sites, const Thread_policy& threads)
   {
+    state_.facets.resize(state_.centers.size());
     state_.numbered = lent != nullptr ? std::move(lent) : std::make_unique<Numbered_triangulation>();
     if(!move_vertices(sites))
       build(threads);

@@ -1,0 +1,125 @@
+// Copyright (c) 2026 The Global_odt_mesh_3 authors.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_GLOBAL_ODT_MESH_3_INTERNAL_RESTRICTED_CANDIDATE_REPAIR_3_H
+#define CGAL_GLOBAL_ODT_MESH_3_INTERNAL_RESTRICTED_CANDIDATE_REPAIR_3_H
+
+#include <CGAL/Global_odt_mesh_3/internal/geometry/Site.h>
+#include <CGAL/Global_odt_mesh_3/internal/restricted/Restricted_candidate_3.h>
+#include <CGAL/Global_odt_mesh_3/internal/restricted/Restricted_report_3.h>
+#include <CGAL/Global_odt_mesh_3/internal/restricted/Surface_projection_3.h>
+
+#include <Eigen/Core>
+
+#include <algorithm>
+#include <functional>
+#include <iterator>
+#include <set>
+#include <utility>
+
+namespace CGAL {
+namespace Global_odt_mesh_3 {
+namespace internal {
+
+// Moves the vertices of a candidate at which something is wrong toward where they were, and those that are to be pushed.
+template <class Domain>
+class Candidate_repair_3
+{
+public:
+  typedef Restricted_candidate_3<typename Domain::Triangulation> Candidate;
+  typedef Restricted_report_3<Candidate> Report;
+  typedef Surface_projection_3<Domain> Surface_projection;
+
+  // `rebuild()` makes the triangulation of the candidate anew.
+  Candidate_repair_3(Candidate& candidate, Surface_projection& projection, std::function<void()> rebuild)
+    : candidate_(candidate)
+    , projection_(projection)
+    , rebuild_(std::move(rebuild))
+  {}
+
+  // False if a vertex cannot be put back onto its surface.
+  bool apply(const Report& report, int attempt)
+  {
+    std::set<int> offending = report.offending_vertices();
+    for(const auto& p : report.pushes())
+      push(p.first, p.second, offending.count(p.first) > 0);
+    for(int ring = patient_attempts; ring <= attempt; ring += attempts_per_ring)
+      candidate_.numbered->grow(offending);
+    const bool rebuilds = double(offending.size()) > most_moved_one_by_one * candidate_.numbering.number_of_vertices()
+                          || !candidate_.numbered->is_complete();
+    for(int v : offending)
+    {
+      if(!candidate_.numbering.is_movable(v) || candidate_.is_home(v))
+        continue;
+      if(!send_back(v, attempt))
+        return false;
+      if(!rebuilds)
+        candidate_.move(v);
+    }
+    if(rebuilds)
+      rebuild_();
+    else
+      for(const auto& p : report.pushes())
+        candidate_.move(p.first);
+    const auto has_moved = [&](int v) { return offending.count(v) > 0 || report.pushes().count(v) > 0; };
+    forget_facets(candidate_.known_centers, has_moved);
+    forget_facets(candidate_.known_distances, has_moved);
+    candidate_.measure();
+    return true;
+  }
+
+private:
+  // In these, vertices go back half way first; then home, along with more and more neighbors.
+  static constexpr int patient_attempts = 10, attempts_per_ring = 3;
+  static constexpr int halfway_returns = 2, halfway_returns_on_surface = 1;
+  // If more vertices go back, a new triangulation is faster than moving them.
+  static constexpr double most_moved_one_by_one = 1 / 20.;
+
+  void push(int v, const Eigen::Vector3d& by, bool goes_back)
+  {
+    ++candidate_.pushed_vertices[v];
+    if(goes_back)
+      return;
+    Site& s = candidate_.sites[v];
+    if(candidate_.numbering.is_interior(v))
+    {
+      s = site_at(position(s) + by, s.weight);
+      return;
+    }
+    const Eigen::Vector3d& normal = candidate_.measured_boundary.shape(v, 0).normal;
+    s = site_at(position(s) + by - normal.dot(by) * normal, s.weight);
+    projection_.return_to_surface(v, true);
+  }
+
+  bool send_back(int v, int attempt)
+  {
+    const bool on_surface = !candidate_.numbering.is_interior(v);
+    // On the way, few attempts matter more than long ways.
+    const bool is_patient = attempt < patient_attempts && (!on_surface || candidate_.is_thorough());
+    const int most = on_surface ? halfway_returns_on_surface : halfway_returns;
+    const bool is_halfway = is_patient && candidate_.vertices_sent_back[v]++ < most;
+    Site& s = candidate_.sites[v];
+    const Site& home = candidate_.homes[v];
+    s = is_halfway ? site_at((position(s) + position(home)) / 2, home.weight) : home;
+    return !on_surface || projection_.return_to_surface(v, is_halfway);
+  }
+
+  template <class Answers, class Predicate>
+  static void forget_facets(Answers& answers, const Predicate& has_moved)
+  {
+    for(auto it = answers.begin(); it != answers.end(); )
+      it = std::any_of(it->first.begin(), it->first.end(), has_moved) ? answers.erase(it) : std::next(it);
+  }
+
+  Candidate& candidate_;
+  Surface_projection& projection_;
+  std::function<void()> rebuild_;
+};
+
+} // namespace internal
+} // namespace Global_odt_mesh_3
+} // namespace CGAL
+
+#endif // CGAL_GLOBAL_ODT_MESH_3_INTERNAL_RESTRICTED_CANDIDATE_REPAIR_3_H
