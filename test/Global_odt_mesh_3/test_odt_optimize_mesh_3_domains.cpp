@@ -133,7 +133,7 @@ static void grading(const domains::Labeled_domain& domain)
   Labeled_c3t3 uniform = mesh(domain, 0.2), graded = graded_mesh(domain, 0.05);
   const auto is_uniform = [&domain](const Labeled_c3t3& c3t3)
   {
-    odt::Numbered_domain_3<Labeled_triangulation, Labeled_domain> numbered(domain);
+    odt::Restricted_complex_3<Labeled_triangulation, Labeled_domain>::Domain numbered(domain);
     odt::Moving_triangulation_3 flat;
     odt::C3t3_reader_3<Labeled_c3t3, decltype(numbered)>(c3t3, numbered).read(flat, true);
     return odt::Input_density_3(flat).is_uniform();

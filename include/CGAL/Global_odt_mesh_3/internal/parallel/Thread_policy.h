@@ -13,6 +13,7 @@
 #ifdef CGAL_LINKED_WITH_TBB
 #  include <tbb/blocked_range.h>
 #  include <tbb/parallel_for.h>
+#  include <tbb/parallel_invoke.h>
 #  include <tbb/partitioner.h>
 #  include <tbb/task_group.h>
 #endif
@@ -57,15 +58,13 @@ public:
 #ifdef CGAL_LINKED_WITH_TBB
     if(is_parallel_ && number_of_chunks > 1)
     {
-      // All threads round as the one that calls.
-      tbb::task_group_context context(tbb::task_group_context::bound,
-                                      tbb::task_group_context::default_traits | tbb::task_group_context::fp_settings);
+      Context context;
       const auto run = [&f](const tbb::blocked_range<int>& chunks)
       {
         for(int n = chunks.begin(); n < chunks.end(); ++n)
           f(n);
       };
-      tbb::parallel_for(tbb::blocked_range<int>(0, number_of_chunks, 1), run, tbb::simple_partitioner(), context);
+      tbb::parallel_for(tbb::blocked_range<int>(0, number_of_chunks, 1), run, tbb::simple_partitioner(), context.context);
       return;
     }
 #endif
@@ -73,7 +72,32 @@ public:
       f(n);
   }
 
+  // Calls f and g, which know nothing of each other, at the same time if there are threads. Only one of them may have loops.
+  template <class F, class G>
+  void run_both(const F& f, const G& g) const
+  {
+#ifdef CGAL_LINKED_WITH_TBB
+    if(is_parallel_)
+    {
+      Context context;
+      tbb::parallel_invoke(f, g, context.context);
+      return;
+    }
+#endif
+    f();
+    g();
+  }
+
 private:
+#ifdef CGAL_LINKED_WITH_TBB
+  // In which all threads round as the one that calls.
+  struct Context
+  {
+    tbb::task_group_context context{ tbb::task_group_context::bound,
+                                     tbb::task_group_context::default_traits | tbb::task_group_context::fp_settings };
+  };
+#endif
+
   bool is_parallel_ = false;
   Stage_clock* clock_ = nullptr;
 };

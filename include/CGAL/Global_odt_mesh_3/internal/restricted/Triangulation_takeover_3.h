@@ -60,8 +60,14 @@ public:
   {
     if(!pays())
       return false;
-    certify_cells(taken_, tests_, threads_);
-    numbered_.clear(points_.size());
+    // As certification leaves these to be inserted anyway.
+    const std::vector<int> first = taken_.take_news();
+    const auto insert_first = [&]
+    {
+      numbered_.clear(points_.size());
+      numbered_.insert(first, points_, sites_);
+    };
+    threads_.run_both(insert_first, [this] { certify_cells(taken_, tests_, threads_); });
     for(int round = 0; round < most_rounds && pays(); ++round)
     {
       if(!insert_news())
