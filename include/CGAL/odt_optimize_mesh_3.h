@@ -162,8 +162,8 @@ With `optimize_boundary` set to `false`, vertices on surfaces stay, too, and wit
 complex, their patch indices and surface centers, and the volume of each subdomain.
 
 If the domain, a field or the callback throws, `c3t3` is as it was before the call. For the same input and
-`random_seed` the result is the same, bit for bit, unless `time_limit` shortens the schedule. Handles to vertices and
-cells of `c3t3` become invalid.
+`random_seed` the result is the same, bit for bit, unless `time_limit` shortens the schedule. Handles to vertices
+of `c3t3` stay valid, those to cells do not.
 
 If `C3T3::Triangulation::Concurrency_tag` is convertible to `CGAL::Parallel_tag` and the program links TBB, search,
 minimization, and most of the removal of slivers run on several threads, within the limits of the caller's

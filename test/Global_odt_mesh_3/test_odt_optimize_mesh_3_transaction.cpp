@@ -76,7 +76,7 @@ static std::vector<std::array<int, 6> > labelled_cells(const Complex::State& sta
     int on_surface = 0;
     for(int i = 0; i < 4; ++i)
     {
-      q[i] = state.triangulation().is_infinite(h->vertex(i)) ? -1 : h->vertex(i)->info();
+      q[i] = state.triangulation().is_infinite(h->vertex(i)) ? -1 : h->vertex(i)->number();
       on_surface += h->is_facet_in_complex(i);
     }
     q = sorted(q);
@@ -111,7 +111,7 @@ static std::vector<double> contents(const Complex::State& state)
     {
       std::array<int, 3> vertices;
       for(int i = 0; i < 3; ++i)
-        vertices[i] = g.first->vertex(facet_indices(g.second)[i])->info();
+        vertices[i] = g.first->vertex(facet_indices(g.second)[i])->number();
       vertices = rotated(vertices);
       c.insert(c.end(), vertices.begin(), vertices.end());
       c.push_back(g.first->is_facet_in_complex(g.second));

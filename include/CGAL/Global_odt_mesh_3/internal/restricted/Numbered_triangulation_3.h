@@ -57,7 +57,7 @@ public:
     return cells_;
   }
 
-  static int number(Vertex_handle h) { return h->info(); }
+  static int number(Vertex_handle h) { return h->number(); }
 
   // The vertices of a finite facet, clockwise seen from its cell, from the lowest on: in an order that does not depend on
   // that of the cell.
@@ -112,7 +112,7 @@ public:
     cells_.clear();
     vertices_[v] = tr_.tds().create_vertex();
     vertices_[v]->set_point(p);
-    vertices_[v]->info() = v;
+    vertices_[v]->set_number(v);
   }
 
   // Whether each number has a vertex of its own.
@@ -190,7 +190,7 @@ private:
     if(tr_.number_of_vertices() > before || std::find(vertices_.begin(), vertices_.end(), h) == vertices_.end())
     {
       vertices_[v] = h;
-      h->info() = v;
+      h->set_number(v);
       if(tr_.number_of_vertices() != before + 1)
         forget_hidden_vertices();
     }

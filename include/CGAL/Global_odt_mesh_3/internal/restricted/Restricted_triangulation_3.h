@@ -10,11 +10,39 @@
 #include <CGAL/Regular_triangulation_vertex_base_3.h>
 #include <CGAL/Triangulation_data_structure_3.h>
 #include <CGAL/Triangulation_ds_cell_base_3.h>
-#include <CGAL/Triangulation_vertex_base_with_info_3.h>
+#include <CGAL/tags.h>
+
+#include <cstddef>
 
 namespace CGAL {
 namespace Global_odt_mesh_3 {
 namespace internal {
+
+// A vertex that has a number. Time stamps keep what CGAL does from depending on addresses.
+template <class Traits, class Base = CGAL::Regular_triangulation_vertex_base_3<Traits> >
+class Numbered_vertex_base_3 : public Base
+{
+public:
+  typedef Tag_true Has_timestamp;
+
+  template <class Tds>
+  struct Rebind_TDS
+  {
+    typedef Numbered_vertex_base_3<Traits, typename Base::template Rebind_TDS<Tds>::Other> Other;
+  };
+
+  using Base::Base;
+
+  int number() const { return number_; }
+  void set_number(int number) { number_ = number; }
+
+  std::size_t time_stamp() const { return time_stamp_; }
+  void set_time_stamp(std::size_t stamp) { time_stamp_ = stamp; }
+
+private:
+  std::size_t time_stamp_ = std::size_t(-1);
+  int number_ = -1;
+};
 
 // A cell that has a label, at first 0 for outside, knows which of its facets are in the complex, and has four bits for
 // what else is known of it. That is a quarter of what a cell of a c3t3 takes.
@@ -76,14 +104,13 @@ private:
 };
 
 // The regular triangulation of the vertices of a complex, with what its restriction to the domain says of cells and
-// facets. Vertices know their numbers. Input is that of the c3t3.
+// facets. Input is that of the c3t3.
 template <class Input>
 class Restricted_triangulation_3
   : public CGAL::Regular_triangulation_3<
       typename Input::Geom_traits,
       CGAL::Triangulation_data_structure_3<
-        CGAL::Triangulation_vertex_base_with_info_3<int, typename Input::Geom_traits,
-                                                    CGAL::Regular_triangulation_vertex_base_3<typename Input::Geom_traits> >,
+        Numbered_vertex_base_3<typename Input::Geom_traits>,
         Labelled_cell_base_3<typename Input::Geom_traits> > >
 {
 public:
