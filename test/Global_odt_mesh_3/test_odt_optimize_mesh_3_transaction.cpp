@@ -23,12 +23,31 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
+#include <cstdlib>
 #include <iostream>
 #include <memory>
+#include <new>
 #include <optional>
 #include <stdexcept>
 #include <utility>
 #include <vector>
+
+// Memory that can be made to run out.
+static long allocations = 0, allocations_left = -1;
+
+void* operator new(std::size_t size)
+{
+  ++allocations;
+  if(allocations_left >= 0 && allocations_left-- == 0)
+    throw std::bad_alloc();
+  void* const p = std::malloc(size);
+  if(p == nullptr)
+    throw std::bad_alloc();
+  return p;
+}
+
+void operator delete(void* p) noexcept { std::free(p); }
+void operator delete(void* p, std::size_t) noexcept { std::free(p); }
 
 using namespace CGAL::Global_odt_mesh_3::internal;
 using domains::Labeled_c3t3;
@@ -274,6 +293,63 @@ static void shares_of_time()
     check::that(limited.progress_between(begin, 0.65) == 1, "a share of the time that has passed is not used up");
 }
 
+// All of a mesh that may be harmed.
+static std::vector<double> contents(const Labeled_c3t3& c3t3)
+{
+  const auto& tr = c3t3.triangulation();
+  std::vector<double> c = { double(c3t3.number_of_cells_in_complex()), double(c3t3.number_of_facets_in_complex()),
+                            double(tr.tds().number_of_cells()) };
+  for(auto v = tr.finite_vertices_begin(); v != tr.finite_vertices_end(); ++v)
+    c.insert(c.end(), { tr.point(v).x(), tr.point(v).y(), tr.point(v).z(), double(v->in_dimension()) });
+  for(auto h = tr.all_cells_begin(); h != tr.all_cells_end(); ++h)
+  {
+    c.push_back(double(h->subdomain_index()));
+    for(int i = 0; i < 4; ++i)
+      c.insert(c.end(), { double(h->vertex(i)->time_stamp()), double(h->neighbor(i)->time_stamp()),
+                          double(h->is_facet_on_surface(i)) });
+  }
+  return c;
+}
+
+// Where memory runs out, the mesh is as before, also if that happens while the result is written.
+static void memory_runs_out(const Labeled_c3t3& input, const Labeled_domain& domain)
+{
+  const auto optimize = [&domain](Labeled_c3t3& c3t3)
+  { CGAL::odt_optimize_mesh_3(c3t3, domain, CGAL::parameters::max_iteration_number = 30); };
+  Labeled_c3t3 optimized(input);
+  const long before = allocations;
+  optimize(optimized);
+  const long all = allocations - before;
+  std::cout << all << " allocations in a call" << std::endl;
+  std::vector<long> lasts;
+  for(long n = 0; n < 12; ++n)
+    lasts.push_back(all * n / 12);
+  for(long n = 1; n < 400; n += n < 40 ? 1 : 40)
+    lasts.push_back(all - n);
+  int failures = 0;
+  for(long last : lasts)
+  {
+    Labeled_c3t3 c3t3(input);
+    const std::vector<double> contents_before = contents(c3t3);
+    bool throws = false;
+    try
+    {
+      allocations_left = last;
+      optimize(c3t3);
+      allocations_left = -1;
+    }
+    catch(const std::bad_alloc&)
+    {
+      allocations_left = -1;
+      throws = true;
+    }
+    failures += throws;
+    check::that(contents(c3t3) == (throws ? contents_before : contents(optimized)) && c3t3.triangulation().is_valid(),
+                "memory for ", last, " of ", all, " allocations harms the mesh");
+  }
+  check::that(failures > int(lasts.size()) / 2, "memory runs out in ", failures, " calls only");
+}
+
 int main()
 {
   Fallible_ball ball;
@@ -284,5 +360,7 @@ int main()
   exceptions_leave_the_mesh(ball, domain, c3t3);
   misleading_planes();
   shares_of_time();
+  ball.fail(Fallible_ball::NONE, 0);
+  memory_runs_out(c3t3, domain);
   return check::result();
 }
