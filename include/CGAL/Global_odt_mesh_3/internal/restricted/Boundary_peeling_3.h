@@ -38,7 +38,6 @@ public:
   Boundary_peeling_3(Candidate& candidate, Domain& domain, Boundary_extraction_3<Domain>& extraction,
                      const Fidelity_check_3<Domain>& fidelity, const Facet_shape_check_3& shapes)
     : candidate_(candidate)
-    , domain_(domain)
     , extraction_(extraction)
     , flat_cells_(candidate, domain, fidelity, shapes)
   {}
@@ -145,7 +144,6 @@ private:
   }
 
   Candidate& candidate_;
-  Domain& domain_;
   Boundary_extraction_3<Domain>& extraction_;
   Flat_boundary_cells_3<Domain> flat_cells_;
   std::set<Cell_handle> refused_;

@@ -63,8 +63,7 @@ struct Trial_complex_3
     , numbered(std::move(from.numbered))
     , sites(from.sites)
     , boundary(from.boundary.complex())
-  {
-  }
+  {}
 
   Trial_complex_3(const Trial_complex_3&) = delete;
   Trial_complex_3& operator=(const Trial_complex_3&) = delete;
