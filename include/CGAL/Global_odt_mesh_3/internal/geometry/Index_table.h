@@ -26,24 +26,28 @@ public:
   {
     if(last_ < values_.size() && values_[last_] == value)
       return static_cast<int>(last_);
-    for(last_ = 0; last_ < values_.size(); ++last_)
-      if(values_[last_] == value)
-        return static_cast<int>(last_);
-    values_.push_back(value);
+    last_ = place(value);
+    if(last_ == values_.size())
+      values_.push_back(value);
     return static_cast<int>(last_);
   }
 
   // Of a value that has one.
   int number_of_known(const T& value) const
   {
-    const auto it = std::find(values_.begin(), values_.end(), value);
-    CGAL_assertion(it != values_.end());
-    return static_cast<int>(it - values_.begin());
+    const std::size_t n = place(value);
+    CGAL_assertion(n < values_.size());
+    return static_cast<int>(n);
   }
 
   const T& value(int number) const { return values_[number]; }
 
 private:
+  std::size_t place(const T& value) const
+  {
+    return std::size_t(std::find(values_.begin(), values_.end(), value) - values_.begin());
+  }
+
   std::vector<T> values_;
   std::size_t last_ = 0;
 };

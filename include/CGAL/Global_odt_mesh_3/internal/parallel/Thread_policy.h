@@ -58,13 +58,13 @@ public:
 #ifdef CGAL_LINKED_WITH_TBB
     if(is_parallel_ && number_of_chunks > 1)
     {
-      Context context;
+      tbb::task_group_context context(tbb::task_group_context::bound, context_traits());
       const auto run = [&f](const tbb::blocked_range<int>& chunks)
       {
         for(int n = chunks.begin(); n < chunks.end(); ++n)
           f(n);
       };
-      tbb::parallel_for(tbb::blocked_range<int>(0, number_of_chunks, 1), run, tbb::simple_partitioner(), context.context);
+      tbb::parallel_for(tbb::blocked_range<int>(0, number_of_chunks, 1), run, tbb::simple_partitioner(), context);
       return;
     }
 #endif
@@ -79,8 +79,8 @@ public:
 #ifdef CGAL_LINKED_WITH_TBB
     if(is_parallel_)
     {
-      Context context;
-      tbb::parallel_invoke(f, g, context.context);
+      tbb::task_group_context context(tbb::task_group_context::bound, context_traits());
+      tbb::parallel_invoke(f, g, context);
       return;
     }
 #endif
@@ -90,12 +90,8 @@ public:
 
 private:
 #ifdef CGAL_LINKED_WITH_TBB
-  // In which all threads round as the one that calls.
-  struct Context
-  {
-    tbb::task_group_context context{ tbb::task_group_context::bound,
-                                     tbb::task_group_context::default_traits | tbb::task_group_context::fp_settings };
-  };
+  // All threads round as the one that calls.
+  static auto context_traits() { return tbb::task_group_context::default_traits | tbb::task_group_context::fp_settings; }
 #endif
 
   bool is_parallel_ = false;

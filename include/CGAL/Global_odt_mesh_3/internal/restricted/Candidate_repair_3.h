@@ -47,8 +47,7 @@ public:
       push(p.first, p.second, offending.count(p.first) > 0);
     for(int ring = patient_attempts; ring <= attempt; ring += attempts_per_ring)
       candidate_.numbered->grow(offending);
-    const bool rebuilds = double(offending.size()) > most_moved_one_by_one * candidate_.numbering.number_of_vertices()
-                          || !candidate_.numbered->is_complete();
+    const bool rebuilds = !candidate_.numbered->is_worth_moving(offending.size());
     for(int v : offending)
     {
       if(!candidate_.numbering.is_movable(v) || candidate_.is_home(v))
@@ -74,8 +73,6 @@ private:
   // In these, vertices go back half way first; then home, along with more and more neighbors.
   static constexpr int patient_attempts = 10, attempts_per_ring = 3;
   static constexpr int halfway_returns = 2, halfway_returns_on_surface = 1;
-  // If more vertices go back, a new triangulation is faster than moving them.
-  static constexpr double most_moved_one_by_one = 1 / 20.;
 
   void push(int v, const Eigen::Vector3d& by, bool goes_back)
   {

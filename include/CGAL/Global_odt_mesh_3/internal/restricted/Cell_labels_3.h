@@ -105,15 +105,6 @@ private:
 
   bool is_on_boundary(int v) const { return candidate_.numbering.is_on_boundary(v); }
 
-  // The numbers of the vertices, and -1 for the infinite one.
-  Quadruple numbers_or_infinite(Cell_handle c) const
-  {
-    Quadruple q;
-    for(int i = 0; i < 4; ++i)
-      q[i] = candidate_.triangulation().is_infinite(c->vertex(i)) ? -1 : candidate_.numbered->number(c->vertex(i));
-    return q;
-  }
-
   // The one label of the vertices that are not on the boundary, or no_subdomain if there are none; false if
   // they have several.
   bool find_label(const Quadruple& q, int& label) const
@@ -135,7 +126,7 @@ private:
   bool label_by_vertices(Cell_handle c) const
   {
     forget(c);
-    const Quadruple q = numbers_or_infinite(c);
+    const Quadruple q = candidate_.numbers(c);
     const bool is_infinite = std::find(q.begin(), q.end(), -1) != q.end();
     const auto on_boundary
       = is_infinite ? 0 : std::count_if(q.begin(), q.end(), [this](int v) { return is_on_boundary(v); });
@@ -153,7 +144,7 @@ private:
   Findings examine(Cell_handle c) const
   {
     Findings found;
-    const Quadruple q = numbers_or_infinite(c);
+    const Quadruple q = candidate_.numbers(c);
     found.has_several_labels = !find_label(q, found.label);
     if(found.has_several_labels)
       return found;
@@ -171,7 +162,7 @@ private:
 
   void label_cell(Cell_handle c, const Findings& found, Report& report)
   {
-    const Quadruple q = numbers_or_infinite(c);
+    const Quadruple q = candidate_.numbers(c);
     if(found.has_several_labels)
     {
       report.send_back(q);

@@ -59,6 +59,12 @@ public:
 
   static int number(Vertex_handle h) { return h->number(); }
 
+  // Of the vertices of a cell, -1 for the infinite one.
+  static std::array<int, 4> numbers(Cell_handle c)
+  {
+    return {{ number(c->vertex(0)), number(c->vertex(1)), number(c->vertex(2)), number(c->vertex(3)) }};
+  }
+
   // The vertices of a finite facet, clockwise seen from its cell, from the lowest on: in an order that does not depend on
   // that of the cell.
   static std::array<int, 3> vertices(const Facet& f)
@@ -124,6 +130,13 @@ public:
 
   // Whether the vertex is in the triangulation, and not hidden.
   bool is_visible(int v) const { return vertices_[v] != Vertex_handle(); }
+
+  // Whether so many vertices are moved one by one faster than a new triangulation is built.
+  bool is_worth_moving(std::size_t number_of_moves) const
+  {
+    constexpr double most_moved_one_by_one = 1 / 20.;
+    return is_complete() && double(number_of_moves) <= most_moved_one_by_one * double(vertices_.size());
+  }
 
   void move(int v, const Weighted_point& p)
   {

@@ -130,13 +130,8 @@ struct Restricted_candidate_3
 
   const Triangulation& triangulation() const { return numbered->triangulation(); }
 
-  Quadruple numbers(Cell_handle c) const
-  {
-    Quadruple q;
-    for(int i = 0; i < 4; ++i)
-      q[i] = numbered->number(c->vertex(i));
-    return q;
-  }
+  // Of the vertices of a cell, -1 for the infinite one.
+  Quadruple numbers(Cell_handle c) const { return numbered->numbers(c); }
 
   Surface_position& surface_position(int v)
   {

@@ -18,7 +18,7 @@ namespace CGAL {
 namespace Global_odt_mesh_3 {
 namespace internal {
 
-// A vertex that has a number. Time stamps keep what CGAL does from depending on addresses.
+// A vertex that has a number, or -1 as the infinite one. Time stamps keep what CGAL does from depending on addresses.
 template <class Traits, class Base = CGAL::Regular_triangulation_vertex_base_3<Traits> >
 class Numbered_vertex_base_3 : public Base
 {

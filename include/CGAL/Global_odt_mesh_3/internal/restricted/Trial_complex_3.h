@@ -71,13 +71,7 @@ struct Trial_complex_3
   const Triangulation& triangulation() const { return numbered->triangulation(); }
 
   // Of the vertices of a cell, -1 for the infinite one.
-  Quadruple numbers(Cell_handle c) const
-  {
-    Quadruple q;
-    for(int i = 0; i < 4; ++i)
-      q[i] = triangulation().is_infinite(c->vertex(i)) ? -1 : numbered->number(c->vertex(i));
-    return q;
-  }
+  Quadruple numbers(Cell_handle c) const { return Numbered_triangulation::numbers(c); }
 
   Weighted_point point(int v) const { return state.point(v, sites[v]); }
 

@@ -61,9 +61,6 @@ private:
   typedef typename State::Triple Triple;
   typedef typename State::Quadruple Quadruple;
 
-  // If more vertices are elsewhere, a new triangulation is faster than moving them.
-  static constexpr double most_moved_one_by_one = 1 / 20.;
-
   // The input is what it is, be it regular or not.
   void build(const Thread_policy& threads)
   {
@@ -78,13 +75,13 @@ private:
   // False if that is not the way.
   bool move_vertices(const std::vector<Site>& sites)
   {
-    if(state_.numbered->number_of_vertices() != sites.size() || !state_.numbered->is_complete() || sites.size() != state_.sites.size())
+    if(state_.numbered->number_of_vertices() != sites.size() || sites.size() != state_.sites.size())
       return false;
     std::vector<int> moved;
     for(int v = 0; v < state_.numbering->number_of_vertices(); ++v)
       if(!same_place(sites[v], state_.sites[v]))
         moved.push_back(v);
-    if(double(moved.size()) > (state_.is_input ? 0 : most_moved_one_by_one) * double(sites.size()))
+    if(!state_.numbered->is_worth_moving(moved.size()) || (state_.is_input && !moved.empty()))
       return false;
     for(int v : moved)
       state_.numbered->move(v, state_.point(v, state_.sites[v]));
@@ -99,12 +96,9 @@ private:
 
   void label_cell(Cell_handle c)
   {
-    const Triangulation& tr = state_.numbered->triangulation();
     forget(c);
     c->forget_facets();
-    Quadruple q;
-    for(int i = 0; i < 4; ++i)
-      q[i] = tr.is_infinite(c->vertex(i)) ? -1 : Numbered_triangulation::number(c->vertex(i));
+    const Quadruple q = Numbered_triangulation::numbers(c);
     c->set_label(label(q));
     for(int i = 0; i < 4; ++i)
       find_facet(Facet(c, i), q);

@@ -116,7 +116,7 @@ private:
     const std::vector<Cell_handle>& cells = numbered_.cells();
     for_each_in_chunks(static_cast<int>(cells.size()), threads_, [&](int c)
     {
-      const std::array<int, 4> v = numbers(cells[c]);
+      const std::array<int, 4> v = numbered_.numbers(cells[c]);
       for(int i = 0; i < 4; ++i)
       {
         const std::array<int, 3>& f = facet_indices(i);
@@ -135,14 +135,6 @@ private:
       taken_.reject(border_[n].cell());
     taken_.update();
     return wrong.empty();
-  }
-
-  std::array<int, 4> numbers(Cell_handle c) const
-  {
-    std::array<int, 4> v;
-    for(int i = 0; i < 4; ++i)
-      v[i] = tr_.is_infinite(c->vertex(i)) ? -1 : numbered_.number(c->vertex(i));
-    return v;
   }
 
   bool is_border_regular(int n) const
@@ -195,7 +187,7 @@ private:
         stays[v] = true;
     return std::all_of(inside_.begin(), inside_.end(), [&](Cell_handle c)
     {
-      const std::array<int, 4> v = numbers(c);
+      const std::array<int, 4> v = numbered_.numbers(c);
       return std::all_of(v.begin(), v.end(), [&stays](int w) { return stays[w]; });
     });
   }
