@@ -13,9 +13,10 @@
 #include <CGAL/Global_odt_mesh_3/internal/triangulation/Constrained_triangulation_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/triangulation/Slot.h>
 
+#include <CGAL/assertions.h>
+
 #include <algorithm>
 #include <cstddef>
-#include <iterator>
 #include <limits>
 #include <utility>
 #include <vector>
@@ -39,7 +40,14 @@ public:
     , cell_place_(places(partition.cells(), mesh.topology.number_of_cell_slots()))
     , vertex_place_(places(partition.vertices(), static_cast<int>(mesh.sites.size())))
     , blocks_(partition.number_of_blocks())
-  {}
+  {
+    for(int v = 0; v < static_cast<int>(vertex_place_.size()); ++v)
+      if(vertex_place_[v] < 0)
+      {
+        vertex_place_[v] = ~static_cast<int>(seam_vertices_.size());
+        seam_vertices_.push_back(v);
+      }
+  }
 
   // Those of the mesh, in the order of the block: its own ones first.
   const std::vector<int>& vertices(int block) const { return blocks_[block].vertices; }
@@ -49,17 +57,16 @@ public:
   // The place of a vertex of the block there.
   int number(int block, int v) const
   {
-    if(is_own(block, v))
-      return vertex_place_[v] - partition_.vertices().begin(block);
-    const std::vector<int>& vertices = blocks_[block].vertices;
-    const auto others = vertices.begin() + partition_.vertices().size(block);
-    return static_cast<int>(std::lower_bound(others, vertices.end(), v) - vertices.begin());
+    const int place = vertex_place_[v];
+    const int number = place >= 0 ? place - partition_.vertices().begin(block) : blocks_[block].number_at_seam[~place];
+    CGAL_assertion(number >= 0 && vertices(block)[number] == v);
+    return number;
   }
 
   void load(int block, Constrained_triangulation_3& part)
   {
     Block& b = blocks_[block];
-    number_vertices(block, b.vertices);
+    number_vertices(block, b);
     const auto own_end = b.vertices.begin() + partition_.vertices().size(block);
     const auto own_below = [&](int v) { return int(std::lower_bound(b.vertices.begin(), own_end, v) - b.vertices.begin()); };
     part.number_of_interior_vertices = own_below(mesh_.number_of_interior_vertices);
@@ -136,6 +143,7 @@ private:
   struct Block
   {
     std::vector<int> vertices;                      // numbers in the mesh
+    std::vector<int> number_at_seam;                // in the block, of each vertex at a seam
     std::vector<Facet> facets;                      // the constrained ones
     std::vector<int> cell_vertices;                 // numbers in the mesh
     std::vector<int> neighbors, vertex_cell;        // slots and cells of the block
@@ -189,12 +197,6 @@ private:
     return place;
   }
 
-  bool is_own(int block, int vertex) const
-  {
-    const int place = vertex_place_[vertex];
-    return place >= partition_.vertices().begin(block) && place < partition_.vertices().end(block);
-  }
-
   // In the block, or negative or too large.
   int cell_in_block(int block, int cell) const { return cell_place_[cell] - partition_.cells().begin(block); }
   bool is_in_block(int block, int cell) const
@@ -212,18 +214,24 @@ private:
       f(cells.numbers()[n]);
   }
 
-  void number_vertices(int block, std::vector<int>& vertices) const
+  // Those of the cells that are not its own are at seams.
+  void number_vertices(int block, Block& b) const
   {
     const Buckets& own = partition_.vertices();
-    vertices.clear();
+    b.vertices.assign(own.numbers().begin() + own.begin(block), own.numbers().begin() + own.end(block));
+    b.number_at_seam.assign(seam_vertices_.size(), -1);
     for_each_cell(block, [&](int c)
     {
-      std::copy_if(mesh_.topology.vertices(c), mesh_.topology.vertices(c) + 4, std::back_inserter(vertices),
-                   [&](int v) { return !is_own(block, v); });
+      for(int v : mesh_.topology.cell(c))
+        if(vertex_place_[v] < 0)
+          b.number_at_seam[~vertex_place_[v]] = 0;
     });
-    std::sort(vertices.begin(), vertices.end());
-    vertices.erase(std::unique(vertices.begin(), vertices.end()), vertices.end());
-    vertices.insert(vertices.begin(), own.numbers().begin() + own.begin(block), own.numbers().begin() + own.end(block));
+    for(std::size_t n = 0; n < seam_vertices_.size(); ++n)
+      if(b.number_at_seam[n] == 0)
+      {
+        b.number_at_seam[n] = static_cast<int>(b.vertices.size());
+        b.vertices.push_back(seam_vertices_[n]);
+      }
   }
 
   void load_cells(int block, Block& b, Constrained_triangulation_3& part) const
@@ -270,7 +278,8 @@ private:
   Constrained_triangulation_3& mesh_;
   const Mesh_partition_3& partition_;
   Thread_policy threads_;
-  std::vector<int> cell_place_, vertex_place_;
+  std::vector<int> cell_place_, vertex_place_;      // in the order of blocks; of a vertex at a seam, ~n if it is the n-th one
+  std::vector<int> seam_vertices_;
   std::vector<Block> blocks_;
 };
 

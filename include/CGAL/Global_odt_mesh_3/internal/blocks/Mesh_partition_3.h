@@ -10,7 +10,7 @@
 #include <CGAL/Global_odt_mesh_3/internal/geometry/Random_source.h>
 #include <CGAL/Global_odt_mesh_3/internal/geometry/Site.h>
 #include <CGAL/Global_odt_mesh_3/internal/parallel/Buckets.h>
-#include <CGAL/Global_odt_mesh_3/internal/parallel/Chunks.h>
+#include <CGAL/Global_odt_mesh_3/internal/parallel/For_each_in_chunks.h>
 #include <CGAL/Global_odt_mesh_3/internal/parallel/Thread_policy.h>
 #include <CGAL/Global_odt_mesh_3/internal/triangulation/Constrained_triangulation_3.h>
 
@@ -35,18 +35,15 @@ public:
   {
     const Space_partition_3 space(mesh, number_of_blocks, random);
     const int cells = mesh.topology.number_of_cell_slots();
-    std::vector<int> block(cells);
+    std::vector<int> block(cells), place(mesh.sites.size());
+    for_each_in_chunks(static_cast<int>(place.size()), threads, [&](int v) { place[v] = space.block(position(mesh.sites[v])); });
     // 0 for no block yet.
     std::vector<std::atomic<int> > block_of_vertex(mesh.sites.size());
-    const Chunks chunks(cells, least_cells, most_chunks);
-    threads.for_each_chunk(chunks.number(), [&](int n)
+    for_each_in_chunks(cells, threads, [&](int c)
     {
-      for(int c = chunks.begin(n); c < chunks.end(n); ++c)
-      {
-        block[c] = mesh.topology.is_alive(c) ? space.block(centroid(mesh, c)) : int(no_block);
-        for(int i = 0; i < 4 && block[c] >= 0; ++i)
-          join(block_of_vertex[mesh.topology.vertices(c)[i]], block[c] + 1);
-      }
+      block[c] = mesh.topology.is_alive(c) ? block_of_cell(mesh, c, space, place) : int(no_block);
+      for(int i = 0; i < 4 && block[c] >= 0; ++i)
+        join(block_of_vertex[mesh.topology.vertices(c)[i]], block[c] + 1);
     });
     cells_ = Buckets(cells, number_of_blocks, [&block](int c) { return block[c]; }, threads);
     vertices_ = Buckets(static_cast<int>(mesh.sites.size()), number_of_blocks,
@@ -69,7 +66,16 @@ public:
 
 private:
   static constexpr int no_block = -1, several_blocks = -1;
-  static constexpr int least_cells = 10000, most_chunks = 64;
+
+  // Blocks are convex, so that a cell with all vertices in one has its centroid there.
+  static int block_of_cell(const Constrained_triangulation_3& mesh, int cell, const Space_partition_3& space,
+                           const std::vector<int>& place_of_vertex)
+  {
+    const int* const v = mesh.topology.vertices(cell);
+    const int first = place_of_vertex[v[0]];
+    return std::all_of(v + 1, v + 4, [&](int w) { return place_of_vertex[w] == first; }) ? first
+                                                                                         : space.block(centroid(mesh, cell));
+  }
 
   static Eigen::Vector3d centroid(const Constrained_triangulation_3& mesh, int cell)
   {
@@ -82,7 +88,10 @@ private:
   // In whatever order cells come, the result is the same.
   static void join(std::atomic<int>& of_vertex, int block)
   {
-    int before = 0;
+    int before = of_vertex.load(std::memory_order_relaxed);
+    if(before == block || before == several_blocks)
+      return;
+    before = 0;
     if(!of_vertex.compare_exchange_strong(before, block, std::memory_order_relaxed) && before != block)
       of_vertex.store(several_blocks, std::memory_order_relaxed);
   }
