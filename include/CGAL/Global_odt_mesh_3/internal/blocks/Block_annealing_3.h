@@ -70,10 +70,9 @@ public:
     motions_ = std::move(motions);
     term_ = term;
     velocity_ = Eigen::VectorXd::Zero(3 * mesh_.number_of_movable_vertices);
-    mesh_.mean_edge_lengths(edge_length_);
     if(mesh_.quadrature() != nullptr)
       mesh_.quadrature()->update(mesh_.sites, mesh_.number_of_movable_vertices, threads_);
-    mesh_.is_regular();
+    threads_.run_both([this] { mesh_.mean_edge_lengths(edge_length_); }, [this] { mesh_.is_regular(); });
     gradient_.resize(mesh_.sites.size());
     mesh_.for_each_gradient([this](int v, const Site_gradient& g) { gradient_[v] = g; });
     mesh_.release_gradient();

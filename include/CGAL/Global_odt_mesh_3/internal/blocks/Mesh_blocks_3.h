@@ -106,12 +106,13 @@ public:
       b.first_cell = cells;
       cells += static_cast<int>(b.neighbors.size() / 4);
     }
+    std::vector<int> seam(mesh_.topology.number_of_slots());          // where slots at seams are now
     Arrays arrays;
+    mesh_.topology.take_memory(arrays.cell_vertices, arrays.neighbors);
     arrays.cell_vertices.resize(4 * std::size_t(cells));
     arrays.neighbors.resize(4 * std::size_t(cells));
     arrays.vertex_cell.assign(mesh_.sites.size(), -1);
     arrays.constrained_slots.assign(mesh_.topology.number_of_sides(), Slot().id());
-    std::vector<int> seam(mesh_.topology.number_of_slots());          // where slots at seams are now
     const int number = partition_.number_of_blocks();
     threads_.for_each_chunk(number, [&](int n) { assemble(n, arrays, seam); });
     threads_.for_each_chunk(number, [&](int n)

@@ -47,7 +47,10 @@ public:
     Eigen::Vector3d dual = Eigen::Vector3d::Zero();       // of new cells that are finite
   };
 
-  explicit Lifted_vertex_3(Complex& complex) : complex_(complex) {}
+  explicit Lifted_vertex_3(Complex& complex)
+    : complex_(complex)
+    , last_on_hull_(1 + complex.sites.size(), 0)
+  {}
 
   bool is_lifted() const { return vertex_ >= 0; }
   int vertex() const { return vertex_; }
@@ -199,20 +202,21 @@ private:
   // Whether cells in conflict have a vertex that is not one of their hull.
   bool hides_vertices()
   {
-    std::vector<Vertex_handle> on_hull, of_cells;
+    ++search_;
     for(const Facet& f : walls_)
       for(int i = 1; i < 4; ++i)
-        on_hull.push_back(f.first->vertex((f.second + i) % 4));
-    for(Cell_handle c : conflicts_)
-      for(int i = 0; i < 4; ++i)
-        of_cells.push_back(c->vertex(i));
-    for(std::vector<Vertex_handle>* vertices : { &on_hull, &of_cells })
+        last_on_hull(f.first->vertex((f.second + i) % 4)) = search_;
+    return std::any_of(conflicts_.begin(), conflicts_.end(), [this](Cell_handle c)
     {
-      std::sort(vertices->begin(), vertices->end());
-      vertices->erase(std::unique(vertices->begin(), vertices->end()), vertices->end());
-    }
-    return on_hull != of_cells;
+      for(int i = 0; i < 4; ++i)
+        if(last_on_hull(c->vertex(i)) != search_)
+          return true;
+      return false;
+    });
   }
+
+  // The last search in which a vertex, perhaps the infinite one, was one of the hull.
+  std::size_t& last_on_hull(Vertex_handle v) { return last_on_hull_[1 + Complex::Numbered_triangulation::number(v)]; }
 
   void collect_cells()
   {
@@ -271,6 +275,8 @@ private:
   std::vector<Hole_cell> hole_;               // in place of these
   std::vector<Cell_handle> conflicts_;
   std::vector<Facet> walls_;                  // of these, seen from them
+  std::vector<std::size_t> last_on_hull_;
+  std::size_t search_ = 0;
   std::vector<Cell> old_cells_, new_cells_;
   std::vector<std::size_t> kept_of_hole_;     // those of the hole that are the first new cells
 };

@@ -57,6 +57,9 @@ public:
     return cells_;
   }
 
+  // After changes that this class has not made itself.
+  void set_cells(std::vector<Cell_handle> cells) { cells_ = std::move(cells); }
+
   static int number(Vertex_handle h) { return h->number(); }
 
   // Of the vertices of a cell, -1 for the infinite one.

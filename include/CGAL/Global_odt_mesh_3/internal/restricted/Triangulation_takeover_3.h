@@ -195,6 +195,8 @@ private:
   // Puts the cells that are taken over in the place of those that give way.
   void transplant()
   {
+    std::vector<Cell_handle> all = numbered_.cells();
+    all.erase(std::remove_if(all.begin(), all.end(), [](Cell_handle c) { return c->tds_data().is_in_conflict(); }), all.end());
     for(std::size_t v = 0; v < points_.size(); ++v)
       if(taken_.is_left_out(static_cast<int>(v)))
         numbered_.create_vertex(static_cast<int>(v), points_[v]);
@@ -206,6 +208,9 @@ private:
     }
     for(Cell_handle c : inside_)
       tr_.tds().delete_cell(c);
+    for(int c : taken_.cells())
+      all.push_back(cells[c]);
+    numbered_.set_cells(std::move(all));
     CGAL_expensive_assertion(tr_.is_valid());
   }
 

@@ -260,6 +260,14 @@ public:
     CGAL_expensive_assertion(is_valid());
   }
 
+  // Gives away the memory of cells, of which none are left. Ends a trial.
+  void take_memory(std::vector<int>& cell_vertices, std::vector<int>& neighbors)
+  {
+    end_trial();
+    cell_vertices = std::move(arrays_.unguarded(CELL_VERTICES));
+    neighbors = std::move(arrays_.unguarded(NEIGHBORS));
+  }
+
   // Whether the arrays describe a triangulation: mutual neighbors that share
   // their three common vertices, in opposite orientations.
   bool is_valid() const
