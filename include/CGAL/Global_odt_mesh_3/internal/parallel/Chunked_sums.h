@@ -8,6 +8,8 @@
 
 #include <CGAL/assertions.h>
 
+#include <boost/config.hpp>
+
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
@@ -24,16 +26,17 @@ namespace internal {
 // Sums for numbered things to which the chunks of a loop add at the same time: each chunk has sums of its own, which are
 // added up in the order of the chunks when they are asked for.
 //
-// All of a chunk's sums lie in one array as long as if it added to all things, so that adding is as fast as to a
+// All of a chunk's sums lie in one array as long as if it added to all things, so that adding is nearly as fast as to a
 // plain array. What a chunk never adds to is never looked at, which takes no memory where the system gives it when it
-// is first used. Zero bytes have to mean the sum of nothing.
+// is first used; that is writing then, as memory that is read first is given twice. Zero bytes have to mean the sum of
+// nothing.
 template <class Value>
 class Chunked_sums
 {
   static_assert(std::is_trivially_copyable<Value>::value, "sums are zeroed as bytes");
 
 public:
-  // The sums are asked for in blocks, and zeroed in pages.
+  // The sums are asked for in blocks, and begun in pages.
   static constexpr int pages_in_block = 8, page_bits = 3, page_length = 1 << page_bits,
                        block_length = pages_in_block * page_length;
 
@@ -51,11 +54,18 @@ public:
 
     void add(int n, const Value& value) const
     {
-      is_used_[n >> page_bits] = true;
+      if(BOOST_UNLIKELY(!is_used_[n >> page_bits]))
+        begin(n >> page_bits);
       values_[n] += value;
     }
 
   private:
+    BOOST_NOINLINE void begin(int page) const
+    {
+      std::memset(static_cast<void*>(values_ + page * page_length), 0, page_length * sizeof(Value));
+      is_used_[page] = true;
+    }
+
     Value* values_;
     bool* is_used_;     // for each page
   };
@@ -70,6 +80,8 @@ public:
     length_ = std::size_t(number_of_blocks()) * block_length;
     values_ = Memory<Value>(number_of_parts * length_);
     is_used_ = Memory<bool>(number_of_parts * length_ / page_length);
+    for(int p = 0; p < number_of_parts; ++p)
+      clear(p);
   }
 
   int number_of_parts() const { return number_of_parts_; }
@@ -82,17 +94,7 @@ public:
   }
 
   // Sets the sums of a part to zero.
-  void clear(int p)
-  {
-    Value* const values = values_.get() + p * length_;
-    bool* const used = is_used(p);
-    for(int block = 0; block < number_of_blocks(); ++block)
-      for_each_page(used, block, [&](std::size_t page)
-      {
-        std::memset(static_cast<void*>(values + page * page_length), 0, page_length * sizeof(Value));
-        used[page] = false;
-      });
-  }
+  void clear(int p) { std::memset(is_used(p), 0, length_ / page_length); }
 
   // Calls f(n, sum) for the numbers n of blocks from `first` to `end`.
   template <class F>
@@ -117,7 +119,7 @@ public:
   }
 
 private:
-  // Zero at first, in whole cache lines.
+  // In whole cache lines.
   template <class T>
   class Memory
   {
@@ -125,7 +127,7 @@ private:
     Memory() {}
 
     explicit Memory(std::size_t size)
-      : bytes_(std::calloc(size * sizeof(T) + cache_line, 1))
+      : bytes_(std::malloc(size * sizeof(T) + cache_line))
     {
       if(bytes_ == nullptr)
         throw std::bad_alloc();
