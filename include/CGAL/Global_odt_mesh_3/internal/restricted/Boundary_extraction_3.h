@@ -9,6 +9,7 @@
 #include <CGAL/Global_odt_mesh_3/internal/geometry/Facet_dual_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/geometry/Vertex_tuples.h>
 #include <CGAL/Global_odt_mesh_3/internal/parallel/Collect_in_chunks.h>
+#include <CGAL/Global_odt_mesh_3/internal/parallel/For_each_in_chunks.h>
 #include <CGAL/Global_odt_mesh_3/internal/restricted/Cell_knowledge.h>
 #include <CGAL/Global_odt_mesh_3/internal/restricted/Restricted_candidate_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/surface/Boundary_complex_3.h>
@@ -59,21 +60,25 @@ public:
   void find_boundary()
   {
     const std::vector<Boundary_facet>& old_facets = candidate_.state.boundary.complex().facets();
+    const bool has_others = candidate_.state.has_unseparating_facets;
+    std::vector<int> old_numbers(possible_facets_.size(), -1);
+    for_each_in_chunks(static_cast<int>(possible_facets_.size()), candidate_.threads, [&](int n)
+    {
+      if(const Facet& f = possible_facets_[n]; has_others || separates(f))
+        old_numbers[n] = candidate_.state.facet_number(candidate_.numbered->vertices(f));
+    });
     std::vector<Boundary_facet> found;
     candidate_.facets.clear();
     candidate_.old_facets.clear();
-    for(const Facet& f : possible_facets_)
+    for(std::size_t n = 0; n < possible_facets_.size(); ++n)
     {
-      const Cell_handle c = f.first, d = c->neighbor(f.second);
-      const bool separates = c->label() != d->label();
-      if(!separates && !candidate_.state.has_unseparating_facets)
+      const Facet& f = possible_facets_[n];
+      const int old = old_numbers[n];
+      if(!separates(f) && (old < 0 || old_facets[old].labels[0] != old_facets[old].labels[1]))
         continue;
       Boundary_facet b;
       b.vertices = candidate_.numbered->vertices(f);
-      const int old = candidate_.state.facet_number(b.vertices);
-      if(!separates && (old < 0 || old_facets[old].labels[0] != old_facets[old].labels[1]))
-        continue;
-      b.labels = {{ c->label(), d->label() }};
+      b.labels = {{ f.first->label(), f.first->neighbor(f.second)->label() }};
       b.patch = old >= 0 ? old_facets[old].patch : patch_of_new_facet(b);
       found.push_back(b);
       candidate_.facets.push_back(f);
@@ -87,11 +92,12 @@ private:
   typedef typename Candidate::Facet Facet;
   typedef typename Candidate::Triple Triple;
 
+  static bool separates(const Facet& f) { return f.first->label() != f.first->neighbor(f.second)->label(); }
+
   bool may_be_on_boundary(const Facet& f) const
   {
-    const Cell_handle c = f.first, d = c->neighbor(f.second);
-    return candidate_.state.has_unseparating_facets || c->label() != d->label()
-           || knows(c, IS_BOUNDARY_CELL) || knows(d, IS_BOUNDARY_CELL);
+    return candidate_.state.has_unseparating_facets || separates(f)
+           || knows(f.first, IS_BOUNDARY_CELL) || knows(f.first->neighbor(f.second), IS_BOUNDARY_CELL);
   }
 
   // The patch from which it has been peeled, or else that on which all vertices agree.

@@ -82,7 +82,7 @@ public:
     state_.number_facets();
     read_surface_centers(in_order);
     read_labels();
-    load_positions(state_, facets, mesh);
+    load_positions(state_, facets, threads_, mesh);
     return std::move(state_);
   }
 

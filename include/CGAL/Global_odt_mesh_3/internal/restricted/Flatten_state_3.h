@@ -6,6 +6,7 @@
 #ifndef CGAL_GLOBAL_ODT_MESH_3_INTERNAL_RESTRICTED_FLATTEN_STATE_3_H
 #define CGAL_GLOBAL_ODT_MESH_3_INTERNAL_RESTRICTED_FLATTEN_STATE_3_H
 
+#include <CGAL/Global_odt_mesh_3/internal/parallel/For_each_in_chunks.h>
 #include <CGAL/Global_odt_mesh_3/internal/parallel/Thread_policy.h>
 #include <CGAL/Global_odt_mesh_3/internal/restricted/Numbered_triangulation_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/restricted/Restricted_state_3.h>
@@ -20,14 +21,15 @@ namespace internal {
 
 // Completes a mesh whose topology is that of the state, the constrained facets being these.
 template <class State, class Triangulation>
-void load_positions(const State& state, const std::vector<Constrained_facet<Triangulation> >& facets, Moving_triangulation_3& mesh)
+void load_positions(const State& state, const std::vector<Constrained_facet<Triangulation> >& facets,
+                    const Thread_policy& threads, Moving_triangulation_3& mesh)
 {
   mesh.sites = state.sites;
   mesh.number_of_interior_vertices = state.numbering->number_of_interior_vertices;
   mesh.number_of_movable_vertices = state.numbering->number_of_movable_vertices;
-  mesh.surface_heights.clear();
-  for(const Constrained_facet<Triangulation>& f : facets)
-    mesh.surface_heights.push_back(state.height(f.vertices));
+  mesh.surface_heights.resize(facets.size());
+  for_each_in_chunks(static_cast<int>(facets.size()), threads,
+                     [&](int n) { mesh.surface_heights[n] = state.height(facets[n].vertices); });
 }
 
 // Loads the state into a mesh: all cells that are in the complex, in canonical order; the boundary facets are constrained.
@@ -40,8 +42,9 @@ void flatten_state_3(const Restricted_state_3<Triangulation>& state, const Threa
   const auto number = [](typename Triangulation::Vertex_handle v) { return Numbered_triangulation_3<Triangulation>::number(v); };
   const auto label = [](Cell_handle c) { return c->label(); };
   const auto is_in_complex = [](Cell_handle c, int i) { return c->is_facet_in_complex(i); };
-  load_positions(state, flatten_triangulation_3(numbered.triangulation(), numbered.cells(), number, label, is_in_complex, threads,
-                                                mesh.topology), mesh);
+  const auto facets = flatten_triangulation_3(numbered.triangulation(), numbered.cells(), number, label, is_in_complex, threads,
+                                              mesh.topology);
+  load_positions(state, facets, threads, mesh);
 }
 
 } // namespace internal

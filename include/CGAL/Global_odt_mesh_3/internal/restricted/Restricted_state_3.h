@@ -144,6 +144,7 @@ struct Restricted_state_3
   void number_facets()
   {
     const std::vector<Boundary_facet>& boundary_facets = boundary.complex().facets();
+    facet_numbers.reserve(boundary_facets.size());
     for(std::size_t n = 0; n < boundary_facets.size(); ++n)
     {
       const Boundary_facet& f = boundary_facets[n];
