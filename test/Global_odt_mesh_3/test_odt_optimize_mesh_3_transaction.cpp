@@ -350,8 +350,47 @@ static void memory_runs_out(const Labeled_c3t3& input, const Labeled_domain& dom
   check::that(failures > int(lasts.size()) / 2, "memory runs out in ", failures, " calls only");
 }
 
+// Where memory runs out while a point is inserted or removed, triangulations that are built later are not harmed. CGAL
+// fills holes with the help of a table that outlives the call.
+static void memory_runs_out_in_a_triangulation()
+{
+  typedef Complex::Triangulation Triangulation;
+  const unsigned int seed = 9;
+  std::cout << "seed of points: " << seed << std::endl;
+  Random_source random(seed);
+  std::vector<Triangulation::Weighted_point> points;
+  for(int n = 0; n < 200; ++n)
+    points.emplace_back(Point_3(random.uniform(), random.uniform(), random.uniform()), 0);
+  const auto build = [&points](Triangulation& tr)
+  {
+    for(const auto& p : points)
+      tr.insert(p);
+    for(int n = 0; n < 20; ++n)
+      tr.remove(tr.finite_vertices_begin());
+  };
+  bool is_enough = false;
+  long last = 0;
+  for(; !is_enough; ++last)
+  {
+    Triangulation lacking, later;
+    allocations_left = last;
+    try
+    {
+      build(lacking);
+      is_enough = true;
+    }
+    catch(const std::bad_alloc&) {}
+    allocations_left = -1;
+    build(later);
+    check::that(later.is_valid() && later.number_of_vertices() == points.size() - 20,
+                "memory for ", last, " allocations harms what comes after");
+  }
+  check::that(last > 1000, "memory runs out at ", last, " places only");
+}
+
 int main()
 {
+  memory_runs_out_in_a_triangulation();
   Fallible_ball ball;
   const Labeled_domain domain = ball.domain();
   const Labeled_c3t3 c3t3 = domains::mesh(domain, 0.2);

@@ -103,13 +103,29 @@ private:
   int label_ = 0;
 };
 
+// CGAL fills small holes with the help of a table that outlives the call, and that would keep what it holds if memory
+// ran out on the way, to the harm of all triangulations that come later. Hence the memory for the cells is there before.
+template <class Vertex_base, class Cell_base>
+class Restricted_data_structure_3 : public CGAL::Triangulation_data_structure_3<Vertex_base, Cell_base>
+{
+  typedef CGAL::Triangulation_data_structure_3<Vertex_base, Cell_base> Base;
+
+public:
+  template <class Cells, class Facets>
+  typename Base::Vertex_handle _insert_in_small_hole(const Cells& cells, const Facets& facets)
+  {
+    this->cells().reserve(this->cells().size() + facets.size());
+    return Base::_insert_in_small_hole(cells, facets);
+  }
+};
+
 // The regular triangulation of the vertices of a complex, with what its restriction to the domain says of cells and
 // facets. Input is that of the c3t3.
 template <class Input>
 class Restricted_triangulation_3
   : public CGAL::Regular_triangulation_3<
       typename Input::Geom_traits,
-      CGAL::Triangulation_data_structure_3<
+      Restricted_data_structure_3<
         Numbered_vertex_base_3<typename Input::Geom_traits>,
         Labelled_cell_base_3<typename Input::Geom_traits> > >
 {
