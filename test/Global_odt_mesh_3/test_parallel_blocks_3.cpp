@@ -270,9 +270,15 @@ static Boundary_complex_3 hull(const Moving_triangulation_3& mesh)
   return Boundary_complex_3(facets, mesh.sites.size());
 }
 
-// The surfaces add to the gradient of a block's own vertices what they add in the mesh.
+// The surfaces add to the gradient of a block's own vertices what they add in the mesh, also where other edges have been
+// theirs in between.
 static void surface_terms(const Moving_triangulation_3& input)
 {
+  std::mt19937 random(3);
+  std::normal_distribution<double> g(0, 0.1);
+  std::vector<Site> elsewhere = input.sites;
+  for(int v = input.number_of_interior_vertices; v < input.number_of_movable_vertices; ++v)
+    elsewhere[v] = site_at((position(elsewhere[v]) + Eigen::Vector3d(g(random), g(random), g(random))).normalized(), elsewhere[v].weight);
   for(bool is_graded : { false, true })
   {
     Moving_triangulation_3 mesh = input;
@@ -284,6 +290,8 @@ static void surface_terms(const Moving_triangulation_3& input)
     term.follow(hull(mesh), mesh.sites);
     Eigen::VectorXd gradient = Eigen::VectorXd::Zero(3 * all), diagonal = Eigen::VectorXd::Ones(3 * all);
     term(mesh.sites, gradient, diagonal);
+    Eigen::VectorXd ignored = gradient, also_ignored = diagonal;
+    term(elsewhere, ignored, also_ignored);
     term.prepare_parts(mesh.sites);
     const Mesh_partition_3 partition(mesh, 4, Random_source(1), on_threads());
     Mesh_blocks_3 blocks(mesh, partition, on_threads());

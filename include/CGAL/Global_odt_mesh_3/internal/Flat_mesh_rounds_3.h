@@ -160,10 +160,7 @@ private:
     begin_search_round();
     const Odt_objective_3::Term term = surface_term();
     if(term && !surface_term_->has_scale())
-    {
       Odt_objective_3(mesh_, surface_motions(true), term);
-      surface_term();           // evaluation has flipped edges, and facets of blocks are to be those of the mesh
-    }
     search_in_blocks_->start(surface_motions(true), term ? surface_term_.get() : nullptr);
     for(int n = 0, iterations; n < plan_.iterations() && search_progress(n) < 1 && begin_iteration(); n += iterations)
     {

@@ -46,12 +46,13 @@ public:
   // From now on, the surfaces have these facets.
   void follow(const Boundary_complex_3& boundary, const std::vector<Site>& sites)
   {
-    surface_ = Surface_triangulation_3(boundary);
+    delaunay_ = surface_ = Surface_triangulation_3(boundary);
     densities_ = surface_densities(surface_, sites, density_);
   }
 
   // The same for a part of the mesh, when the scale is known. The part has some of the vertices, named by their
-  // numbers, of which as many from `first` on move on the surfaces; `number` gives the numbers in the part.
+  // numbers, of which as many from `first` on move on the surfaces; `number` gives the numbers in the part. Its facets
+  // are those of the mesh, whatever the energy has been asked for before.
   template <class Number>
   Surface_cvt_term_3 part(const std::vector<int>& vertices, int first, int number_of_moving, const Number& number) const
   {
@@ -61,7 +62,7 @@ public:
       density = [this, &vertices](int v, const Site& s) { return density_(vertices[v], s); };
     Surface_cvt_term_3 part(first, number_of_moving, weight_, density);
     part.factor_ = factor_;
-    part.surface_ = surface_.part(std::vector<int>(begin, begin + number_of_moving), corner_of_vertex_, number);
+    part.delaunay_ = surface_.part(std::vector<int>(begin, begin + number_of_moving), corner_of_vertex_, number);
     for(int v : vertices)
       if(density_)
         part.densities_.push_back(densities_[v]);
@@ -82,8 +83,8 @@ public:
   double operator()(const std::vector<Site>& sites, Eigen::VectorXd& gradient, Eigen::VectorXd& diagonal)
   {
     update_densities(sites);
-    surface_.make_delaunay(sites, threads_);
-    const double energy = energy_.compute(surface_, sites, densities_, first_, gradient_, diagonal_);
+    delaunay_.make_delaunay(sites, threads_);
+    const double energy = energy_.compute(delaunay_, sites, densities_, first_, gradient_, diagonal_);
     // Cells may be empty where weights are large.
     diagonal_ = diagonal_.cwiseMax(0);
     if(factor_ < 0)
@@ -105,7 +106,7 @@ private:
   Surface_density density_;
   Thread_policy threads_;
   Surface_cvt_energy_3 energy_;
-  Surface_triangulation_3 surface_;
+  Surface_triangulation_3 surface_, delaunay_;      // as they are, and with edges flipped to where the energy is asked for
   std::vector<double> densities_;
   std::vector<int> corner_of_vertex_;
   Eigen::VectorXd gradient_, diagonal_;
