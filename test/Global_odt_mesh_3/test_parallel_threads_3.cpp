@@ -26,6 +26,7 @@
 #include <atomic>
 #include <cmath>
 #include <cstddef>
+#include <functional>
 #include <random>
 #include <stdexcept>
 #include <vector>
@@ -64,6 +65,21 @@ static void policy()
     catch(const std::runtime_error&) { has_thrown = true; }
     check::that(has_thrown, "the exception of a chunk is lost");
   }
+}
+
+// Sorting gives the one order that there is.
+static void sorting()
+{
+  for(const Thread_policy& threads : { Thread_policy(), on_threads() })
+    for(int size : { 0, 1, 2, 499, 100000 })
+    {
+      std::vector<int> numbers;
+      for(int n = 0; n < size; ++n)
+        numbers.push_back(static_cast<int>((n * 7919ll) % size));
+      threads.sort(numbers.begin(), numbers.end(), std::greater<int>());
+      for(int n = 0; n < size; ++n)
+        check::that(numbers[n] == size - 1 - n, "number ", n, " of ", size, " is ", numbers[n]);
+    }
 }
 
 // With cells enough for several chunks.
@@ -217,6 +233,7 @@ int main()
 {
   chunks();
   policy();
+  sorting();
   parts_of_sums();
   sums();
   same_bits("search", search);

@@ -9,6 +9,7 @@
 
 #include <CGAL/Global_odt_mesh_3/internal/geometry/Random_source.h>
 #include <CGAL/Global_odt_mesh_3/internal/geometry/Regularity_filter_3.h>
+#include <CGAL/Global_odt_mesh_3/internal/geometry/Tuple_table.h>
 #include <CGAL/Global_odt_mesh_3/internal/geometry/Vertex_tuples.h>
 #include <CGAL/Global_odt_mesh_3/internal/restricted/C3t3_reader_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/restricted/Cell_certificate_3.h>
@@ -27,6 +28,7 @@
 #include <cmath>
 #include <cstddef>
 #include <iostream>
+#include <map>
 #include <set>
 #include <string>
 #include <utility>
@@ -40,6 +42,38 @@ using domains::Polyhedral_c3t3;
 using domains::Polyhedral_domain;
 
 enum Outcome { TAKEN_OVER, NOT_TAKEN_OVER, ANY };
+
+// Values are found by their tuples, the first that a tuple has got, and none where there are none.
+static void tuple_table()
+{
+  typedef std::array<int, 3> Triple;
+  Tuple_table<Triple, int> table;
+  check::that(table.find({{ 1, 2, 3 }}) == nullptr, "an empty table has a value");
+  const unsigned int seed = 4;
+  Random_source random(seed);
+  std::map<Triple, int> expected;
+  const auto number = [&random] { return static_cast<int>(30 * random.uniform()) - 1; };
+  for(int n = 0; n < 10000; ++n)
+  {
+    if(n == 5000)
+      table.reserve(20000);
+    const Triple t = {{ number(), number(), number() }};
+    table.insert(t, n);
+    expected.emplace(t, n);
+  }
+  check::that(std::map(table.entries().begin(), table.entries().end()) == expected
+              && table.entries().size() == expected.size(), "the table has other entries");
+  int absent = 0;
+  for(int n = 0; n < 30 * 30 * 30; ++n)
+  {
+    const Triple t = {{ n / 900 - 1, n / 30 % 30 - 1, n % 30 - 1 }};
+    const int* const value = table.find(t);
+    const auto e = expected.find(t);
+    check::that(e == expected.end() ? value == nullptr : value != nullptr && *value == e->second, "a wrong value");
+    absent += value == nullptr;
+  }
+  check::that(absent > 1000, "hardly any tuple is absent");
+}
 
 // The cells by the numbers of their vertices, -1 for the infinite one.
 template <class Triangulation>
@@ -108,6 +142,7 @@ int take_over(const std::string& name, const Moving_triangulation_3& mesh, const
 static void move(Moving_triangulation_3& mesh, double length, unsigned int seed)
 {
   Random_source random(seed);
+  mesh.keep();
   mesh.evaluate();
   std::vector<double> edges;
   mesh.shortest_edges(edges);
@@ -218,7 +253,9 @@ void complexes(const std::string& name, const C3t3& c3t3, const Domain& domain, 
       continue;
     const auto &a = with.complex.state(), &b = without.complex.state();
     check::that(cells(*a.numbered) == cells(*b.numbered), name, ": the complexes have other cells");
-    check::that(a.has_positions(b.sites) && a.boundary_cells == b.boundary_cells, name, ": the complexes differ");
+    const auto in_order = [](const auto& table) { return std::map(table.entries().begin(), table.entries().end()); };
+    check::that(a.has_positions(b.sites) && in_order(a.boundary_cells) == in_order(b.boundary_cells), name,
+                ": the complexes differ");
     std::set<std::array<int, 3> > facets[2];
     for(const Boundary_facet& f : a.boundary.complex().facets())
       facets[0].insert(sorted(f.vertices));
@@ -469,6 +506,7 @@ static void hiding_vertices()
 
 int main()
 {
+  tuple_table();
   hiding_vertices();
   std::cout << "seeds: 1 to 9, 10 to 14" << std::endl;
   filter();

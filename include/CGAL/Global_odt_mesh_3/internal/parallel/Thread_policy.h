@@ -14,10 +14,12 @@
 #  include <tbb/blocked_range.h>
 #  include <tbb/parallel_for.h>
 #  include <tbb/parallel_invoke.h>
+#  include <tbb/parallel_sort.h>
 #  include <tbb/partitioner.h>
 #  include <tbb/task_group.h>
 #endif
 
+#include <algorithm>
 #include <type_traits>
 
 namespace CGAL {
@@ -86,6 +88,21 @@ public:
 #endif
     f();
     g();
+  }
+
+  // Of elements that are all different, so that there is one order.
+  template <class Iterator, class Less>
+  void sort(Iterator begin, Iterator end, const Less& less) const
+  {
+#ifdef CGAL_LINKED_WITH_TBB
+    if(is_parallel_)
+    {
+      const Stage_clock::In_loop in_loop(clock_);
+      tbb::parallel_sort(begin, end, less);
+      return;
+    }
+#endif
+    std::sort(begin, end, less);
   }
 
 private:

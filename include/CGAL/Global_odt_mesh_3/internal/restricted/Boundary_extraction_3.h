@@ -9,14 +9,12 @@
 #include <CGAL/Global_odt_mesh_3/internal/geometry/Facet_dual_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/geometry/Vertex_tuples.h>
 #include <CGAL/Global_odt_mesh_3/internal/parallel/Collect_in_chunks.h>
-#include <CGAL/Global_odt_mesh_3/internal/parallel/For_each_in_chunks.h>
 #include <CGAL/Global_odt_mesh_3/internal/restricted/Cell_knowledge.h>
 #include <CGAL/Global_odt_mesh_3/internal/restricted/Restricted_candidate_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/surface/Boundary_complex_3.h>
 
 #include <Eigen/Core>
 
-#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <memory>
@@ -51,7 +49,7 @@ public:
         if(const Facet f(cells[n], i); may_be_on_boundary(f) && candidate.numbered->is_first_side(f))
           some.emplace_back(sorted(candidate.numbered->vertices(f)), f);
     });
-    std::sort(found.begin(), found.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
+    candidate.threads.sort(found.begin(), found.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
     for(const auto& f : found)
       possible_facets_.push_back(f.second);
   }
@@ -61,30 +59,36 @@ public:
   {
     const std::vector<Boundary_facet>& old_facets = candidate_.state.boundary.complex().facets();
     const bool has_others = candidate_.state.has_unseparating_facets;
+    std::vector<Boundary_facet> facets(possible_facets_.size());
     std::vector<int> old_numbers(possible_facets_.size(), -1);
-    for_each_in_chunks(static_cast<int>(possible_facets_.size()), candidate_.threads, [&](int n)
+    const auto find_facets = [&](int n, std::vector<int>& found)
     {
-      if(const Facet& f = possible_facets_[n]; has_others || separates(f))
-        old_numbers[n] = candidate_.state.facet_number(candidate_.numbered->vertices(f));
-    });
+      const Facet& f = possible_facets_[n];
+      const bool is_separating = separates(f);
+      if(!is_separating && !has_others)
+        return;
+      const Triple t = candidate_.numbered->vertices(f);
+      const int old = candidate_.state.facet_number(t);
+      if(!is_separating && (old < 0 || old_facets[old].labels[0] != old_facets[old].labels[1]))
+        return;
+      old_numbers[n] = old;
+      facets[n] = { t, {{ f.first->label(), f.first->neighbor(f.second)->label() }},
+                    old >= 0 ? old_facets[old].patch : int(Candidate::unknown_patch) };
+      found.push_back(n);
+    };
     std::vector<Boundary_facet> found;
     candidate_.facets.clear();
     candidate_.old_facets.clear();
-    for(std::size_t n = 0; n < possible_facets_.size(); ++n)
+    for(int n : collect_in_chunks(static_cast<int>(possible_facets_.size()), candidate_.threads, find_facets))
     {
-      const Facet& f = possible_facets_[n];
-      const int old = old_numbers[n];
-      if(!separates(f) && (old < 0 || old_facets[old].labels[0] != old_facets[old].labels[1]))
-        continue;
-      Boundary_facet b;
-      b.vertices = candidate_.numbered->vertices(f);
-      b.labels = {{ f.first->label(), f.first->neighbor(f.second)->label() }};
-      b.patch = old >= 0 ? old_facets[old].patch : patch_of_new_facet(b);
-      found.push_back(b);
-      candidate_.facets.push_back(f);
-      candidate_.old_facets.push_back(old);
+      if(old_numbers[n] < 0)
+        facets[n].patch = patch_of_new_facet(facets[n]);
+      found.push_back(facets[n]);
+      candidate_.facets.push_back(possible_facets_[n]);
+      candidate_.old_facets.push_back(old_numbers[n]);
     }
-    candidate_.boundary_complex = std::make_shared<const Boundary_complex_3>(std::move(found), candidate_.sites.size());
+    candidate_.boundary_complex = std::make_shared<const Boundary_complex_3>(std::move(found), candidate_.sites.size(),
+                                                                                candidate_.threads);
   }
 
 private:

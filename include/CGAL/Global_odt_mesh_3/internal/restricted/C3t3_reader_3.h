@@ -74,8 +74,8 @@ public:
     for(Constrained_facet& f : facets)
       f.vertices = rotated(f.vertices);
     Constrained_facets in_order = facets;
-    std::sort(in_order.begin(), in_order.end(), [](const auto& a, const auto& b)
-              { return sorted(a.vertices) < sorted(b.vertices); });
+    threads_.sort(in_order.begin(), in_order.end(), [](const auto& a, const auto& b)
+                  { return sorted(a.vertices) < sorted(b.vertices); });
     state_.boundary = Boundary_geometry_3(std::make_shared<const Boundary_complex_3>(boundary(in_order)), state_.sites);
     for(int v = numbering_->number_of_interior_vertices; v < numbering_->number_of_movable_vertices; ++v)
       state_.surface_positions.push_back({ true, 0, state_.sites[v] });
@@ -125,7 +125,7 @@ private:
                          c->is_facet_on_surface(i) ? domain_.patch_number(c->surface_patch_index(i))
                                                    : int(Boundary_facet::no_patch) });
     }
-    return Boundary_complex_3(std::move(facets), state_.sites.size());
+    return Boundary_complex_3(std::move(facets), state_.sites.size(), threads_);
   }
 
   // Numbers the vertices along Hilbert curves, those of the interior first, then
@@ -197,7 +197,7 @@ private:
         found.push_back(n);
     };
     for(int n : collect_in_chunks(static_cast<int>(cells_.size()), threads_, find_boundary_cells))
-      state_.boundary_cells.emplace(sorted(numbers(cells_[n])), domain_.label(cells_[n]->subdomain_index()));
+      state_.boundary_cells.insert(sorted(numbers(cells_[n])), domain_.label(cells_[n]->subdomain_index()));
   }
 
   std::array<int, 4> numbers(Cell_handle c) const

@@ -103,7 +103,7 @@ private:
     std::vector<Labelled_vertex> opposite;
     for(const auto& f : state_.facets)
       opposite.push_back(f.first->vertex(f.second));
-    for(const auto& b : state_.boundary_cells)
+    for(const auto& b : state_.boundary_cells.entries())
     {
       const Cell_handle from = state_.numbering->input_cell(b.first, state_.sites);
       if(from == Cell_handle())

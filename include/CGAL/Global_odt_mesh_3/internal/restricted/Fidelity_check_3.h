@@ -9,6 +9,7 @@
 #include <CGAL/Global_odt_mesh_3/internal/geometry/Facet_dual_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/geometry/Site.h>
 #include <CGAL/Global_odt_mesh_3/internal/geometry/Vertex_tuples.h>
+#include <CGAL/Global_odt_mesh_3/internal/parallel/Collect_in_chunks.h>
 #include <CGAL/Global_odt_mesh_3/internal/restricted/Restricted_candidate_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/restricted/Restricted_report_3.h>
 
@@ -70,27 +71,35 @@ public:
     Restricted_report_3<Candidate> report(candidate);
     if(!Domain::tells_distances)
       return report;
-    const auto vertices = [&](std::size_t n) { return sorted(candidate.boundary_complex->facets()[n].vertices); };
-    std::vector<std::size_t> in_question;
-    for(std::size_t n = 0; n < candidate.facets.size(); ++n)
-      if(!candidate.centers[n].is_faithful && candidate.known_distances.count(vertices(n)) == 0)
-        in_question.push_back(n);
-    std::vector<double> distances(in_question.size());
+    const auto vertices = [&](int n) { return sorted(candidate.boundary_complex->facets()[n].vertices); };
+    const int number = static_cast<int>(candidate.facets.size());
+    std::vector<double> distances(number, 0);
+    const std::vector<int> in_question = collect_in_chunks(number, candidate.threads, [&](int n, std::vector<int>& unknown)
+    {
+      if(candidate.centers[n].is_faithful)
+        return;
+      const auto known = candidate.known_distances.find(vertices(n));
+      if(known != candidate.known_distances.end())
+        distances[n] = known->second;
+      else
+        unknown.push_back(n);
+    });
     domain_.for_each(in_question.size(), [&](int k)
     {
-      distances[k] = distance(vertices(in_question[k]), candidate.sites);
+      const int n = in_question[k];
+      distances[n] = distance(vertices(n), candidate.sites);
     });
-    for(std::size_t k = 0; k < in_question.size(); ++k)
-      candidate.known_distances.emplace(vertices(in_question[k]), distances[k]);
+    for(int n : in_question)
+      candidate.known_distances.emplace(vertices(n), distances[n]);
     candidate.far_facets.clear();
-    for(std::size_t n = 0; n < candidate.facets.size(); ++n)
+    for(int n = 0; n < number; ++n)
     {
+      if(candidate.centers[n].is_faithful)
+        continue;
+      candidate.centers[n].is_faithful = distances[n] <= farthest_centroid_;
       if(candidate.centers[n].is_faithful)
         continue;
       const Triple& t = candidate.boundary_complex->facets()[n].vertices;
-      candidate.centers[n].is_faithful = is_faithful(candidate, t);
-      if(candidate.centers[n].is_faithful)
-        continue;
       if(candidate.spared_facets.count(sorted(t)) > 0)
         candidate.far_facets.insert(sorted(t));
       else

@@ -173,8 +173,9 @@ struct Restricted_candidate_3
     next.numbering = state.numbering;
     next.has_labels_of_domain = is_final;
     next.sites = std::move(sites);
+    next.boundary_cells.reserve(boundary_cells.size());
     for(const auto& c : boundary_cells)
-      next.boundary_cells.emplace(sorted(numbers(c.first)), c.second);
+      next.boundary_cells.insert(sorted(numbers(c.first)), c.second);
     const std::vector<Cell_handle>& cells = numbered->cells();
     for_each_in_chunks(static_cast<int>(cells.size()), threads, [&cells](int n) { forget(cells[n]); });
     next.numbered = std::move(numbered);

@@ -8,6 +8,7 @@
 
 #include <CGAL/Global_odt_mesh_3/internal/geometry/Facet_dual_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/geometry/Site.h>
+#include <CGAL/Global_odt_mesh_3/internal/geometry/Tuple_table.h>
 #include <CGAL/Global_odt_mesh_3/internal/geometry/Vertex_tuples.h>
 #include <CGAL/Global_odt_mesh_3/internal/restricted/Numbered_triangulation_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/restricted/Vertex_numbering_3.h>
@@ -18,15 +19,12 @@
 
 #include <Eigen/Core>
 
-#include <boost/functional/hash.hpp>
-
 #include <algorithm>
 #include <array>
 #include <cstddef>
 #include <map>
 #include <memory>
 #include <set>
-#include <unordered_map>
 #include <vector>
 
 namespace CGAL {
@@ -79,8 +77,8 @@ struct Restricted_state_3
   Boundary_geometry_3 boundary;
   std::vector<Facet> facets;                        // of the triangulation, on side 0; they go with it
   std::vector<Surface_center> centers;
-  std::unordered_map<Triple, int, boost::hash<Triple> > facet_numbers;
-  std::unordered_map<Quadruple, int, boost::hash<Quadruple> > boundary_cells;   // with all vertices on the boundary; labels
+  Tuple_table<Triple, int> facet_numbers;
+  Tuple_table<Quadruple, int> boundary_cells;       // with all vertices on the boundary; labels
   std::map<Quadruple, int> peeled_cells;            // that have another label than their dual points, which is given
   std::map<Triple, int> peeled_facets;              // of these cells, that are no longer on the boundary; their patches
   std::set<Triple> far_facets;                      // of flat boundary cells, farther from the surface than permitted
@@ -122,8 +120,8 @@ struct Restricted_state_3
   // The label of a cell with all vertices on the boundary, or no_subdomain if there is none.
   int label_of_boundary_cell(const Quadruple& cell) const
   {
-    const auto it = boundary_cells.find(sorted(cell));
-    return it == boundary_cells.end() ? int(no_subdomain) : it->second;
+    const int* const label = boundary_cells.find(sorted(cell));
+    return label == nullptr ? int(no_subdomain) : *label;
   }
 
   // The same for that of its dual point, as far as that is known.
@@ -136,8 +134,8 @@ struct Restricted_state_3
   // The number of the boundary facet with these vertices, or -1.
   int facet_number(const Triple& facet) const
   {
-    const auto it = facet_numbers.find(sorted(facet));
-    return it == facet_numbers.end() ? -1 : it->second;
+    const int* const number = facet_numbers.find(sorted(facet));
+    return number == nullptr ? -1 : *number;
   }
 
   // To be called when `boundary` is what it will be.
@@ -148,7 +146,7 @@ struct Restricted_state_3
     for(std::size_t n = 0; n < boundary_facets.size(); ++n)
     {
       const Boundary_facet& f = boundary_facets[n];
-      facet_numbers.emplace(sorted(f.vertices), static_cast<int>(n));
+      facet_numbers.insert(sorted(f.vertices), static_cast<int>(n));
       has_unseparating_facets = has_unseparating_facets || f.labels[0] == f.labels[1];
     }
   }
@@ -166,7 +164,7 @@ struct Restricted_state_3
   // dual line crosses both, positive toward side 1.
   double height(const Triple& facet) const
   {
-    return Facet_dual_3(facet, sites).height(centers[facet_numbers.at(sorted(facet))].point);
+    return Facet_dual_3(facet, sites).height(centers[facet_number(facet)].point);
   }
 };
 

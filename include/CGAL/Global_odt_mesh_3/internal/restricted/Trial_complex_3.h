@@ -88,7 +88,7 @@ struct Trial_complex_3
     for(Cell_handle c : cells)
       if(knows(c, IS_BOUNDARY_CELL))
         candidate.boundary_cells.emplace_back(c, c->label());
-    std::sort(found.begin(), found.end(), [](const Found_facet& a, const Found_facet& b) { return a.key < b.key; });
+    threads.sort(found.begin(), found.end(), [](const Found_facet& a, const Found_facet& b) { return a.key < b.key; });
     std::vector<Boundary_facet> facets;
     for(const Found_facet& f : found)
     {
@@ -96,7 +96,7 @@ struct Trial_complex_3
       candidate.facets.push_back(f.facet);
       candidate.old_facets.push_back(state.facet_number(f.key));
     }
-    candidate.boundary_complex = std::make_shared<const Boundary_complex_3>(std::move(facets), sites.size());
+    candidate.boundary_complex = std::make_shared<const Boundary_complex_3>(std::move(facets), sites.size(), threads);
     candidate.numbered = std::move(numbered);
   }
 

@@ -7,12 +7,13 @@
 #define CGAL_GLOBAL_ODT_MESH_3_INTERNAL_RESTRICTED_TRIANGULATION_TAKEOVER_3_H
 
 #include <CGAL/Global_odt_mesh_3/internal/geometry/Site.h>
+#include <CGAL/Global_odt_mesh_3/internal/geometry/Tuple_table.h>
+#include <CGAL/Global_odt_mesh_3/internal/geometry/Vertex_tuples.h>
 #include <CGAL/Global_odt_mesh_3/internal/parallel/Collect_in_chunks.h>
 #include <CGAL/Global_odt_mesh_3/internal/parallel/For_each_in_chunks.h>
 #include <CGAL/Global_odt_mesh_3/internal/parallel/Thread_policy.h>
 #include <CGAL/Global_odt_mesh_3/internal/restricted/Cell_certificate_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/restricted/Exact_regularity_3.h>
-#include <CGAL/Global_odt_mesh_3/internal/restricted/Facet_table_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/restricted/Numbered_triangulation_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/restricted/Taken_cells_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/triangulation/Constrained_triangulation_3.h>
@@ -112,7 +113,10 @@ private:
   {
     border_ = taken_.border();
     inner_.assign(border_.size(), Facet());
-    const Facet_table_3 table(taken_.flat(), border_, points_.size());
+    Tuple_table<std::array<int, 3>, int> numbers;
+    numbers.reserve(border_.size());
+    for(std::size_t n = 0; n < border_.size(); ++n)
+      numbers.insert(rotated(taken_.flat().facet(border_[n])), static_cast<int>(n));
     const std::vector<Cell_handle>& cells = numbered_.cells();
     for_each_in_chunks(static_cast<int>(cells.size()), threads_, [&](int c)
     {
@@ -120,9 +124,8 @@ private:
       for(int i = 0; i < 4; ++i)
       {
         const std::array<int, 3>& f = facet_indices(i);
-        const int n = table.find({{ v[f[0]], v[f[1]], v[f[2]] }});
-        if(n != Facet_table_3::none)
-          inner_[n] = Facet(cells[c], i);
+        if(const int* const n = numbers.find(rotated(std::array<int, 3>{{ v[f[0]], v[f[1]], v[f[2]] }})))
+          inner_[*n] = Facet(cells[c], i);
       }
     });
     const auto find_wrong_facets = [this](int n, std::vector<int>& wrong)

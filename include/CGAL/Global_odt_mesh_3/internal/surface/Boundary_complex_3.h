@@ -7,6 +7,9 @@
 #define CGAL_GLOBAL_ODT_MESH_3_INTERNAL_SURFACE_BOUNDARY_COMPLEX_3_H
 
 #include <CGAL/Global_odt_mesh_3/internal/geometry/Vertex_tuples.h>
+#include <CGAL/Global_odt_mesh_3/internal/parallel/Collect_in_chunks.h>
+#include <CGAL/Global_odt_mesh_3/internal/parallel/For_each_in_chunks.h>
+#include <CGAL/Global_odt_mesh_3/internal/parallel/Thread_policy.h>
 
 #include <CGAL/assertions.h>
 
@@ -57,11 +60,11 @@ public:
 
   Boundary_complex_3() {}
 
-  Boundary_complex_3(std::vector<Facet> facets, std::size_t number_of_vertices)
+  Boundary_complex_3(std::vector<Facet> facets, std::size_t number_of_vertices, const Thread_policy& threads = Thread_policy())
     : facets_(std::move(facets))
   {
-    find_junctions(sorted_edges(number_of_vertices));
-    find_umbrellas(number_of_vertices);
+    find_junctions(sorted_edges(number_of_vertices, threads));
+    find_umbrellas(number_of_vertices, threads);
     count_components();
   }
 
@@ -117,7 +120,7 @@ private:
   int number_of_corners() const { return 3 * static_cast<int>(facets_.size()); }
 
   // Distributed by the first vertex, whose edges are few, and then sorted by the second.
-  std::vector<Edge_of_facet> sorted_edges(std::size_t number_of_vertices) const
+  std::vector<Edge_of_facet> sorted_edges(std::size_t number_of_vertices, const Thread_policy& threads) const
   {
     std::vector<int> first(number_of_vertices + 1, 0);
     for(int corner = 0; corner < number_of_corners(); ++corner)
@@ -130,8 +133,8 @@ private:
       const Edge e = edge(corner);
       edges[next[e.first]++] = { e, corner };
     }
-    for(std::size_t v = 0; v < number_of_vertices; ++v)
-      std::sort(edges.begin() + first[v], edges.begin() + first[v + 1]);
+    for_each_in_chunks(static_cast<int>(number_of_vertices), threads,
+                       [&](int v) { std::sort(edges.begin() + first[v], edges.begin() + first[v + 1]); });
     return edges;
   }
 
@@ -163,7 +166,7 @@ private:
     return 3 * facet + (t[0] == v ? 0 : t[1] == v ? 1 : 2);
   }
 
-  void find_umbrellas(std::size_t number_of_vertices)
+  void find_umbrellas(std::size_t number_of_vertices, const Thread_policy& threads)
   {
     std::vector<int> first(number_of_vertices + 1, 0);
     for(const Facet& f : facets_)
@@ -176,24 +179,27 @@ private:
 
     umbrella_of_corner_.assign(corners.size(), -1);
     first_umbrella_.assign(number_of_vertices + 1, 0);
-    for(std::size_t v = 0; v < number_of_vertices; ++v)
+    umbrellas_ = collect_in_chunks<Umbrella>(static_cast<int>(number_of_vertices), threads, [&](int v, std::vector<Umbrella>& some)
     {
-      first_umbrella_[v] = number_of_umbrellas();
+      const std::size_t begin = some.size();
       for(int n = first[v]; n < first[v + 1]; ++n)
         if(umbrella_of_corner_[corners[n]] < 0)
-          add_umbrella(static_cast<int>(v), corners[n]);
-    }
-    first_umbrella_[number_of_vertices] = number_of_umbrellas();
+          add_umbrella(v, corners[n], begin, some);
+      first_umbrella_[v + 1] = static_cast<int>(some.size() - begin);
+    });
+    std::partial_sum(first_umbrella_.begin(), first_umbrella_.end(), first_umbrella_.begin());
+    for(int c = 0; c < number_of_corners(); ++c)
+      umbrella_of_corner_[c] += first_umbrella_[facets_[c / 3].vertices[c % 3]];
   }
 
-  // The one that a corner of the vertex belongs to.
-  void add_umbrella(int v, int first_corner)
+  // The one that a corner of the vertex belongs to, numbered from `begin`, where those of the vertex begin.
+  void add_umbrella(int v, int first_corner, std::size_t begin, std::vector<Umbrella>& umbrellas)
   {
     const Facet& f = facets_[first_corner / 3];
-    const int number = number_of_umbrellas();
+    const int number = static_cast<int>(umbrellas.size() - begin);
     // All umbrellas between the same two subdomains look to the same side.
     std::array<int, 2> labels = f.labels;
-    if(number > first_umbrella_[v] && labels[1] == umbrellas_[first_umbrella_[v]].labels[0])
+    if(number > 0 && labels[1] == umbrellas[begin].labels[0])
       std::swap(labels[0], labels[1]);
     bool is_closed = f.patch != Facet::no_patch && f.labels[0] != f.labels[1];
     umbrella_of_corner_[first_corner] = number;
@@ -216,7 +222,7 @@ private:
         stack.push_back(other);
       }
     }
-    umbrellas_.push_back({ labels, f.patch, is_closed });
+    umbrellas.push_back({ labels, f.patch, is_closed });
   }
 
   // Facets of one component are connected by edges that are no junctions.

@@ -16,6 +16,7 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
+#include <functional>
 #include <tuple>
 #include <type_traits>
 #include <utility>
@@ -148,7 +149,7 @@ private:
     std::vector<Border_facet> border;
     for(const std::vector<Border_facet>& some : found)
       border.insert(border.end(), some.begin(), some.end());
-    std::sort(border.begin(), border.end());
+    threads_.sort(border.begin(), border.end(), std::less<Border_facet>());
     return border;
   }
 

@@ -10,6 +10,8 @@
 #include <CGAL/Global_odt_mesh_3/internal/parallel/Chunks.h>
 #include <CGAL/Global_odt_mesh_3/internal/parallel/Thread_policy.h>
 
+#include <CGAL/assertions.h>
+
 #include <vector>
 
 namespace CGAL {
@@ -21,7 +23,11 @@ namespace internal {
 class Kept_sites
 {
 public:
-  const Site& operator[](int v) const { return sites_[v]; }
+  const Site& operator[](int v) const
+  {
+    CGAL_assertion(v < static_cast<int>(sites_.size()));
+    return sites_[v];
+  }
 
   // The current ones are to be kept. From then on, they change by move(), or after prepare_changes().
   void keep() { are_current_ = true; }

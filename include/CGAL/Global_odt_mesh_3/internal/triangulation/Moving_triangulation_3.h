@@ -123,7 +123,7 @@ public:
 
   // Energy and gradient at the current positions after repairing the topology; false if some cells
   // stay inverted or flips do not come to an end, whereupon the caller has to restore().
-  // Some vertices may be moved in the course.
+  // Some vertices may be moved in the course, toward where they were when the state was kept.
   bool evaluate()
   {
     ++statistics_.evaluations;
