@@ -54,7 +54,7 @@ public:
 
   int number_of_own_vertices(int block) const { return partition_.vertices().size(block); }
 
-  // The place of a vertex of the block there.
+  // The place of a vertex of the block there, from when it is loaded to when it is stored.
   int number(int block, int v) const
   {
     const int place = vertex_place_[v];
@@ -92,6 +92,7 @@ public:
     b.neighbors.assign(part.topology.neighbors(), part.topology.neighbors() + slots);
     for(int& v : b.cell_vertices)
       v = b.vertices[v];
+    std::vector<int>().swap(b.number_at_seam);      // as long as all seams together
     b.vertex_cell.clear();
     for(int v = 0; v < static_cast<int>(b.vertices.size()); ++v)
       b.vertex_cell.push_back(part.topology.incident_cell(v));
