@@ -359,13 +359,13 @@ static void memory_runs_out_in_a_triangulation()
   std::cout << "seed of points: " << seed << std::endl;
   Random_source random(seed);
   std::vector<Triangulation::Weighted_point> points;
-  for(int n = 0; n < 200; ++n)
+  for(int n = 0; n < 100; ++n)
     points.emplace_back(Point_3(random.uniform(), random.uniform(), random.uniform()), 0);
   const auto build = [&points](Triangulation& tr)
   {
     for(const auto& p : points)
       tr.insert(p);
-    for(int n = 0; n < 20; ++n)
+    for(int n = 0; n < 10; ++n)
       tr.remove(tr.finite_vertices_begin());
   };
   bool is_enough = false;
@@ -382,7 +382,7 @@ static void memory_runs_out_in_a_triangulation()
     catch(const std::bad_alloc&) {}
     allocations_left = -1;
     build(later);
-    check::that(later.is_valid() && later.number_of_vertices() == points.size() - 20,
+    check::that(later.is_valid() && later.number_of_vertices() == points.size() - 10,
                 "memory for ", last, " allocations harms what comes after");
   }
   check::that(last > 1000, "memory runs out at ", last, " places only");
