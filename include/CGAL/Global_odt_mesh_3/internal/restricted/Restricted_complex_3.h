@@ -20,6 +20,7 @@
 #include <CGAL/Global_odt_mesh_3/internal/restricted/Flatten_state_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/restricted/Numbered_domain_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/restricted/Numbered_triangulation_3.h>
+#include <CGAL/Global_odt_mesh_3/internal/restricted/Places_on_surface.h>
 #include <CGAL/Global_odt_mesh_3/internal/restricted/Restricted_candidate_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/restricted/Restricted_report_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/restricted/Restricted_state_3.h>
@@ -76,6 +77,8 @@ public:
   void start(State input)
   {
     state_ = std::move(input);
+    places_on_surface_ = Places_on_surface(state_.numbering->number_of_interior_vertices,
+                                           state_.numbering->number_of_surface_vertices());
     if(motion_ != Boundary_motion::NONE && state_.numbering->number_of_movable_vertices > 0)
     {
       fidelity_.measure(state_);
@@ -115,6 +118,9 @@ public:
 
   // Moves a site for a vertex on a surface to that surface; false if that cannot be done.
   bool put_on_surface(int v, Site& s) { return internal::put_on_surface(domain_, state_.boundary, v, s); }
+
+  // For the next state, the place is one where put_on_surface() has put the vertex.
+  void keep_on_surface(int v, const Site& s) { places_on_surface_.keep(v, s); }
 
   // Whether that is close enough to the surface for the centroid of a boundary facet.
   bool is_close_to_surface(const Eigen::Vector3d& point) const { return fidelity_.is_close(point); }
@@ -221,9 +227,10 @@ private:
   // Whether the candidate is valid, perhaps with some vertices back where they were.
   bool complete(Candidate& candidate, const Moving_triangulation_3* mesh)
   {
-    Surface_projection projection(candidate, domain_);
+    Surface_projection projection(candidate, domain_, places_on_surface_);
     if(candidate.boundary_moves())
       projection.project_all();
+    places_on_surface_.forget();
     build(candidate, mesh);
     Candidate_repair_3<Domain> repair(candidate, projection, [&] { build(candidate, nullptr); });
     for(int attempt = 0; attempt < most_attempts; ++attempt)
@@ -287,6 +294,7 @@ private:
   Fidelity_check_3<Domain> fidelity_;
   Facet_shape_check_3 shapes_;
   State state_;
+  Places_on_surface places_on_surface_;
   std::size_t number_of_checks_ = 0, number_of_takeovers_ = 0;
 };
 

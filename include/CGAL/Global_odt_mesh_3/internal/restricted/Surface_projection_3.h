@@ -8,6 +8,7 @@
 
 #include <CGAL/Global_odt_mesh_3/internal/geometry/Facet_dual_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/geometry/Site.h>
+#include <CGAL/Global_odt_mesh_3/internal/restricted/Places_on_surface.h>
 #include <CGAL/Global_odt_mesh_3/internal/restricted/Restricted_candidate_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/surface/Boundary_geometry_3.h>
 
@@ -30,17 +31,18 @@ bool put_on_surface(Domain& domain, const Boundary_geometry_3& boundary, int v, 
   return true;
 }
 
-// Keeps the vertices of a candidate that move on surfaces close to these: they are projected, or follow
-// tangential planes until these may have led too far off.
+// Keeps the vertices of a candidate that move on surfaces close to these: they are projected, unless that is where they
+// have been put, or follow tangential planes until these may have led too far off.
 template <class Domain>
 class Surface_projection_3
 {
 public:
   typedef Restricted_candidate_3<typename Domain::Triangulation> Candidate;
 
-  Surface_projection_3(Candidate& candidate, Domain& domain)
+  Surface_projection_3(Candidate& candidate, Domain& domain, const Places_on_surface& places)
     : candidate_(candidate)
     , domain_(domain)
+    , places_(places)
     , projects_all_(candidate.is_thorough() || Domain::tells_distances)
   {}
 
@@ -100,6 +102,11 @@ private:
     const auto& before = candidate_.state.surface_position(v);
     auto& position = candidate_.surface_position(v);
     const bool stays = candidate_.is_home(v);
+    if(places_.has(v, candidate_.sites[v]))
+    {
+      position = { true, 0, candidate_.sites[v] };
+      return;
+    }
     position.drift = before.drift + drift(v);
     if(!projects_all_ && position.drift < farthest_drift)
       return;
@@ -127,6 +134,7 @@ private:
 
   Candidate& candidate_;
   Domain& domain_;
+  const Places_on_surface& places_;
   bool projects_all_;
 };
 

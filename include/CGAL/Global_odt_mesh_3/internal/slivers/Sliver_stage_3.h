@@ -62,7 +62,7 @@ public:
     int repetitions = most_repetitions;
     for(int step = first_step + 1; step <= Sliver_steps::last(bound_) && goes_on; ++step)
     {
-      goes_on = may_go_on() && is_worthwhile(step, [this](int s) { return reached_.below[s]; }) && climb(step, has_time);
+      goes_on = may_go_on() && is_worthwhile(step) && climb(step, has_time);
       // Where cells are left far below, another time is likely to reach more than another step.
       if(goes_on && reached_.below[first_step] > 0 && repetitions-- > 0)
         --step;
@@ -86,20 +86,17 @@ private:
   typedef Exact_sliver_removal_3<typename Complex::Trial> Exact_removal;
 
   static constexpr int first_step = 1, most_repetitions = 2;
-  static constexpr std::size_t tries_for_an_exact_one = 3, tries_for_one_beyond = 10;
-  // What is tried beyond the last step is for the few worst cells, of which a large mesh has no more than a small one.
-  static constexpr std::size_t most_tries_beyond = 15000;
+  static constexpr std::size_t tries_for_an_exact_one = 3;
   static constexpr double share_of_climb = 0.8;         // of the exact ones; the others are for the worst cells
   // Above the angle, no step is taken if no bound is given, and cells are left below the one before or more of them
   // below this.
   static constexpr double always_wanted = 30, most_slivers = 1 / 25.;
 
-  // Whether to take a step; below(s) is the number of cells below step s.
-  template <class Below>
-  bool is_worthwhile(int step, const Below& below) const
+  bool is_worthwhile(int step) const
   {
     return bound_ > 0 || Sliver_steps::angles[step] <= always_wanted
-           || (below(step - 1) == 0 && double(below(step)) < most_slivers * mesh_.topology.number_of_cells());
+           || (reached_.below[step - 1] == 0
+               && double(reached_.below[step]) < most_slivers * mesh_.topology.number_of_cells());
   }
 
   // Whether the next step may be taken.
@@ -156,20 +153,8 @@ private:
     Exact_removal removal(trial, failures_, seed_++);
     const std::size_t most_tries = tries_left() / tries_for_an_exact_one;
     removal.climb(step, std::size_t(share_of_climb * double(most_tries)), has_time);
-    const auto raise = [&](int to, std::size_t most)
-    {
-      const std::size_t left = most_tries - (std::min)(removal.number_of_tries(), most_tries);
-      removal.raise_smallest_angle(step, Sliver_steps::angles[to], (std::min)(left, most), has_time);
-    };
-    raise(step, most_tries);
-    // The last step is not the limit if as much is wanted as can be had.
-    const int next = step + 1;
-    const auto below = [&](int s)
-    {
-      return s <= step ? removal.number_of_slivers(Sliver_steps::angles[s]) : trial.slivers(Sliver_steps::angles[s]).size();
-    };
-    if(next < Sliver_steps::number && !is_worthwhile(next, below))
-      raise(next, (std::min)(most_tries / tries_for_one_beyond, most_tries_beyond));
+    const std::size_t left = most_tries - (std::min)(removal.number_of_tries(), most_tries);
+    removal.raise_smallest_angle(step, Sliver_steps::angles[step], left, has_time);
     number_of_tries_ += tries_for_an_exact_one * removal.number_of_tries();
     complex_.adopt(trial);
   }
@@ -197,7 +182,9 @@ private:
   {
     if(!is_rough() && !complex_.put_on_surface(v, s))
       return false;
-    if(!keeps_facets_close(v, s))
+    if(keeps_facets_close(v, s))
+      complex_.keep_on_surface(v, s);
+    else
       s = mesh_.sites[v];
     return true;
   }
