@@ -67,6 +67,10 @@ public:
   }
 
 private:
+  // Those between the new cells are regular.
+  static constexpr std::array<int, 2> outer_facets_2_3 = {{ 0, 1 }};
+  static constexpr std::array<int, 3> outer_facets_3_2 = {{ 1, 2, 3 }};
+
   bool give_up()
   {
     irregular_.clear();
@@ -99,7 +103,8 @@ private:
       if(!is_permitted(flips_.permits_2_3(s)))
         return false;
       for(int c : flips_.flip_2_3(s))
-        mesh_.push_facets(c, irregular_);
+        for(int i : outer_facets_2_3)
+          push(Slot(c, i));
       return true;
     }
     // The edge across from the k-th vertex of the facet is reflex.
@@ -111,8 +116,15 @@ private:
     if(!ring || !is_permitted(flips_.permits_3_2(*ring)))
       return false;
     for(int c : flips_.flip_3_2(*ring))
-      mesh_.push_facets(c, irregular_);
+      for(int i : outer_facets_3_2)
+        push(Slot(c, i));
     return true;
+  }
+
+  void push(Slot s)
+  {
+    if(!mesh_.topology.neighbor(s).is_side())
+      irregular_.push_back(s);
   }
 
   bool is_permitted(bool permits)
