@@ -32,6 +32,8 @@ public:
     return static_cast<int>(last_);
   }
 
+  bool has(const T& value) const { return place(value) < values_.size(); }
+
   // Of a value that has one.
   int number_of_known(const T& value) const
   {

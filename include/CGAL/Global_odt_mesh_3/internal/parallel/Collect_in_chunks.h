@@ -17,9 +17,9 @@ namespace internal {
 
 // What f(n, found) adds to `found` for the numbers n below `size`, in their order.
 template <class T = int, class F>
-std::vector<T> collect_in_chunks(int size, const Thread_policy& threads, const F& f)
+std::vector<T> collect_in_chunks(int size, const Thread_policy& threads, const F& f, int least_length = 1000)
 {
-  constexpr int least_length = 1000, most_chunks = 256;
+  constexpr int most_chunks = 256;
   const Chunks chunks(size, least_length, most_chunks);
   std::vector<std::vector<T> > found(chunks.number());
   threads.for_each_chunk(chunks.number(), [&](int n)

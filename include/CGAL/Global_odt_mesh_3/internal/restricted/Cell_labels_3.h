@@ -21,6 +21,7 @@
 #include <cmath>
 #include <cstddef>
 #include <optional>
+#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -56,29 +57,23 @@ public:
       if(!is_labelled || knows(cells[n], MAY_HAVE_BOUNDARY_FACETS))
         found.push_back(n);
     };
-    candidate_.cells_at_boundary.clear();
-    candidate_.boundary_cells.clear();
     candidate_.peeled_cells.clear();
     candidate_.peeled_facets.clear();
     const std::vector<int> in_question
       = collect_in_chunks(static_cast<int>(cells.size()), candidate_.threads, find_cells_in_question);
-    std::vector<Findings> findings(in_question.size());
-    domain_.for_each(in_question.size(), [&](int n)
+    typedef std::pair<Cell_handle, Findings> Doubt;
+    const auto label_where_clear = [&](int n, std::vector<Doubt>& found)
     {
       const Cell_handle c = cells[in_question[n]];
-      if(!knows(c, IS_SETTLED))
-        findings[n] = examine(c);
-    });
-    for(std::size_t n = 0; n < in_question.size(); ++n)
-    {
-      const Cell_handle c = cells[in_question[n]];
-      if(!knows(c, IS_SETTLED))
-        label_cell(c, findings[n], report);
-      if(knows(c, MAY_HAVE_BOUNDARY_FACETS))
-        candidate_.cells_at_boundary.push_back(c);
-      if(knows(c, IS_BOUNDARY_CELL))
-        candidate_.boundary_cells.emplace_back(c, c->label());
-    }
+      if(knows(c, IS_SETTLED))
+        return;
+      Findings findings = examine(c);
+      if(!settle(c, findings))
+        found.emplace_back(c, std::move(findings));
+    };
+    for(const Doubt& d : domain_.template collect<Doubt>(in_question.size(), label_where_clear))
+      label_or_report(d.first, d.second, report);
+    collect_cells_at_boundary(in_question);
     return report;
   }
 
@@ -160,7 +155,23 @@ private:
     return found;
   }
 
-  void label_cell(Cell_handle c, const Findings& found, Report& report)
+  // Labels a cell that the domain agrees about, in a subdomain that is known; or else it is left alone.
+  bool settle(Cell_handle c, const Findings& found) const
+  {
+    if(found.has_several_labels || (found.subdomain_of_dual && !domain_.has_label(*found.subdomain_of_dual)))
+      return false;
+    const int label_of_dual = found.subdomain_of_dual ? domain_.known_label(*found.subdomain_of_dual) : found.label_of_dual;
+    const bool is_boundary_cell = found.label == no_subdomain;
+    if(!is_boundary_cell && found.label != label_of_dual)
+      return false;
+    c->set_label(label_of_dual);
+    if(is_boundary_cell)
+      note(c, IS_BOUNDARY_CELL);
+    note(c, IS_SETTLED);
+    return true;
+  }
+
+  void label_or_report(Cell_handle c, const Findings& found, Report& report)
   {
     const Quadruple q = candidate_.numbers(c);
     if(found.has_several_labels)
@@ -168,17 +179,32 @@ private:
       report.send_back(q);
       return;
     }
-    const int label_of_dual = found.subdomain_of_dual ? domain_.label(*found.subdomain_of_dual) : found.label_of_dual;
-    const bool is_boundary_cell = found.label == no_subdomain;
-    const int label = is_boundary_cell ? label_of_dual : found.label;
-    c->set_label(label);
-    if(is_boundary_cell)
-      note(c, IS_BOUNDARY_CELL);
+    if(found.subdomain_of_dual)
+      domain_.label(*found.subdomain_of_dual);      // it is known from now on
+    if(settle(c, found))
+      return;
+    c->set_label(found.label);
     // The input may be as it likes.
-    if(label == label_of_dual || input_cell(q) != Input_cell())
+    if(input_cell(q) != Input_cell())
       note(c, IS_SETTLED);
     else
-      report_cell_beyond_surface(candidate_, q, label, report);
+      report_cell_beyond_surface(candidate_, q, found.label, report);
+  }
+
+  // Those among the cells with these numbers.
+  void collect_cells_at_boundary(const std::vector<int>& numbers)
+  {
+    const std::vector<Cell_handle>& cells = candidate_.numbered->cells();
+    candidate_.cells_at_boundary = collect_in_chunks<Cell_handle>(static_cast<int>(numbers.size()), candidate_.threads,
+                                                                  [&](int n, std::vector<Cell_handle>& found)
+    {
+      if(knows(cells[numbers[n]], MAY_HAVE_BOUNDARY_FACETS))
+        found.push_back(cells[numbers[n]]);
+    });
+    candidate_.boundary_cells.clear();
+    for(Cell_handle c : candidate_.cells_at_boundary)
+      if(knows(c, IS_BOUNDARY_CELL))
+        candidate_.boundary_cells.emplace_back(c, c->label());
   }
 
   // The label of the dual point of a cell with all vertices on the boundary, or no_subdomain if it takes the domain to know.

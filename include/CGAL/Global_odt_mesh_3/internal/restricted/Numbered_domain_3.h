@@ -7,6 +7,7 @@
 #define CGAL_GLOBAL_ODT_MESH_3_INTERNAL_RESTRICTED_NUMBERED_DOMAIN_3_H
 
 #include <CGAL/Global_odt_mesh_3/internal/geometry/Index_table.h>
+#include <CGAL/Global_odt_mesh_3/internal/parallel/Collect_in_chunks.h>
 #include <CGAL/Global_odt_mesh_3/internal/parallel/For_each_in_chunks.h>
 #include <CGAL/Global_odt_mesh_3/internal/parallel/Thread_policy.h>
 #include <CGAL/Global_odt_mesh_3/internal/restricted/Domain_oracle_3.h>
@@ -14,6 +15,7 @@
 #include <Eigen/Core>
 
 #include <cstddef>
+#include <vector>
 
 namespace CGAL {
 namespace Global_odt_mesh_3 {
@@ -43,7 +45,8 @@ public:
 
   int outside() const { return outside_; }
   int label(const Subdomain_index& subdomain) { return labels_.number(subdomain); }
-  // Of a subdomain that has one; threads may ask.
+  bool has_label(const Subdomain_index& subdomain) const { return labels_.has(subdomain); }
+  // Of a subdomain that has one.
   int known_label(const Subdomain_index& subdomain) const { return labels_.number_of_known(subdomain); }
   const Subdomain_index& subdomain(int label) const { return labels_.value(label); }
   int patch_number(const Surface_patch_index& patch) { return patches_.number(patch); }
@@ -55,6 +58,13 @@ public:
   void for_each(std::size_t size, const F& f) const
   {
     for_each_in_chunks(static_cast<int>(size), threads_, f, least_questions);
+  }
+
+  // In the same way, collects what f(n, found) appends, in the order of the numbers.
+  template <class T, class F>
+  std::vector<T> collect(std::size_t size, const F& f) const
+  {
+    return collect_in_chunks<T>(static_cast<int>(size), threads_, f, least_questions);
   }
 
   // Those that may ask the domain.
