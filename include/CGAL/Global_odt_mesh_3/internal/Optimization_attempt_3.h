@@ -210,7 +210,7 @@ private:
     const std::size_t work = iterations + iterations_for_a_check * complex_.number_of_checks();
     const std::size_t cells = mesh_.topology.number_of_cells();
     return (std::max)(work * cells / cells_in_iteration_for_a_try, fewest_tries + fewest_tries_for_a_cell * cells)
-           + tries_for_a_sliver * Cell_angles(mesh_, threads_).below[1];
+           + tries_for_a_sliver * Cell_angles(mesh_, 1, threads_).below[1];
   }
 
   // Whether no vertex has moved since the input.

@@ -23,31 +23,34 @@ namespace CGAL {
 namespace Global_odt_mesh_3 {
 namespace internal {
 
-// How many cells of a mesh have a dihedral angle below each step that the removal of slivers climbs.
+// How many cells of a mesh have a dihedral angle below each step that the removal of slivers climbs, up to a last one:
+// angles above that are not looked at.
 struct Cell_angles
 {
-  double smallest = 90;
+  int last_step = -1;
+  double smallest = 90;                                      // or something above the last step
   std::array<std::size_t, Sliver_steps::number> below = {};
   std::array<double, Sliver_steps::number> deficit = {};     // square degrees
 
   Cell_angles() {}
 
-  Cell_angles(const Constrained_triangulation_3& mesh, const Thread_policy& threads)
+  Cell_angles(const Constrained_triangulation_3& mesh, int last, const Thread_policy& threads)
+    : last_step(last)
   {
     const Chunks cells(mesh.topology.number_of_cell_slots(), 10000, 64);
     std::vector<Cell_angles> parts(cells.number());
+    const Angle_deficit_3 highest(Sliver_steps::angles[last]);
     threads.for_each_chunk(cells.number(), [&](int n)
     {
-      const Angle_deficit_3 highest(Sliver_steps::angles.back());
       for(int c = cells.begin(n); c < cells.end(n); ++c)
         if(mesh.topology.is_alive(c))
-          parts[n].add(mesh.cell_sites(c), highest);
+          parts[n].add(mesh.cell_sites(c), highest, last);
     });
     for(const Cell_angles& part : parts)
       add(part);
   }
 
-  // Whether more of what the step asks for is reached, and no less of what the steps before do.
+  // Whether more of what the step, which both know, asks for is reached, and no less of what the steps before do.
   bool is_better_than(const Cell_angles& other, int step) const
   {
     if(smallest < other.smallest || !(deficit[step] < other.deficit[step]))
@@ -69,19 +72,19 @@ private:
     }
   }
 
-  void add(const std::array<Site, 4>& cell, const Angle_deficit_3& highest)
+  void add(const std::array<Site, 4>& cell, const Angle_deficit_3& highest, int last)
   {
-    double angle = Sliver_steps::angles.back();
+    double angle = 90;
     highest.for_each_lack(cell, [&](double lack)
     {
-      const double a = Sliver_steps::angles.back() - lack;
+      const double a = highest.bound() - lack;
       angle = (std::min)(angle, a);
-      for(int s = 0; s < Sliver_steps::number; ++s)
+      for(int s = 0; s <= last; ++s)
         if(a < Sliver_steps::angles[s])
           deficit[s] += (Sliver_steps::angles[s] - a) * (Sliver_steps::angles[s] - a);
     });
     smallest = (std::min)(smallest, angle);
-    for(int s = 0; s < Sliver_steps::number; ++s)
+    for(int s = 0; s <= last; ++s)
       below[s] += angle < Sliver_steps::angles[s];
   }
 };

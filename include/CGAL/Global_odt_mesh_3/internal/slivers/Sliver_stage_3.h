@@ -57,11 +57,13 @@ public:
     if((!is_stored || !complex_.state().is_input) && !complex_.advance(mesh_, true))
       return false;
     complex_.flatten(mesh_);
-    reached_ = Cell_angles(mesh_, mesh_.threads());
+    measure(first_step);
     bool goes_on = may_go_on() && climb_in_complex(first_step, has_time);
     int repetitions = most_repetitions;
     for(int step = first_step + 1; step <= Sliver_steps::last(bound_) && goes_on; ++step)
     {
+      if(step > reached_.last_step)
+        measure(step);
       goes_on = may_go_on() && is_worthwhile(step) && climb(step, has_time);
       // Where cells are left far below, another time is likely to reach more than another step.
       if(goes_on && reached_.below[first_step] > 0 && repetitions-- > 0)
@@ -92,6 +94,8 @@ private:
   // below this.
   static constexpr double always_wanted = 30, most_slivers = 1 / 25.;
 
+  void measure(int last_step) { reached_ = Cell_angles(mesh_, last_step, mesh_.threads()); }
+
   bool is_worthwhile(int step) const
   {
     return bound_ > 0 || Sliver_steps::angles[step] <= always_wanted
@@ -121,7 +125,7 @@ private:
   {
     remove_from_complex(step, has_time);
     complex_.flatten(mesh_);
-    const Cell_angles now(mesh_, mesh_.threads());
+    const Cell_angles now(mesh_, (std::min)(step + 1, Sliver_steps::number - 1), mesh_.threads());
     const bool is_better = now.is_better_than(reached_, step);
     if(is_better)
       reached_ = now;
