@@ -225,6 +225,39 @@ static void junction_moves()
   Mesh_contract<Labeled_c3t3, Labeled_domain>(c3t3, domain, "junction").check_moved(setting.write(), 0.05, 0.02, 1e-2);
 }
 
+// Vertices stay where the domain has put them, if the complex permits: it is asked again, and answers otherwise, only for those
+// whose places have not been kept.
+static void kept_places()
+{
+  const Labeled_domain domain = domains::sphere();
+  const Labeled_c3t3 c3t3 = domains::mesh(domain, 0.2);
+  Setting<Labeled_c3t3, Labeled_domain> setting(c3t3, domain, Boundary_motion::BY_NORMALS);
+  const auto numbering = setting.complex.state().numbering;
+  std::vector<Site> target = setting.complex.state().sites;
+  Random_source random(7);
+  const auto is_kept = [](int v) { return v % 2 == 0; };
+  for(int v = numbering->number_of_interior_vertices; v < numbering->number_of_movable_vertices; ++v)
+  {
+    Site s = site_at(position(target[v]) + 0.002 * random.direction(), target[v].weight);
+    if(!setting.complex.put_on_surface(v, s))
+      continue;
+    target[v] = s;
+    if(is_kept(v))
+      setting.complex.keep_on_surface(v, s);
+  }
+  check::that(setting.complex.advance(target, true).has_value(), "the complex does not go on");
+  std::array<std::size_t, 2> same = {}, all = {};         // of those that are not kept, and those that are
+  for(int v = numbering->number_of_interior_vertices; v < numbering->number_of_movable_vertices; ++v)
+  {
+    ++all[is_kept(v)];
+    same[is_kept(v)] += same_place(setting.complex.state().sites[v], target[v]);
+  }
+  std::cout << "kept places: " << same[1] << " of " << all[1] << " vertices stay there, " << same[0] << " of " << all[0]
+            << " others" << std::endl;
+  check::that(100 * same[1] >= 97 * all[1], "vertices leave the places that they have got");
+  check::that(all[1] > 50 && 2 * same[0] < all[0], "the test is too weak");
+}
+
 // Nothing is done without tries or time, and the tries are no more than wanted, but for the last vertices.
 template <class C3t3, class Domain>
 void limits(const C3t3& c3t3, const Domain& domain)
@@ -278,6 +311,7 @@ int main()
     limits(c3t3, domain);
     smallest_angle("sphere", c3t3, domain, 25);
   }
+  kept_places();
   junction_moves();
   {
     const Labeled_domain domain = domains::three_subdomains();
