@@ -38,13 +38,13 @@ struct Cell_angles
     : last_step(last)
   {
     const Chunks cells(mesh.topology.number_of_cell_slots(), 10000, 64);
-    std::vector<Cell_angles> parts(cells.number());
+    std::vector<Cell_angles> parts(cells.number(), *this);
     const Angle_deficit_3 highest(Sliver_steps::angles[last]);
     threads.for_each_chunk(cells.number(), [&](int n)
     {
       for(int c = cells.begin(n); c < cells.end(n); ++c)
         if(mesh.topology.is_alive(c))
-          parts[n].add(mesh.cell_sites(c), highest, last);
+          parts[n].add(mesh.cell_sites(c), highest);
     });
     for(const Cell_angles& part : parts)
       add(part);
@@ -72,19 +72,19 @@ private:
     }
   }
 
-  void add(const std::array<Site, 4>& cell, const Angle_deficit_3& highest, int last)
+  void add(const std::array<Site, 4>& cell, const Angle_deficit_3& highest)
   {
     double angle = 90;
     highest.for_each_lack(cell, [&](double lack)
     {
       const double a = highest.bound() - lack;
       angle = (std::min)(angle, a);
-      for(int s = 0; s <= last; ++s)
+      for(int s = 0; s <= last_step; ++s)
         if(a < Sliver_steps::angles[s])
           deficit[s] += (Sliver_steps::angles[s] - a) * (Sliver_steps::angles[s] - a);
     });
     smallest = (std::min)(smallest, angle);
-    for(int s = 0; s <= last; ++s)
+    for(int s = 0; s <= last_step; ++s)
       below[s] += angle < Sliver_steps::angles[s];
   }
 };

@@ -73,13 +73,6 @@ public:
   // Of places, with what lifting vertices costs.
   std::size_t number_of_tries() const { return number_of_tries_; }
 
-  // The number of cells below an angle that is not above those that have been removed.
-  std::size_t number_of_slivers(double angle) const
-  {
-    return std::count_if(slivers_.begin(), slivers_.lower_bound({ angle, Quadruple() }),
-                         [this](const Sliver& s) { return trial_.smallest_angle(s.second) == s.first; });
-  }
-
   // Until there are no cells below the step, nothing improves them any more, the tries are used up, or `may_go_on()`,
   // asked before each cell, says no.
   template <class Predicate>

@@ -101,12 +101,18 @@ struct Constrained_triangulation_3
     return power < 0 && power < -1e-11 * squared_length * squared_length * std::sqrt(squared_length);
   }
 
-  // Appends the facets of the cell that flips may remove.
+  // Appends the facet if flips may remove it.
+  void push_facet(Slot s, std::vector<Slot>& facets) const
+  {
+    if(!topology.neighbor(s).is_side())
+      facets.push_back(s);
+  }
+
+  // The same for those of a cell.
   void push_facets(int cell, std::vector<Slot>& facets) const
   {
     for(int i = 0; i < 4; ++i)
-      if(!topology.neighbor(Slot(cell, i)).is_side())
-        facets.push_back(Slot(cell, i));
+      push_facet(Slot(cell, i), facets);
   }
 
   // Whether the dual point of a cell with vertices `v` is beyond the surface at the facet opposite to

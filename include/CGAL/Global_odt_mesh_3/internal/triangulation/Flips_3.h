@@ -61,6 +61,10 @@ inline std::array<int, 2> edge_of_ring(const Flat_triangulation_3& t, const Edge
   return {{ f[(m + 1) % 3], f[(m + 2) % 3] }};
 }
 
+// The facets of each cell that a flip makes, except those between two such cells.
+inline constexpr std::array<int, 2> outer_facets_2_3 = {{ 0, 1 }};
+inline constexpr std::array<int, 3> outer_facets_3_2 = {{ 1, 2, 3 }};
+
 // Replaces the two cells at a facet by the three around the edge between the two apices.
 inline std::array<int, 3> flip_2_3(Flat_triangulation_3& t, Slot s)
 {

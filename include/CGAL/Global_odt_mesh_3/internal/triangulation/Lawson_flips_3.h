@@ -67,10 +67,6 @@ public:
   }
 
 private:
-  // Those between the new cells are regular.
-  static constexpr std::array<int, 2> outer_facets_2_3 = {{ 0, 1 }};
-  static constexpr std::array<int, 3> outer_facets_3_2 = {{ 1, 2, 3 }};
-
   bool give_up()
   {
     irregular_.clear();
@@ -91,7 +87,7 @@ private:
     return mesh_.is_irregular(t.power(mesh_.sites[origin], mesh_.sites[q]), mesh_.squared_distance(origin, q));
   }
 
-  // By a flip, if there is one.
+  // By a flip, if there is one. The facets between the cells that it makes are regular.
   bool remove_facet(Slot s)
   {
     const double volume = determinant_ + mesh_.products(mesh_.topology.neighbor(s).cell()).determinant;
@@ -104,7 +100,7 @@ private:
         return false;
       for(int c : flips_.flip_2_3(s))
         for(int i : outer_facets_2_3)
-          push(Slot(c, i));
+          mesh_.push_facet(Slot(c, i), irregular_);
       return true;
     }
     // The edge across from the k-th vertex of the facet is reflex.
@@ -117,14 +113,8 @@ private:
       return false;
     for(int c : flips_.flip_3_2(*ring))
       for(int i : outer_facets_3_2)
-        push(Slot(c, i));
+        mesh_.push_facet(Slot(c, i), irregular_);
     return true;
-  }
-
-  void push(Slot s)
-  {
-    if(!mesh_.topology.neighbor(s).is_side())
-      irregular_.push_back(s);
   }
 
   bool is_permitted(bool permits)
