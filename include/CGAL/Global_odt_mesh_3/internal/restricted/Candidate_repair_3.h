@@ -10,6 +10,7 @@
 #include <CGAL/Global_odt_mesh_3/internal/restricted/Restricted_candidate_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/restricted/Restricted_report_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/restricted/Surface_projection_3.h>
+#include <CGAL/Global_odt_mesh_3/internal/restricted/Vertex_rings_3.h>
 
 #include <Eigen/Core>
 
@@ -42,11 +43,12 @@ public:
   // False if a vertex cannot be put back onto its surface.
   bool apply(const Report& report, int attempt)
   {
-    std::set<int> offending = report.offending_vertices();
+    for(int v : report.offending_vertices())
+      if(candidate_.is_home(v))
+        candidate_.give_up_home(v);
+    const std::set<int> offending = offending_vertices(report, attempt);
     for(const auto& p : report.pushes())
       push(p.first, p.second, offending.count(p.first) > 0);
-    for(int ring = patient_attempts; ring <= attempt; ring += attempts_per_ring)
-      candidate_.numbered->grow(offending);
     const bool rebuilds = !candidate_.numbered->is_worth_moving(offending.size());
     for(int v : offending)
     {
@@ -73,6 +75,15 @@ private:
   // In these, vertices go back half way first; then home, along with more and more neighbors.
   static constexpr int patient_attempts = 10, attempts_per_ring = 3;
   static constexpr int halfway_returns = 2, halfway_returns_on_surface = 1;
+
+  // Those of the report, and around them.
+  std::set<int> offending_vertices(const Report& report, int attempt) const
+  {
+    Vertex_rings_3<typename Candidate::Numbered_triangulation> region(*candidate_.numbered, report.offending_vertices());
+    for(int ring = patient_attempts; ring <= attempt; ring += attempts_per_ring)
+      region.grow();
+    return std::set<int>(region.vertices().begin(), region.vertices().end());
+  }
 
   void push(int v, const Eigen::Vector3d& by, bool goes_back)
   {

@@ -182,15 +182,16 @@ public:
     Triangulation_table_3(input, cells, number, place, threads).connect(vertices_, cells_, threads, tr_);
   }
 
-  // Adds all neighbors.
-  void grow(std::set<int>& region) const
+  // Of a vertex, unless it is hidden.
+  std::vector<int> neighbors(int v) const
   {
-    std::vector<Vertex_handle> neighbors;
-    for(int v : region)
-      if(vertices_[v] != Vertex_handle())
-        tr_.finite_adjacent_vertices(vertices_[v], std::back_inserter(neighbors));
-    for(Vertex_handle h : neighbors)
-      region.insert(number(h));
+    std::vector<Vertex_handle> handles;
+    if(is_visible(v))
+      tr_.finite_adjacent_vertices(vertices_[v], std::back_inserter(handles));
+    std::vector<int> numbers;
+    for(Vertex_handle h : handles)
+      numbers.push_back(number(h));
+    return numbers;
   }
 
 private:

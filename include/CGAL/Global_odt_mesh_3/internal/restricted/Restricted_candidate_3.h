@@ -43,6 +43,7 @@ struct Restricted_candidate_3
 {
   typedef Triangulation_ Triangulation;
   typedef Restricted_state_3<Triangulation> State;
+  typedef Numbered_triangulation_3<Triangulation> Numbered_triangulation;
   typedef typename State::Vertex_numbering Vertex_numbering;
   typedef typename State::Surface_center Surface_center;
   typedef typename State::Surface_position Surface_position;
@@ -59,9 +60,10 @@ struct Restricted_candidate_3
   const bool is_final;                        // or else one on the way, of which less is asked
   const Thread_policy threads;
 
-  std::unique_ptr<Numbered_triangulation_3<Triangulation> > numbered;   // perhaps that of the state, as long as it is lent
+  std::unique_ptr<Numbered_triangulation> numbered;   // perhaps that of the state, as long as it is lent
   std::vector<Site> sites;
-  std::vector<Site> homes;                    // where vertices go back to: as in the state, or put on the surface since
+  // Where vertices go back to: as in the state, or put on the surface since, or as in the input.
+  std::vector<Site> homes;
   std::vector<Surface_position> surface_positions;
   std::vector<char> is_home_on_surface;       // of the vertices that move on surfaces
   Boundary_geometry_3 measured_boundary;      // that of the state, at the positions of the candidate
@@ -142,6 +144,7 @@ struct Restricted_candidate_3
   int times_sent_back(int v) const { return times(vertices_sent_back, v); }
   int times_pushed(int v) const { return times(pushed_vertices, v); }
 
+  bool is_at_input(int v) const { return numbering.is_input_site(v, sites[v]); }
   bool is_home(int v) const { return same_place(sites[v], homes[v]); }
 
   template <class Vertices>
@@ -162,6 +165,14 @@ struct Restricted_candidate_3
   {
     homes[v] = sites[v];
     is_home_on_surface[v - numbering.number_of_interior_vertices] = true;
+  }
+
+  // From now on, home is where the vertex was in the input.
+  void give_up_home(int v)
+  {
+    homes[v] = numbering.input_site(v);
+    if(!numbering.is_interior(v))
+      is_home_on_surface[v - numbering.number_of_interior_vertices] = true;
   }
 
   // The candidate becomes a state.

@@ -6,16 +6,10 @@
 #ifndef CGAL_GLOBAL_ODT_MESH_3_INTERNAL_RESTRICTED_RESTRICTED_REPORT_3_H
 #define CGAL_GLOBAL_ODT_MESH_3_INTERNAL_RESTRICTED_RESTRICTED_REPORT_3_H
 
-#include <CGAL/Global_odt_mesh_3/internal/geometry/Random_source.h>
-#include <CGAL/Global_odt_mesh_3/internal/geometry/Site.h>
-#include <CGAL/Global_odt_mesh_3/internal/geometry/Split_mix_engine.h>
+#include <CGAL/Global_odt_mesh_3/internal/restricted/Vertex_rings_3.h>
 
 #include <Eigen/Core>
 
-#include <algorithm>
-#include <cmath>
-#include <cstdint>
-#include <limits>
 #include <map>
 #include <set>
 
@@ -42,42 +36,23 @@ public:
   const std::set<int>& offending_vertices() const { return offending_vertices_; }
   const std::map<int, Vector>& pushes() const { return pushes_; }
 
-  // Sends back those of the vertices that have moved; whether there are any.
-  template <class Vertices>
-  bool send_back_moved(const Vertices& vertices)
-  {
-    bool found = false;
-    for(int v : vertices)
-      if(candidate_.numbering.is_movable(v) && !candidate_.is_home(v))
-      {
-        offending_vertices_.insert(v);
-        found = true;
-      }
-    return found;
-  }
-
-  // Sends back those of the vertices that have moved or, if there are none, those around them. If there are none
-  // either, what is wrong was so before, where less was asked for: then the vertices are nudged.
+  // Sends back those of the vertices that are not at home or, if there are none, those around them. If there are none
+  // either, what is wrong was so before, where less was asked for; then those give up their homes, too, that are elsewhere
+  // than in the input, of which nothing more can be asked.
   template <class Vertices>
   void send_back(const Vertices& vertices)
   {
-    if(!send_back_around(vertices) && !nudge_around(vertices))
+    if(!send_back_around(vertices)
+       && !send_back_nearest(vertices, most_rings_to_input, [this](int v) { return !candidate_.is_at_input(v); }))
       give_up();
   }
 
-  // The same; whether there are any. Numbers below zero, of the infinite vertex, do not matter.
+  // Those only that are not at home, or else those around them; whether there are any. Numbers below zero, of the infinite
+  // vertex, do not matter.
   template <class Vertices>
   bool send_back_around(const Vertices& vertices)
   {
-    std::set<int> region(vertices.begin(), vertices.end());
-    region.erase(-1);
-    for(int ring = 0; ring < most_rings; ++ring)
-    {
-      if(send_back_moved(region))
-        return true;
-      candidate_.numbered->grow(region);
-    }
-    return false;
+    return send_back_nearest(vertices, most_rings, [this](int v) { return !candidate_.is_home(v); });
   }
 
   // Of several pushes, the longest.
@@ -91,46 +66,29 @@ public:
   void give_up() { is_beyond_repair_ = true; }
 
 private:
-  // Farther from where something is wrong, no vertex can have caused it.
-  static constexpr int most_rings = 6;
-  static constexpr double length_of_nudge = 0.1;        // over the shortest edge
-  static constexpr int most_nudges = 6;
+  // A cell or facet comes where a vertex that it has, or one beside it, has moved; farther away, none can be the cause.
+  static constexpr int most_rings = 3;
+  // Positions of the input among others may be wrong where the input as a whole is not.
+  static constexpr int most_rings_to_input = 6;
 
-  // Nudges the movable ones among the vertices or, if there are none, around them; whether there are any that may still be.
-  template <class Vertices>
-  bool nudge_around(const Vertices& vertices)
+  // Sends back those movable vertices that satisfy the predicate in the first ring around some that has any.
+  template <class Vertices, class Predicate>
+  bool send_back_nearest(const Vertices& vertices, int rings, const Predicate& goes_back)
   {
-    std::set<int> region(vertices.begin(), vertices.end());
-    region.erase(-1);
-    for(int ring = 0; ring < most_rings; ++ring)
+    Vertex_rings_3<typename Candidate::Numbered_triangulation> region(*candidate_.numbered, vertices);
+    for(int ring = 0; ring < rings; ++ring, region.grow())
     {
       bool found = false;
-      for(int v : region)
-        if(candidate_.numbering.is_movable(v) && candidate_.numbered->is_visible(v)
-           && candidate_.times_pushed(v) < most_nudges)
+      for(int v : region.last_ring())
+        if(candidate_.numbering.is_movable(v) && goes_back(v))
         {
-          nudge(v);
+          offending_vertices_.insert(v);
           found = true;
         }
       if(found)
         return true;
-      candidate_.numbered->grow(region);
     }
     return false;
-  }
-
-  // Pushes a vertex in a random direction, another one each time.
-  void nudge(int v)
-  {
-    std::set<int> neighbors = { v };
-    candidate_.numbered->grow(neighbors);
-    neighbors.erase(v);
-    double shortest = (std::numeric_limits<double>::max)();
-    for(int w : neighbors)
-      shortest = (std::min)(shortest, (position(candidate_.sites[w]) - position(candidate_.sites[v])).squaredNorm());
-    const int times = candidate_.times_pushed(v);
-    Random_numbers<Split_mix_engine> random(Split_mix_engine(static_cast<std::uint64_t>(v), times));
-    push(v, length_of_nudge * std::sqrt(shortest) * random.direction());
   }
 
   const Candidate& candidate_;

@@ -10,6 +10,7 @@
 #include <CGAL/Global_odt_mesh_3/internal/geometry/Site.h>
 #include <CGAL/Global_odt_mesh_3/internal/restricted/Restricted_candidate_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/restricted/Restricted_report_3.h>
+#include <CGAL/Global_odt_mesh_3/internal/restricted/Vertex_rings_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/surface/Boundary_complex_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/surface/Boundary_topology_3.h>
 
@@ -64,11 +65,11 @@ std::vector<int> intruders(const Candidate& candidate, const std::array<int, 3>&
 {
   const Site& s = candidate.state.sites[t[0]];
   const double radius = squared_distance(s, center) - s.weight;
-  std::set<int> region(t.begin(), t.end());
+  Vertex_rings_3<typename Candidate::Numbered_triangulation> region(*candidate.numbered, t);
   for(int ring = 0; ring < 2; ++ring)
-    candidate.numbered->grow(region);
+    region.grow();
   std::vector<int> result;
-  for(int v : region)
+  for(int v : region.vertices())
     if(candidate.numbering.is_movable(v) && squared_distance(candidate.sites[v], center) < radius)
       result.push_back(v);
   return result;

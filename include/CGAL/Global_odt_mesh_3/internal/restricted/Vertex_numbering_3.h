@@ -46,8 +46,9 @@ struct Vertex_numbering_3
   bool is_movable(int v) const { return v < number_of_movable_vertices; }
   bool is_interior(int v) const { return v < number_of_interior_vertices; }
   bool is_on_boundary(int v) const { return subdomain[v] == no_subdomain; }
+  Site input_site(int v) const { return weighted_site(input_vertices[v]->point()); }
   // Whether the site is that of the vertex in the input.
-  bool is_input_site(int v, const Site& s) const { return same_place(s, weighted_site(input_vertices[v]->point())); }
+  bool is_input_site(int v, const Site& s) const { return same_place(s, input_site(v)); }
 
   // The cell of the input that has these vertices at their sites, if any.
   Cell_handle input_cell(const std::array<int, 4>& q, const std::vector<Site>& sites) const
