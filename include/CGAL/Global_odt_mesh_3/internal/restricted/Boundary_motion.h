@@ -15,7 +15,7 @@ namespace internal {
 // By normals: vertices follow tangential planes and are projected to the surface now and then, and until the final state
 // normals tell on which side of the surface a dual point lies; the domain is asked where that is not clear. On
 // surfaces that are rough compared with the mesh, as those of images are, normals mean
-// little, and the domain is asked every time.
+// little: the domain is asked where each vertex goes, and for dual points that are not far from the tangential planes.
 enum class Boundary_motion { BY_NORMALS, BY_DOMAIN, NONE };
 
 } // namespace internal

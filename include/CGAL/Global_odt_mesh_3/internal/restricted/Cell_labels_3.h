@@ -32,8 +32,7 @@ namespace internal {
 //
 // Where a vertex has no boundary facet, its subdomain is the label, and the dual point has to be there. A cell with all
 // vertices on the boundary is labelled by the side on which its dual point lies. On the way, that is as seen
-// from the vertices on the boundary where surfaces are smooth and these agree and see it clearly, unless a cell would be
-// wrong. In the end the domain tells, even far from the boundary, since details that the samples miss leave holes that no
+// from the vertices on the boundary where these agree and see it clearly, unless a cell would be wrong. In the end the domain tells, even far from the boundary, since details that the samples miss leave holes that no
 // facet goes around.
 template <class Domain>
 class Cell_labels_3
@@ -93,7 +92,7 @@ private:
   };
 
   // The sine between the direction to a dual point and the tangential planes that is clear enough.
-  static constexpr double clear_margin = 0.05;
+  static constexpr double clear_margin = 0.05, clear_margin_on_rough_surface = 0.5;
   // Six times the volume, over the cube of the longest edge at a vertex, of a cell whose dual point is sure to nine digits.
   static constexpr double certain_volume = 1e-6;
   static constexpr int no_subdomain = Candidate::State::no_subdomain;
@@ -127,7 +126,7 @@ private:
       = is_infinite ? 0 : std::count_if(q.begin(), q.end(), [this](int v) { return is_on_boundary(v); });
     if(on_boundary >= 3)
       note(c, MAY_HAVE_BOUNDARY_FACETS);
-    const bool is_in_question = on_boundary > 0 || (!is_infinite && candidate_.is_thorough());
+    const bool is_in_question = on_boundary > 0 || (!is_infinite && candidate_.is_final);
     int label;
     if(is_in_question || !find_label(q, label))
       return false;
@@ -146,7 +145,7 @@ private:
     const bool is_boundary_cell = found.label == no_subdomain;
     if(is_boundary_cell)
       found.label_of_dual = known_label_of_dual(q);
-    if(found.label_of_dual == no_subdomain && !candidate_.is_thorough() && (!is_boundary_cell || candidate_.boundary_moves()))
+    if(found.label_of_dual == no_subdomain && !candidate_.is_final && (!is_boundary_cell || candidate_.boundary_moves()))
       found.label_of_dual = label_seen_from_boundary(q);
     // What the vertices see is not enough to send any of them back.
     const bool is_enough = is_boundary_cell ? found.label_of_dual != no_subdomain : found.label_of_dual == found.label;
@@ -242,6 +241,7 @@ private:
   int label_seen_from_boundary(const Quadruple& q) const
   {
     const std::vector<Site>& sites = candidate_.sites;
+    const double margin = candidate_.motion == Boundary_motion::BY_DOMAIN ? clear_margin_on_rough_surface : clear_margin;
     const Cell_products t = products(q);
     const Eigen::Vector3d dual = position(sites[q[0]]) + Eigen::Vector3d(t.nx, t.ny, t.nz) / (2 * t.determinant);
     int label = no_subdomain;
@@ -249,7 +249,7 @@ private:
     {
       if(!is_on_boundary(v))
         continue;
-      const int l = candidate_.measured_boundary.label_toward(v, dual - position(sites[v]), clear_margin);
+      const int l = candidate_.measured_boundary.label_toward(v, dual - position(sites[v]), margin);
       if(l == no_subdomain || (label != no_subdomain && l != label))
         return no_subdomain;
       label = l;

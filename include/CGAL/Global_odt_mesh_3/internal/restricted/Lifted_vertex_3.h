@@ -99,25 +99,22 @@ public:
     return true;
   }
 
-  // Asks the domain for the subdomains in which dual points lie; false if one does not fit.
-  bool label_cells()
+  // Asks the domain for the subdomain in which the dual point of a new cell lies; false if that does not fit.
+  bool label_cell(std::size_t n)
   {
-    for(std::size_t n = 0; n < new_cells_.size(); ++n)
-    {
-      Cell& c = new_cells_[n];
-      const Quadruple& q = c.vertices;
-      if(*std::min_element(q.begin(), q.end()) < 0)
-        continue;
-      const auto dual = triangulation().geom_traits().construct_weighted_circumcenter_3_object()(
-        complex_.point(q[0]), complex_.point(q[1]), complex_.point(q[2]), complex_.point(q[3]));
-      const int label = complex_.domain.label_at(dual);
-      if(c.label != unknown && c.label != label)
-        return false;
-      c.label = label;
-      c.dual = coordinates(dual);
-      if(n < kept_of_hole_.size())
-        hole_[kept_of_hole_[n]].label = label;
-    }
+    Cell& c = new_cells_[n];
+    const Quadruple& q = c.vertices;
+    if(*std::min_element(q.begin(), q.end()) < 0)
+      return true;
+    const auto dual = triangulation().geom_traits().construct_weighted_circumcenter_3_object()(
+      complex_.point(q[0]), complex_.point(q[1]), complex_.point(q[2]), complex_.point(q[3]));
+    const int label = complex_.domain.label_at(dual);
+    if(c.label != unknown && c.label != label)
+      return false;
+    c.label = label;
+    c.dual = coordinates(dual);
+    if(n < kept_of_hole_.size())
+      hole_[kept_of_hole_[n]].label = label;
     return true;
   }
 

@@ -9,6 +9,7 @@
 #include <CGAL/Global_odt_mesh_3/internal/geometry/Site.h>
 #include <CGAL/Global_odt_mesh_3/internal/parallel/Stage_clock.h>
 #include <CGAL/Global_odt_mesh_3/internal/parallel/Thread_policy.h>
+#include <CGAL/Global_odt_mesh_3/internal/restricted/Angle_check_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/restricted/Boundary_extraction_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/restricted/Boundary_motion.h>
 #include <CGAL/Global_odt_mesh_3/internal/restricted/Boundary_peeling_3.h>
@@ -176,6 +177,12 @@ public:
     return advance(mesh.sites, &mesh, is_final);
   }
 
+  // The same for a final state without slivers that the check forbids.
+  std::optional<State> advance(const Moving_triangulation_3& mesh, const Angle_check_3& angles)
+  {
+    return advance(mesh.sites, &mesh, true, &angles);
+  }
+
   // Goes back to a state that has been replaced.
   void return_to(State earlier)
   {
@@ -205,14 +212,15 @@ private:
     number_of_takeovers_ += candidate.build(mesh);
   }
 
-  std::optional<State> advance(const std::vector<Site>& target, const Moving_triangulation_3* mesh, bool is_final)
+  std::optional<State> advance(const std::vector<Site>& target, const Moving_triangulation_3* mesh, bool is_final,
+                               const Angle_check_3* angles = nullptr)
   {
     const Stage_clock::In_stage in_stage(threads_.clock(), Stage_clock::CHECK);
     Candidate candidate(state_, target, motion_, is_final, threads_);
     candidate.numbered = state_.numbered != nullptr ? std::move(state_.numbered) : std::make_unique<Numbered_triangulation>();
     try
     {
-      if(complete(candidate, mesh))
+      if(complete(candidate, mesh, angles))
         return std::exchange(state_, candidate.finish());
     }
     catch(...)
@@ -225,7 +233,7 @@ private:
   }
 
   // Whether the candidate is valid, perhaps with some vertices back where they were.
-  bool complete(Candidate& candidate, const Moving_triangulation_3* mesh)
+  bool complete(Candidate& candidate, const Moving_triangulation_3* mesh, const Angle_check_3* angles)
   {
     Surface_projection projection(candidate, domain_, places_on_surface_);
     if(candidate.boundary_moves())
@@ -236,7 +244,9 @@ private:
     for(int attempt = 0; attempt < most_attempts; ++attempt)
     {
       const bool wants_good_facets = (candidate.is_final || !has_long_ways_) && attempt < attempts_at_good_facets;
-      const Report report = check(candidate, wants_good_facets);
+      Report report = check(candidate, wants_good_facets);
+      if(angles != nullptr && candidate.numbered->is_complete())
+        angles->check(candidate, domain_.outside(), report);
       if(report.is_clean())
         return true;
       if(report.is_beyond_repair() || !repair.apply(report, attempt))

@@ -187,7 +187,7 @@ public:
   double move(const Site& s, double most)
   {
     complex_.sites[lifted_.vertex()] = s;
-    if(!lifted_.find_cells() || !(change_of_deficit() < most) || !lifted_.label_cells())
+    if(!lifted_.find_cells() || !label_cells(most))
       return infinity;
     const double change = change_of_deficit();
     return change < most && after_.is_not_worse_than(before_, steps_) && exchange_.is_permitted() ? change : infinity;
@@ -285,6 +285,28 @@ private:
     normal_.normalize();
   }
 
+  // Asks the domain about the new cells, first those that may have it decide, as they lack most and nobody knows whether
+  // they are inside; false as soon as one does not fit or the change is not less than `most`.
+  bool label_cells(double most)
+  {
+    double change = change_of_deficit();
+    order_.clear();
+    for(std::size_t n = 0; n < lifted_.new_cells().size(); ++n)
+    {
+      const Cell& c = lifted_.new_cells()[n];
+      order_.emplace_back(c.label == Lifted_vertex::unknown ? -deficit_(cell_sites(c.vertices)) : 0., n);
+    }
+    std::sort(order_.begin(), order_.end());
+    for(const auto& o : order_)
+    {
+      if(!(change < most) || !lifted_.label_cell(o.second))
+        return false;
+      if(is_inside(lifted_.new_cells()[o.second].label))
+        change -= o.first;
+    }
+    return true;
+  }
+
   double change_of_deficit()
   {
     before_ = after_ = Sliver_count();
@@ -338,6 +360,7 @@ private:
   int steps_ = 0;
   Angle_deficit_3 deficit_, highest_;
   std::vector<Quadruple> star_;
+  std::vector<std::pair<double, std::size_t> > order_;        // of new cells, by what they may lack
   double mean_edge_ = 0, shortest_edge_ = 0;                  // at the lifted vertex
   Eigen::Vector3d normal_ = Eigen::Vector3d::Zero();          // of the surface there
   Sliver_count before_, after_;

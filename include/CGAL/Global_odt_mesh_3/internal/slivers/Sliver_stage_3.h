@@ -9,6 +9,7 @@
 #include <CGAL/Global_odt_mesh_3/internal/geometry/Angle_deficit_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/geometry/Sliver_steps.h>
 #include <CGAL/Global_odt_mesh_3/internal/parallel/Collect_in_chunks.h>
+#include <CGAL/Global_odt_mesh_3/internal/restricted/Angle_check_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/slivers/Cell_angles.h>
 #include <CGAL/Global_odt_mesh_3/internal/slivers/Exact_sliver_removal_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/slivers/Sliver_removal_3.h>
@@ -109,9 +110,10 @@ private:
   {
     if(reached_.below[step] == 0)
       return true;
+    const Angle_check_3 angles(mesh_, Sliver_steps::angles[step - 1]);
     if(!remove_from_mesh(step, has_time))
       return climb_in_complex(step, has_time);
-    std::optional<State> replaced = complex_.advance(mesh_, true);
+    std::optional<State> replaced = complex_.advance(mesh_, angles);
     if(climb_in_complex(step, has_time))
       return true;
     if(replaced)
