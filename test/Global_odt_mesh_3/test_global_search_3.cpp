@@ -10,6 +10,7 @@
 #include "random_cube_triangulation.h"
 #include "search_globally.h"
 
+#include <CGAL/Global_odt_mesh_3/internal/Round_plan.h>
 #include <CGAL/Global_odt_mesh_3/internal/geometry/Random_source.h>
 #include <CGAL/Global_odt_mesh_3/internal/optimization/Global_search.h>
 #include <CGAL/Global_odt_mesh_3/internal/optimization/Limited_memory_bfgs.h>
@@ -18,8 +19,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <cstdint>
 #include <iostream>
+#include <limits>
 #include <random>
 #include <vector>
 
@@ -231,8 +234,37 @@ static void searches()
   compare("Momentum annealing", CGAL::Momentum_annealing_schedule(), 0.99);
 }
 
+// A plan of as many rounds and iterations as can be asked for counts them, as far as a number does.
+static void long_plans()
+{
+  constexpr int most = (std::numeric_limits<int>::max)();
+  Metropolis_annealing_schedule schedule;
+  schedule.iterations_in_round = schedule.final_iterations = most;
+  Odt_parameters parameters;
+  parameters.annealing_schedule = schedule;
+  parameters.number_of_rounds = std::size_t(-1) - 1;
+  for(std::size_t wanted : { std::size_t(0), std::size_t(1), std::size_t(100), std::size_t(most), std::size_t(-1) })
+  {
+    parameters.max_iteration_number = wanted;
+    Round_plan plan(Odt_task::OPTIMIZE, parameters, true, false);
+    check::that(plan.number_of_iterations() > 0 && plan.usual_most_iterations() > plan.number_of_iterations(),
+                plan.number_of_iterations(), " iterations are planned, and ", plan.usual_most_iterations(), " made at most");
+    double before = 0;
+    for(int round = 0; round < 5 && !plan.is_done(); ++round, plan.advance())
+    {
+      check::that(plan.iterations() >= 0, "a round of ", plan.iterations(), " iterations");
+      if(plan.stage() != Round_plan::SEARCH)
+        continue;
+      const double begin = plan.search_progress(0), end = plan.search_progress(plan.iterations());
+      check::that(before <= begin && begin < end && end <= 1, "a round of the search goes from ", begin, " to ", end);
+      before = end;
+    }
+  }
+}
+
 int main()
 {
+  long_plans();
   random_numbers();
   perturbation();
   acceptance();

@@ -436,44 +436,47 @@ struct Candidate_at_rest
   }
 };
 
-// If something is wrong although no vertex has moved, those at it are nudged a little, elsewhere each time; and the
-// candidate is beyond repair only when that has been done to all around.
-static void nudges(const Ellipsoid_domain& domain, const Ellipsoid_c3t3& input)
+// If something is wrong although all vertices are at home, those at it or else around it go to their places in the input; and
+// the candidate is beyond repair only when that has been done to all around.
+static void homes_are_given_up(const Ellipsoid_domain& domain, const Ellipsoid_c3t3& input)
 {
   typedef Candidate_at_rest::Candidate Candidate;
   Candidate_at_rest at_rest(domain, input);
   Candidate& candidate = *at_rest.candidate;
   const std::array<int, 3> facet = candidate.state.boundary.complex().facets().front().vertices;
-  std::set<std::vector<double> > all_pushes;
-  int times = 0;
-  for(; times < 20; ++times)
+  const auto reported = [&]
   {
     odt::Restricted_report_3<Candidate> report(candidate);
     report.send_back(facet);
-    check::that(report.offending_vertices().empty() && !report.is_clean(),
-                "vertices that have not moved go back, or nothing is wrong");
-    if(report.pushes().size() != 3 || report.pushes().count(facet[0]) == 0)
-      break;
-    for(const auto& p : report.pushes())
-    {
-      double edge = (std::numeric_limits<double>::max)();
-      std::set<int> neighbors = { p.first };
-      candidate.numbered->grow(neighbors);
-      for(int w : neighbors)
-        if(w != p.first)
-          edge = (std::min)(edge, (odt::position(candidate.sites[w]) - odt::position(candidate.sites[p.first])).norm());
-      const Eigen::Vector3d& by = p.second;
-      check::that(by.norm() > 0 && by.norm() < edge / 5, "a vertex is nudged by ", by.norm(), ", its shortest edge is ", edge);
-      check::that(all_pushes.insert({ by[0], by[1], by[2] }).second, "a vertex is nudged the same way twice");
-      ++candidate.pushed_vertices[p.first];
-    }
+    check::that(!report.is_clean() && report.pushes().empty(), "nothing is wrong");
+    check::that(report.is_beyond_repair() == report.offending_vertices().empty(), "vertices go back that need not");
+    return report.offending_vertices();
+  };
+  check::that(reported().empty(), "vertices that are where they were in the input go back");
+
+  // As if the state were not the input: all are at home, and none is where it was in the input.
+  const auto move = [&](int v) { candidate.sites[v].x += 1e-3; };
+  for(int v = 0; v < candidate.numbering.number_of_movable_vertices; ++v)
+  {
+    move(v);
+    candidate.homes[v] = candidate.sites[v];
   }
-  check::that(times > 0 && times < 20, "the same vertices are nudged ", times, " times");
-  for(int v = 0; v < candidate.numbering.number_of_vertices(); ++v)
-    candidate.pushed_vertices[v] = times;
-  odt::Restricted_report_3<Candidate> report(candidate);
-  report.send_back(facet);
-  check::that(report.is_beyond_repair() && report.pushes().empty(), "vertices are nudged forever");
+  std::set<int> vertices(facet.begin(), facet.end());
+  check::that(reported() == vertices, "others than those of the facet go to the input first");
+  // What is not at home goes first.
+  move(facet[1]);
+  check::that(reported() == std::set<int>{ facet[1] }, "a vertex that is at home goes back before one that is not");
+  candidate.sites[facet[1]] = candidate.homes[facet[1]];
+  int times = 0;
+  for(std::set<int> next; !(next = reported()).empty(); ++times)
+    for(int v : next)
+    {
+      check::that(candidate.is_home(v) && !candidate.is_at_input(v), "a vertex goes to the input twice");
+      candidate.give_up_home(v);
+      candidate.sites[v] = candidate.homes[v];
+      check::that(candidate.is_home(v) && candidate.is_at_input(v), "a home that is given up is not in the input");
+    }
+  check::that(1 < times && times < 10, "rings of vertices go to the input ", times, " times");
 }
 
 // A facet for which no surface center is found has none, also when it is asked for again, until its vertices move.
@@ -658,7 +661,7 @@ int main()
   test("ellipsoid", c3t3, domain, smooth);
   missed_intersections(domain, c3t3);
   missed_surface_centers(domain, c3t3);
-  nudges(domain, c3t3);
+  homes_are_given_up(domain, c3t3);
   exceptions(domain, mesh(domain, 0.3));
   return check::result();
 }

@@ -456,8 +456,37 @@ static void topology_guard()
   }
 }
 
+// Facets whose vertices are on one line or at one place add nothing, and make nothing infinite.
+static void facets_without_area()
+{
+  const std::vector<Site> sites = { { 0, 0, 0, 0 }, { 1, 0, 0, 0 }, { 2, 0, 0, 0 }, { 1, 1, 0, 0 }, { 1, 1, 0, 0 } };
+  const Boundary_facet flat = { {{ 0, 1, 2 }}, {{ 0, 1 }}, 0 };
+  const Boundary_facet whole = { {{ 0, 3, 1 }}, {{ 0, 1 }}, 0 };
+  const auto boundary = [&](std::vector<Boundary_facet> facets) { return Boundary_complex_3(std::move(facets), sites.size(), Thread_policy()); };
+  for(bool has_densities : { false, true })
+  {
+    const std::vector<double> densities = has_densities ? std::vector<double>(sites.size(), 2.) : std::vector<double>();
+    const auto energy = [&](const std::vector<Boundary_facet>& facets, Eigen::VectorXd& gradient)
+    {
+      Eigen::VectorXd diagonal = gradient = Eigen::VectorXd::Zero(3 * sites.size());
+      return Surface_cvt_energy_3().compute(Surface_triangulation_3(boundary(facets)), sites, densities, 0, gradient, diagonal);
+    };
+    Eigen::VectorXd gradient, gradient_of_whole;
+    check::that(energy({ flat }, gradient) == 0 && gradient.isZero(0), "a flat facet has energy");
+    const double expected = energy({ whole }, gradient_of_whole);
+    check::that(expected > 0 && energy({ whole, flat }, gradient) == expected && gradient == gradient_of_whole,
+                "a flat facet changes the energy of others");
+  }
+  Surface_cvt_term_3 term(0, static_cast<int>(sites.size()), 1, Surface_density());
+  term.follow(boundary({ flat }), sites);
+  Eigen::VectorXd gradient = Eigen::VectorXd::Zero(3 * sites.size()), diagonal = Eigen::VectorXd::Ones(3 * sites.size());
+  const double energy = term(sites, gradient, diagonal);
+  check::that(std::isfinite(energy) && gradient.allFinite() && diagonal.allFinite(), "surfaces without area have no weight");
+}
+
 int main()
 {
+  facets_without_area();
   odt_energy_on_sphere_and_plane();
   cvt_energy();
   topology_guard();

@@ -11,11 +11,14 @@
 #include <CGAL/Global_odt_mesh_3/internal/Optimization_attempt_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/Round_plan.h>
 #include <CGAL/Global_odt_mesh_3/internal/User_fields_3.h>
+#include <CGAL/Global_odt_mesh_3/internal/geometry/Angle_deficit_3.h>
+#include <CGAL/Global_odt_mesh_3/internal/geometry/Point_coordinates.h>
 #include <CGAL/Global_odt_mesh_3/internal/parallel/Stage_clock.h>
 #include <CGAL/Global_odt_mesh_3/internal/restricted/Boundary_motion.h>
 
 #include <CGAL/Mesh_optimization_return_code.h>
 
+#include <algorithm>
 #include <cstddef>
 #include <type_traits>
 #include <utility>
@@ -65,8 +68,9 @@ public:
       if(!is_done)
         continue;
       attempt.commit();
-      tell_visitor(attempt.number_of_slivers());
-      return attempt.code();
+      const std::size_t slivers = number_of_slivers();
+      tell_visitor(slivers);
+      return attempt.code(slivers);
     }
     return CANT_IMPROVE_ANYMORE;
   }
@@ -79,6 +83,17 @@ public:
 
 private:
   typedef Optimization_attempt_3<C3t3, Mesh_domain, Visitor> Attempt;
+
+  // The cells below the bound, if there is one.
+  std::size_t number_of_slivers() const
+  {
+    if(!(parameters_.sliver_bound > 0))
+      return 0;
+    const Angle_deficit_3 deficit(parameters_.sliver_bound);
+    const auto site = [](const auto& v) { return weighted_site(v->point()); };
+    return std::count_if(c3t3_.cells_in_complex_begin(), c3t3_.cells_in_complex_end(), [&](const auto& c)
+    { return deficit({{ site(c.vertex(0)), site(c.vertex(1)), site(c.vertex(2)), site(c.vertex(3)) }}) > 0; });
+  }
 
   void tell_visitor(std::size_t slivers)
   {

@@ -93,8 +93,13 @@ public:
       C3t3_writer_3<C3t3, Domain>(complex_.take_state(), complex_.domain(), threads_).write(c3t3_);
   }
 
-  Mesh_optimization_return_code code() const { return code_; }
-  std::size_t number_of_slivers() const { return number_of_slivers_; }
+  // If so many cells are left below the bound.
+  Mesh_optimization_return_code code(std::size_t slivers) const
+  {
+    const bool is_for_slivers = parameters_.do_remove_slivers && plan_->removes_slivers() && control_.goes_on();
+    return slivers > 0 && is_for_slivers ? CANT_IMPROVE_ANYMORE : code_;
+  }
+
   const Oracle_statistics& oracle_statistics() const { return complex_.domain().statistics(); }
   int number_of_surface_vertices() const { return mesh_.number_of_surface_vertices(); }
 
@@ -194,11 +199,8 @@ private:
                                   most_tries_for_slivers());
     if(!stage.run([this] { return control_.has_time(); }, [this] { return control_.may_go_on(); }))
       return false;
-    number_of_slivers_ = stage.number_of_slivers();
     if(!control_.goes_on())
       code_ = control_.code();
-    else if(number_of_slivers_ > 0)
-      code_ = CANT_IMPROVE_ANYMORE;
     return true;
   }
 
@@ -225,7 +227,6 @@ private:
   Moving_triangulation_3 mesh_;
   std::unique_ptr<Round_plan> plan_;
   std::unique_ptr<Rounds> rounds_;
-  std::size_t number_of_slivers_ = 0;
   Mesh_optimization_return_code code_;
 };
 

@@ -80,10 +80,11 @@ public:
   int number_of_iterations() const { return planned_iterations_; }
 
   // As CGAL's optimizers, which bound the number of iterations even if the user does not.
-  int usual_most_iterations() const { return 1000 + planned_iterations_; }
+  int usual_most_iterations() const { return iterations_beyond_plan + planned_iterations_; }
 
 private:
   static constexpr std::size_t most_rounds = 1000000;
+  static constexpr int iterations_beyond_plan = 1000;
   static constexpr int rounds_of_remeshing = 4, rounds_of_remeshing_before_search = 1;
   static constexpr int iterations_inside_while_remeshing = 10;
   static constexpr int most_rounds_of_minimizer = 12, rounds_of_minimizer_on_rough_surfaces = 2;
@@ -115,10 +116,13 @@ private:
       shorten(static_cast<int>((std::min)(p.max_iteration_number, std::size_t(planned_iterations_))));
   }
 
+  // What the caller wants may be more than a number holds.
   int planned_iterations() const
   {
-    return 1 + rounds_[REMESH] * (iterations_[REMESH] + iterations_on_surface) + rounds_[SEARCH] * iterations_[SEARCH]
-           + (std::min)(rounds_[MINIMIZE], 2) * iterations_[MINIMIZE];
+    const double sum = 1. + double(rounds_[REMESH]) * (iterations_[REMESH] + iterations_on_surface)
+                       + double(rounds_[SEARCH]) * iterations_[SEARCH]
+                       + double((std::min)(rounds_[MINIMIZE], 2)) * iterations_[MINIMIZE];
+    return static_cast<int>((std::min)(sum, double((std::numeric_limits<int>::max)() - iterations_beyond_plan)));
   }
 
   void shorten(int most)
@@ -126,9 +130,9 @@ private:
     rounds_[REMESH] = (std::min)(rounds_[REMESH], most / iterations_per_round_of_remeshing);
     const int left = most - rounds_[REMESH] * (iterations_[REMESH] + iterations_on_surface);
     const int search = static_cast<int>(share_of_search * left);
-    if(rounds_[SEARCH] * iterations_[SEARCH] > search)
+    if(double(rounds_[SEARCH]) * iterations_[SEARCH] > search)
     {
-      rounds_[SEARCH] = (search + iterations_[SEARCH] / 2) / iterations_[SEARCH];
+      rounds_[SEARCH] = static_cast<int>(double(search) / iterations_[SEARCH] + 0.5);
       if(rounds_[SEARCH] > 0)
         iterations_[SEARCH] = (std::min)(iterations_[SEARCH], search / rounds_[SEARCH]);
     }

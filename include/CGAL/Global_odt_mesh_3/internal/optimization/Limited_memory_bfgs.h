@@ -21,14 +21,16 @@ namespace internal {
 struct Limited_memory_bfgs_parameters
 {
   int memory = 12;                  // number of correction pairs
-  double delta = 0.1;               // of the approximate Wolfe condition
+  double delta = 0.1;               // of the approximate Wolfe conditions
   double energy_tolerance = 1e-9;   // by how much, relatively, the energy may rise in a step
   int max_halvings = 20;            // of the step length, before giving up
 };
 
 // L-BFGS, whose initial matrix is gamma * D^{-1}, D being a diagonal that
 // the function gives along with its gradient, and a backtracking line search
-// that ends on the approximate Wolfe condition (Hager and Zhang, 2005).
+// that ends on the first of the two approximate Wolfe conditions (Hager and Zhang, 2005): the slope must not have become
+// too steep upward. The second one is against steps that are too short, and this search only shortens them; steps of
+// negative curvature are no correction pairs.
 //
 // The function has to model
 //   double value() const;                  at the current point or, after evaluate(), at the trial

@@ -197,7 +197,11 @@ private:
         found.push_back(n);
     };
     for(int n : collect_in_chunks(static_cast<int>(cells_.size()), threads_, find_boundary_cells))
-      state_.boundary_cells.insert(sorted(numbers(cells_[n])), domain_.label(cells_[n]->subdomain_index()));
+    {
+      const std::array<int, 4> q = sorted(numbers(cells_[n]));
+      state_.boundary_cells.insert(q, domain_.label(cells_[n]->subdomain_index()));
+      numbering_->input_boundary_cells.insert(q, cells_[n]);
+    }
   }
 
   std::array<int, 4> numbers(Cell_handle c) const

@@ -183,8 +183,8 @@ private:
     if(settle(c, found))
       return;
     c->set_label(found.label);
-    // The input may be as it likes.
-    if(input_cell(q) != Input_cell())
+    // What was wrong in the input may stay so.
+    if(candidate_.numbering.is_input_cell(q, candidate_.sites))
       note(c, IS_SETTLED);
     else
       report_cell_beyond_surface(candidate_, q, found.label, report);
@@ -217,13 +217,11 @@ private:
     const int of_state = candidate_.state.label_of_dual(q);
     if(!candidate_.is_thorough() || (candidate_.state.has_labels_of_domain && is_dual_point_certain(q)))
       return of_state;
-    const Input_cell c = input_cell(q);
+    const Input_cell c = candidate_.numbering.input_cell(q, candidate_.sites);
     if(c != Input_cell())
       return domain_.known_label(c->subdomain_index());
     return candidate_.state.has_labels_of_domain && !candidate_.boundary_moves() ? of_state : no_subdomain;
   }
-
-  Input_cell input_cell(const Quadruple& q) const { return candidate_.numbering.input_cell(q, candidate_.sites); }
 
   bool is_dual_point_certain(const Quadruple& q) const
   {

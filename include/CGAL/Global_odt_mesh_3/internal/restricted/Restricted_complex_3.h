@@ -59,6 +59,7 @@ public:
   typedef Numbered_domain_3<Triangulation, Mesh_domain> Domain;
   typedef Restricted_state_3<Triangulation> State;
   typedef Restricted_trial_3<Domain> Trial;
+  typedef Angle_check_3 Angle_check;
 
   // If vertices have long ways to go, facets may be thin until the final state. The domain is asked by one thread, or by
   // those that are given last.
@@ -144,20 +145,22 @@ public:
       return true;
     }
     Candidate candidate(state_, trials.sites, motion_, true, threads_);
-    trials.give(candidate);
-    if(candidate.boundary_moves())
-      Flat_boundary_cells_3<Domain>(candidate, domain_, fidelity_, shapes_).spare();
-    for(int v = candidate.numbering.number_of_interior_vertices; v < candidate.numbering.number_of_movable_vertices; ++v)
-      if(!candidate.is_home(v))
-        candidate.surface_position(v) = { true, 0, candidate.sites[v] };
-    if(!topology_changes(candidate).empty() || !Surface_centers_3<Domain>(candidate, domain_).find_surface_centers().is_clean()
-       || !fidelity_.check(candidate).is_clean())
+    try
     {
-      restore(state_, std::move(candidate.numbered), candidate.sites);
-      return false;
+      trials.give(candidate);
+      if(complete_trials(candidate))
+      {
+        state_ = candidate.finish();
+        return true;
+      }
     }
-    state_ = candidate.finish();
-    return true;
+    catch(...)
+    {
+      restore(state_, std::move(candidate.numbered != nullptr ? candidate.numbered : trials.numbered), trials.sites);
+      throw;
+    }
+    restore(state_, std::move(candidate.numbered), trials.sites);
+    return false;
   }
 
   // How often candidates have been checked.
@@ -178,7 +181,7 @@ public:
   }
 
   // The same for a final state without slivers that the check forbids.
-  std::optional<State> advance(const Moving_triangulation_3& mesh, const Angle_check_3& angles)
+  std::optional<State> advance(const Moving_triangulation_3& mesh, const Angle_check& angles)
   {
     return advance(mesh.sites, &mesh, true, &angles);
   }
@@ -213,7 +216,7 @@ private:
   }
 
   std::optional<State> advance(const std::vector<Site>& target, const Moving_triangulation_3* mesh, bool is_final,
-                               const Angle_check_3* angles = nullptr)
+                               const Angle_check* angles = nullptr)
   {
     const Stage_clock::In_stage in_stage(threads_.clock(), Stage_clock::CHECK);
     Candidate candidate(state_, target, motion_, is_final, threads_);
@@ -233,7 +236,7 @@ private:
   }
 
   // Whether the candidate is valid, perhaps with some vertices back where they were.
-  bool complete(Candidate& candidate, const Moving_triangulation_3* mesh, const Angle_check_3* angles)
+  bool complete(Candidate& candidate, const Moving_triangulation_3* mesh, const Angle_check* angles)
   {
     Surface_projection projection(candidate, domain_, places_on_surface_);
     if(candidate.boundary_moves())
@@ -253,6 +256,18 @@ private:
         return false;
     }
     return false;
+  }
+
+  // Whether a candidate that trials have led to is valid.
+  bool complete_trials(Candidate& candidate)
+  {
+    if(candidate.boundary_moves())
+      Flat_boundary_cells_3<Domain>(candidate, domain_, fidelity_, shapes_).spare();
+    for(int v = candidate.numbering.number_of_interior_vertices; v < candidate.numbering.number_of_movable_vertices; ++v)
+      if(!candidate.is_home(v))
+        candidate.surface_position(v) = { true, 0, candidate.sites[v] };
+    return topology_changes(candidate).empty() && Surface_centers_3<Domain>(candidate, domain_).find_surface_centers().is_clean()
+           && fidelity_.check(candidate).is_clean();
   }
 
   // Completes the candidate until something is found wrong. Facets that are too thin may be found good enough.

@@ -85,7 +85,12 @@ struct Restricted_state_3
   bool has_unseparating_facets = false;
   bool has_labels_of_domain = false;                // also of the boundary cells
 
-  const Triangulation& triangulation() const { return numbered->triangulation(); }
+  // Which is neither lent nor released.
+  const Triangulation& triangulation() const
+  {
+    CGAL_assertion(numbered != nullptr);
+    return numbered->triangulation();
+  }
 
   // Of a vertex at a site: as exact as in the input if it is there.
   Weighted_point point(int v, const Site& s) const

@@ -9,6 +9,7 @@
 #include <CGAL/Global_odt_mesh_3/internal/geometry/Angle_deficit_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/geometry/Angle_step_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/geometry/Cell_products_3.h>
+#include <CGAL/Global_odt_mesh_3/internal/geometry/Place_in_sphere.h>
 #include <CGAL/Global_odt_mesh_3/internal/geometry/Promising_step.h>
 #include <CGAL/Global_odt_mesh_3/internal/geometry/Site.h>
 #include <CGAL/Global_odt_mesh_3/internal/geometry/Sliver_count.h>
@@ -20,6 +21,7 @@
 #include <CGAL/Global_odt_mesh_3/internal/restricted/Fidelity_check_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/restricted/Lifted_vertex_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/restricted/Trial_complex_3.h>
+#include <CGAL/Global_odt_mesh_3/internal/restricted/Trial_neighborhood_3.h>
 
 #include <CGAL/assertions.h>
 
@@ -27,11 +29,10 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <cstddef>
 #include <iterator>
 #include <limits>
-#include <numeric>
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -136,12 +137,12 @@ public:
   template <class Shares>
   void find_steps(int v, double farthest, const Shares& shares, std::vector<Promising_step>& steps)
   {
-    measure_neighborhood(v);
+    neighborhood_ = Neighborhood(complex_, v, own_patch(v));
     find_star(v);
-    Angle_step_3 angle_step(deficit_, normal_);
+    Angle_step_3 angle_step(deficit_, neighborhood_.normal);
     for(const Quadruple& q : star_)
       angle_step.add(cell_sites(q), static_cast<int>(std::find(q.begin(), q.end(), v) - q.begin()));
-    const Eigen::Vector3d step = angle_step.displacement(farthest * mean_edge_);
+    const Eigen::Vector3d step = angle_step.displacement(farthest * neighborhood_.mean_edge);
     const double before = deficit_of_star();
     const Site from = complex_.sites[v];
     for(double share : shares)
@@ -154,15 +155,19 @@ public:
     complex_.sites[v] = from;
   }
 
+  // Of the lifted vertex, in the sphere around a cell.
+  std::optional<Site> place_in_sphere(const Quadruple& q, double share) const
+  { return internal::place_in_sphere(cell_sites(q), lifted_.from(), neighborhood_.normal, share); }
+
   // Takes a vertex out.
   void lift(int v)
   {
-    measure_neighborhood(v);
+    neighborhood_ = Neighborhood(complex_, v, own_patch(v));
     lifted_.lift(v);
   }
 
   // Over which it makes sense to move the lifted vertex.
-  double mean_edge_length() const { return mean_edge_; }
+  double mean_edge_length() const { return neighborhood_.mean_edge; }
 
   // Makes a displacement of the lifted vertex one that may be tried: on a surface, it is projected after it has
   // become tangential. False if there is no such place nearby.
@@ -172,11 +177,12 @@ public:
     const int v = lifted_.vertex();
     if(complex_.numbering.is_interior(v))
       return true;
-    if(normal_.isZero())                              // no facet around it is on its own surface
+    const Eigen::Vector3d& normal = neighborhood_.normal;
+    if(normal.isZero())                               // no facet around it is on its own surface
       return false;
     const Eigen::Vector3d way = position(s) - position(lifted_.from());
-    Eigen::Vector3d p = position(s) - normal_.dot(way) * normal_;
-    if(!complex_.domain.project(p, normal_, farthest_projection * shortest_edge_, patch(v)))
+    Eigen::Vector3d p = position(s) - normal.dot(way) * normal;
+    if(!complex_.domain.project(p, normal, farthest_projection * neighborhood_.shortest_edge, own_patch(v)))
       return false;
     s = site_at(p, s.weight);
     return true;
@@ -207,6 +213,7 @@ public:
 
 private:
   typedef Lifted_vertex_3<Domain> Lifted_vertex;
+  typedef Trial_neighborhood_3<Complex> Neighborhood;
   typedef typename Lifted_vertex::Cell Cell;
   typedef typename Complex::Cell_handle Cell_handle;
   typedef typename Complex::Vertex_handle Vertex_handle;
@@ -216,7 +223,6 @@ private:
 
   // Labels that are not known yet count for outside.
   bool is_inside(int label) const { return label >= 0 && label != complex_.domain.outside(); }
-
   bool is_cell(const Quadruple& q, Cell_handle& c) const
   {
     const auto& t = *complex_.numbered;
@@ -250,39 +256,11 @@ private:
            && complex_.boundary.has_room_to_move(v);
   }
 
-  // The one that the vertex has been on from the beginning.
-  int patch(int v) const { return complex_.domain.patch_at(complex_.numbering.input_vertices[v]->index()); }
-
-  void measure_neighborhood(int v)
+  // The one that the vertex has been on from the beginning, if any.
+  int own_patch(int v) const
   {
-    const std::vector<Site>& sites = complex_.sites;
-    std::vector<Vertex_handle> neighbors;
-    complex_.triangulation().finite_adjacent_vertices(complex_.numbered->vertex(v), std::back_inserter(neighbors));
-    // Sums are rounded the same way whatever the order of cells.
-    std::vector<double> lengths;
-    for(Vertex_handle w : neighbors)
-      lengths.push_back((position(sites[complex_.numbered->number(w)]) - position(sites[v])).norm());
-    std::sort(lengths.begin(), lengths.end());
-    mean_edge_ = std::accumulate(lengths.begin(), lengths.end(), 0.) / double(lengths.size());
-    normal_ = Eigen::Vector3d::Zero();
-    shortest_edge_ = infinity;
-    const int own_patch = complex_.numbering.is_on_boundary(v) ? patch(v) : Boundary_facet::no_patch;
-    std::vector<Exchangeable_boundary_3::Facet> around;
-    for(int n : complex_.boundary.around(v))
-      around.push_back(complex_.boundary.facet(n));
-    std::sort(around.begin(), around.end(), [](const auto& a, const auto& b) { return a.vertices < b.vertices; });
-    for(const Exchangeable_boundary_3::Facet& facet : around)
-    {
-      const std::array<int, 3>& t = facet.vertices;
-      const Eigen::Vector3d origin = position(sites[t[0]]);
-      const Eigen::Vector3d area = (position(sites[t[1]]) - origin).cross(position(sites[t[2]]) - origin);
-      if(facet.patch == own_patch)
-        normal_ += area.dot(normal_) < 0 ? Eigen::Vector3d(-area) : area;
-      for(int w : t)
-        if(w != v)
-          shortest_edge_ = (std::min)(shortest_edge_, (position(sites[w]) - position(sites[v])).norm());
-    }
-    normal_.normalize();
+    return complex_.numbering.is_on_boundary(v) ? complex_.domain.patch_at(complex_.numbering.input_vertices[v]->index())
+                                                : int(Boundary_facet::no_patch);
   }
 
   // Asks the domain about the new cells, first those that may have it decide, as they lack most and nobody knows whether
@@ -361,8 +339,7 @@ private:
   Angle_deficit_3 deficit_, highest_;
   std::vector<Quadruple> star_;
   std::vector<std::pair<double, std::size_t> > order_;        // of new cells, by what they may lack
-  double mean_edge_ = 0, shortest_edge_ = 0;                  // at the lifted vertex
-  Eigen::Vector3d normal_ = Eigen::Vector3d::Zero();          // of the surface there
+  Neighborhood neighborhood_;                                 // of the lifted vertex
   Sliver_count before_, after_;
 };
 

@@ -8,6 +8,8 @@
 
 #include <CGAL/Global_odt_mesh_3/internal/geometry/Point_coordinates.h>
 #include <CGAL/Global_odt_mesh_3/internal/geometry/Site.h>
+#include <CGAL/Global_odt_mesh_3/internal/geometry/Tuple_table.h>
+#include <CGAL/Global_odt_mesh_3/internal/geometry/Vertex_tuples.h>
 
 #include <CGAL/Time_stamper.h>
 #include <CGAL/Unique_hash_map.h>
@@ -38,6 +40,7 @@ struct Vertex_numbering_3
   // A vertex that no boundary facet touches belongs to one subdomain for good, and so
   // do the cells around it.
   std::vector<int> subdomain;               // its label, or no_subdomain on the boundary
+  Tuple_table<std::array<int, 4>, Cell_handle> input_boundary_cells;      // with all vertices on the boundary
   int number_of_interior_vertices = 0;
   int number_of_movable_vertices = 0;
 
@@ -50,15 +53,25 @@ struct Vertex_numbering_3
   // Whether the site is that of the vertex in the input.
   bool is_input_site(int v, const Site& s) const { return same_place(s, input_site(v)); }
 
-  // The cell of the input that has these vertices at their sites, if any.
+  // Whether the vertices are where they were in the input.
+  bool are_at_input(const std::array<int, 4>& q, const std::vector<Site>& sites) const
+  {
+    return std::all_of(q.begin(), q.end(), [&](int v) { return is_input_site(v, sites[v]); });
+  }
+
+  // The cell of the input that has these vertices, all on the boundary, at their sites, if any.
   Cell_handle input_cell(const std::array<int, 4>& q, const std::vector<Site>& sites) const
   {
-    const auto is_as_in_input = [&](int v) { return is_input_site(v, sites[v]); };
+    const Cell_handle* const c = input_boundary_cells.find(sorted(q));
+    return c != nullptr && are_at_input(q, sites) ? *c : Cell_handle();
+  }
+
+  // Whether there is one, on the boundary or not. CGAL marks cells while it looks, so that threads must not ask.
+  bool is_input_cell(const std::array<int, 4>& q, const std::vector<Site>& sites) const
+  {
     const std::vector<Vertex_handle>& v = input_vertices;
     Cell_handle c;
-    const bool is_there = std::all_of(q.begin(), q.end(), is_as_in_input)
-                          && input->is_cell(v[q[0]], v[q[1]], v[q[2]], v[q[3]], c);
-    return is_there ? c : Cell_handle();
+    return are_at_input(q, sites) && input->is_cell(v[q[0]], v[q[1]], v[q[2]], v[q[3]], c);
   }
 };
 

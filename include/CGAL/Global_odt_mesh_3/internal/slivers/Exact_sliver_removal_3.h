@@ -18,6 +18,7 @@
 #include <cmath>
 #include <cstddef>
 #include <map>
+#include <optional>
 #include <set>
 #include <utility>
 #include <vector>
@@ -28,12 +29,13 @@ namespace internal {
 
 struct Exact_sliver_removal_parameters
 {
-  int tries_per_vertex = 8;
+  std::size_t tries_per_vertex = 8;
   double farthest = 0.35, nearest = 0.12;   // the longest tries, over the mean incident edge length, near ones first
   int scales = 3;                           // of these, the longest for as many failures as there are at least
   double ratio_of_scales = 1 / 4.;
   std::array<double, 3> shares_of_step = {{ 1, 0.5, 0.25 }};
   std::size_t most_steps = 3;               // tried for a cell
+  std::array<double, 3> shares_of_radius = {{ 0.02, 0.1, 0.25 }};   // by how much a vertex enters a circumsphere
   int fewest_failures = 4, most_failures = 24;      // for the same cell: more where few cells are left
   double share_of_failures = 0.2;                   // of the tries
   std::size_t tries_of_failure = 40;
@@ -50,9 +52,9 @@ struct Exact_sliver_removal_parameters
 // facets are constrained, cannot. No trial is accepted that makes the smallest angle around it smaller, or more
 // cells fall below one of the steps before; so that a higher bound never leads to less.
 //
-// Trial is as Restricted_trial_3. A cell is helped by steps that promise more in first order; then by random positions
-// of its vertices; and then by those of the vertices opposite to it in its neighbors, which may get into its
-// circumsphere. A cell that nothing helps is left alone until it changes.
+// Trial is as Restricted_trial_3. A cell is helped by steps that promise more in first order; then by the vertices opposite
+// to it in its neighbors, whose way into its circumsphere makes it go; then by random positions of its vertices and of
+// these. A cell that nothing helps is left alone until it changes.
 template <class Trial>
 class Exact_sliver_removal_3
 {
@@ -175,7 +177,7 @@ private:
   bool improve(const Quadruple& q, int failures)
   {
     if(failures == 0)
-      return try_steps(trial_.movable_vertices(q));
+      return try_steps(trial_.movable_vertices(q)) || try_entering(q);
     const bool is_beyond = failures % 2 == 0;
     return try_vertices(is_beyond ? trial_.movable_vertices_beyond(q) : trial_.movable_vertices(q), scale(failures));
   }
@@ -209,15 +211,45 @@ private:
     return false;
   }
 
-  // Whether one of the vertices lowers the sum of the deficits: the best place is taken, or the first
-  // without deficit.
+  // Whether a vertex in the circumsphere lowers the sum of the deficits.
+  bool try_entering(const Quadruple& q)
+  {
+    const auto& shares = parameters_.shares_of_radius;
+    start_search();
+    for(int v : trial_.movable_vertices_beyond(q))
+      if(try_places(v, shares.size(), [&](std::size_t n) { return trial_.place_in_sphere(q, shares[n]); }))
+        return true;
+    return take_best();
+  }
+
+  // Whether a random place of one of the vertices does.
   bool try_vertices(const std::vector<int>& vertices, double scale)
+  {
+    start_search();
+    for(int v : vertices)
+    {
+      const Site from = trial_.site(v);
+      const auto random_place = [&](std::size_t n) -> std::optional<Site>
+      {
+        const double farthest = scale * (2 * n < parameters_.tries_per_vertex ? parameters_.nearest : parameters_.farthest);
+        const Eigen::Vector3d d = trial_.mean_edge_length() * random_.uniform() * farthest * random_.direction();
+        return site_at(position(from) + d, from.weight);
+      };
+      if(try_places(v, parameters_.tries_per_vertex, random_place))
+        return true;
+    }
+    return take_best();
+  }
+
+  // The best place of those that are tried is taken, or the first without deficit.
+  void start_search()
   {
     best_change_ = -least_improvement;
     best_vertex_ = -1;
-    for(int v : vertices)
-      if(try_places(v, scale))
-        return true;
+  }
+
+  bool take_best()
+  {
     if(best_vertex_ < 0)
       return false;
     lift(best_vertex_);
@@ -230,19 +262,18 @@ private:
     return is_accepted;
   }
 
-  // Whether one was found, and accepted, that leaves no deficit.
-  bool try_places(int v, double scale)
+  // Whether one was found, and accepted, that leaves no deficit. `place(n)`, asked when the vertex is lifted, gives one or none.
+  template <class Place>
+  bool try_places(int v, std::size_t number, const Place& place)
   {
-    const Site from = trial_.site(v);
     lift(v);
-    for(int n = 0; n < parameters_.tries_per_vertex; ++n)
+    for(std::size_t n = 0; n < number; ++n)
     {
-      const double farthest = scale * (2 * n < parameters_.tries_per_vertex ? parameters_.nearest : parameters_.farthest);
-      const Eigen::Vector3d d = trial_.mean_edge_length() * random_.uniform() * farthest * random_.direction();
-      Site s = site_at(position(from) + d, from.weight);
+      std::optional<Site> wanted = place(n);
       ++number_of_tries_;
-      if(!trial_.place(s))
+      if(!wanted || !trial_.place(*wanted))
         continue;
+      const Site& s = *wanted;
       const double change = trial_.move(s, best_change_);
       if(!(change < best_change_))
         continue;

@@ -6,10 +6,7 @@
 #ifndef CGAL_GLOBAL_ODT_MESH_3_INTERNAL_SLIVERS_SLIVER_STAGE_3_H
 #define CGAL_GLOBAL_ODT_MESH_3_INTERNAL_SLIVERS_SLIVER_STAGE_3_H
 
-#include <CGAL/Global_odt_mesh_3/internal/geometry/Angle_deficit_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/geometry/Sliver_steps.h>
-#include <CGAL/Global_odt_mesh_3/internal/parallel/Collect_in_chunks.h>
-#include <CGAL/Global_odt_mesh_3/internal/restricted/Angle_check_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/slivers/Cell_angles.h>
 #include <CGAL/Global_odt_mesh_3/internal/slivers/Exact_sliver_removal_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/slivers/Sliver_removal_3.h>
@@ -65,23 +62,21 @@ public:
     {
       if(step > reached_.last_step)
         measure(step);
+      const std::size_t before = reached_.below[step];
       goes_on = may_go_on() && is_worthwhile(step) && climb(step, has_time);
-      // Where cells are left far below, another time is likely to reach more than another step.
-      if(goes_on && reached_.below[first_step] > 0 && repetitions-- > 0)
+      const std::size_t removed = before - (std::min)(before, reached_.below[step]);
+      most_tries_ += tries_for_a_removed_cell * removed;
+      // Other random numbers remove cells that the first ones have not; so they are tried as long as that pays, and where
+      // cells are left far below, since another step would do less for these.
+      const bool pays = Sliver_steps::angles[step] <= always_wanted && removed > 0
+                        && double(removed) >= least_share_removed * double(before);
+      if(goes_on && (pays || (reached_.below[first_step] > 0 && repetitions-- > 0)))
+      {
+        failures_.clear();
         --step;
+      }
     }
     return true;
-  }
-
-  // The number of cells with an angle below the bound.
-  std::size_t number_of_slivers() const
-  {
-    const Angle_deficit_3 angle_deficit(bound_);
-    return collect_in_chunks(mesh_.topology.number_of_cell_slots(), mesh_.threads(), [&](int c, std::vector<int>& found)
-    {
-      if(mesh_.deficit(c, angle_deficit) > 0)
-        found.push_back(c);
-    }).size();
   }
 
 private:
@@ -90,6 +85,9 @@ private:
 
   static constexpr int first_step = 1, most_repetitions = 2;
   static constexpr std::size_t tries_for_an_exact_one = 3;
+  // What pays, so that all tries are in proportion to the cells that there are to remove.
+  static constexpr std::size_t tries_for_a_removed_cell = 100;
+  static constexpr double least_share_removed = 0.2;
   static constexpr double share_of_climb = 0.8;         // of the exact ones; the others are for the worst cells
   // Above the angle, no step is taken if no bound is given, and cells are left below the one before or more of them
   // below this.
@@ -110,7 +108,7 @@ private:
   {
     if(reached_.below[step] == 0)
       return true;
-    const Angle_check_3 angles(mesh_, Sliver_steps::angles[step - 1]);
+    const typename Complex::Angle_check angles(mesh_, Sliver_steps::angles[step - 1]);
     if(!remove_from_mesh(step, has_time))
       return climb_in_complex(step, has_time);
     std::optional<State> replaced = complex_.advance(mesh_, angles);

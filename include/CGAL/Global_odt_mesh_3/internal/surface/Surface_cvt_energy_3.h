@@ -17,6 +17,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <functional>
 #include <numeric>
 #include <vector>
@@ -39,8 +40,11 @@ namespace internal {
 struct Surface_cvt_contribution_3
 {
   double energy = 0;
-  std::array<Eigen::Vector3d, 3> gradient;
+  std::array<Eigen::Vector3d, 3> gradient = {{ Eigen::Vector3d::Zero(), Eigen::Vector3d::Zero(), Eigen::Vector3d::Zero() }};
   std::array<double, 3> mass = {{ 0, 0, 0 }};       // of the corners' parts
+
+  // Of a facet without area.
+  Surface_cvt_contribution_3() {}
 
   // The density is one, and no vertex has a weight. The part at each end of an edge of length l is a right triangle
   // with legs l/2 and l/2 cot(a), where a is the angle opposite to the edge. Both have the area A b/2, where b is the
@@ -180,8 +184,17 @@ private:
   // A chunk is to be worth the trouble of a thread.
   static constexpr int least_facets = 2000, most_chunks = 8;
 
+  // Facets whose vertices are on one line, up to rounding, count for nothing, as formulas divide by the area.
   static Surface_cvt_contribution_3 contribution(const std::array<int, 3>& t, const std::vector<Site>& sites,
                                                  const std::vector<double>& densities)
+  {
+    const Surface_cvt_contribution_3 c = contribution_of_triangle(t, sites, densities);
+    const double sum = c.energy + c.gradient[0].sum() + c.gradient[1].sum() + c.gradient[2].sum() + c.mass[0] + c.mass[1] + c.mass[2];
+    return std::isfinite(sum) ? c : Surface_cvt_contribution_3();
+  }
+
+  static Surface_cvt_contribution_3 contribution_of_triangle(const std::array<int, 3>& t, const std::vector<Site>& sites,
+                                                             const std::vector<double>& densities)
   {
     if(!densities.empty())
       return Surface_cvt_contribution_3(t, sites, {{ densities[t[0]], densities[t[1]], densities[t[2]] }});

@@ -88,7 +88,10 @@ public:
     // Cells may be empty where weights are large.
     diagonal_ = diagonal_.cwiseMax(0);
     if(factor_ < 0)
-      factor_ = weight_ * diagonal.sum() / diagonal_.sum();
+    {
+      const double sum = diagonal_.sum();
+      factor_ = sum > 0 ? weight_ * diagonal.sum() / sum : 0;
+    }
     gradient.segment(3 * first_, 3 * number_) += factor_ * gradient_;
     diagonal.segment(3 * first_, 3 * number_) += factor_ * diagonal_;
     return factor_ * energy;
