@@ -8,7 +8,7 @@
 
 #include <CGAL/license/Mesh_3.h>
 
-#include <CGAL/Global_odt_mesh_3/internal/Required_cgal_version.h>
+#include <CGAL/Global_odt_mesh_3/internal/Requirements.h>
 
 #include <CGAL/Global_odt_mesh_3/internal/Parameter_check.h>
 #include <CGAL/Global_odt_mesh_3/internal/sizing/Boundary_poles_3.h>

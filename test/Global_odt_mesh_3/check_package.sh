@@ -27,7 +27,7 @@ for example in examples/Global_odt_mesh_3/*.cpp; do
 done
 
 for header in include/CGAL/*.h; do
-  for included in CGAL/license/Mesh_3.h CGAL/Global_odt_mesh_3/internal/Required_cgal_version.h; do
+  for included in CGAL/license/Mesh_3.h CGAL/Global_odt_mesh_3/internal/Requirements.h; do
     grep -q "^#include <$included>$" "$header" || complain "$header does not include $included"
   done
 done

@@ -11,6 +11,7 @@
 #include <CGAL/Global_odt_mesh_3/internal/geometry/Point_coordinates.h>
 #include <CGAL/Global_odt_mesh_3/internal/geometry/Site.h>
 #include <CGAL/Global_odt_mesh_3/internal/geometry/Vertex_tuples.h>
+#include <CGAL/Global_odt_mesh_3/internal/restricted/Facet_shape_check_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/restricted/Fidelity_check_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/restricted/Lifted_vertex_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/restricted/Trial_complex_3.h>
@@ -38,10 +39,12 @@ public:
   typedef Lifted_vertex_3<Domain> Lifted_vertex;
 
   // If `changes` is false, the boundary has to stay as it is.
-  Facet_exchange_3(Complex& complex, const Lifted_vertex& lifted, const Fidelity_check_3<Domain>& fidelity, bool changes)
+  Facet_exchange_3(Complex& complex, const Lifted_vertex& lifted, const Fidelity_check_3<Domain>& fidelity,
+                   const Facet_shape_check_3& shapes, bool changes)
     : complex_(complex)
     , lifted_(lifted)
     , fidelity_(fidelity)
+    , least_angle_((std::max)(shapes.smallest_angle(), small_angle))
     , changes_(changes)
   {}
 
@@ -58,7 +61,7 @@ public:
       return removed_.empty() && added_.empty();
     if(!complex_.boundary.keeps_topology(removed_, added_))
       return false;
-    const double least = (std::min)(small_angle, smallest_angle_before());
+    const double least = (std::min)(least_angle_, smallest_angle_before());
     std::vector<Triple> facets = moved_;
     for(const Facet& f : added_)
       facets.push_back(f.vertices);
@@ -76,7 +79,8 @@ private:
   typedef Exchangeable_boundary_3::Triple Triple;
   typedef Eigen::Vector3d Vector;
 
-  static constexpr double small_angle = 30;     // degrees
+  // Degrees. Below that, a facet is worse for the surface than a sliver for the cells, even if the input has worse ones.
+  static constexpr double small_angle = 25;
 
   // A facet of one of some cells.
   struct Side
@@ -245,6 +249,7 @@ private:
   Complex& complex_;
   const Lifted_vertex& lifted_;
   const Fidelity_check_3<Domain>& fidelity_;
+  double least_angle_;
   bool changes_;
   std::vector<int> removed_;          // numbers of facets
   std::vector<Facet> added_;

@@ -11,10 +11,13 @@
 #include <CGAL/Global_odt_mesh_3/internal/restricted/Restricted_report_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/surface/Boundary_complex_3.h>
 
+#include <CGAL/number_utils.h>
+
 #include <Eigen/Core>
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstddef>
 #include <vector>
 
@@ -46,6 +49,9 @@ public:
     for(const Boundary_facet& f : input.facets())
       largest_cosine_ = (std::max)(largest_cosine_, largest_cosine(f.vertices, sites));
   }
+
+  // What angles may be, in degrees.
+  double smallest_angle() const { return std::acos(largest_cosine_) * 180 / CGAL_PI; }
 
   // Whether these vertices may be those of a boundary facet.
   bool is_good(const std::array<int, 3>& facet, const std::vector<Site>& sites) const

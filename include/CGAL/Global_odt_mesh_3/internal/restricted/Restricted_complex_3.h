@@ -131,7 +131,7 @@ public:
   Trial make_trial()
   {
     provide_triangulation();
-    return Trial(state_, domain_, fidelity_, motion_ != Boundary_motion::NONE, threads_);
+    return Trial(state_, domain_, fidelity_, shapes_, motion_ != Boundary_motion::NONE, threads_);
   }
 
   // Goes to where trials of this state have led, of which nothing is left there. False if that cannot be done: then the

@@ -18,6 +18,7 @@
 #include <CGAL/Global_odt_mesh_3/internal/parallel/Collect_in_chunks.h>
 #include <CGAL/Global_odt_mesh_3/internal/parallel/Thread_policy.h>
 #include <CGAL/Global_odt_mesh_3/internal/restricted/Facet_exchange_3.h>
+#include <CGAL/Global_odt_mesh_3/internal/restricted/Facet_shape_check_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/restricted/Fidelity_check_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/restricted/Lifted_vertex_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/restricted/Trial_complex_3.h>
@@ -55,11 +56,11 @@ public:
   typedef typename Complex::Quadruple Quadruple;
 
   // The state lends its triangulation. If `boundary_moves` is false, the boundary stays. Threads share visits of all cells.
-  Restricted_trial_3(State& state, Domain& domain, const Fidelity_check_3<Domain>& fidelity, bool boundary_moves,
-                     const Thread_policy& threads = Thread_policy())
+  Restricted_trial_3(State& state, Domain& domain, const Fidelity_check_3<Domain>& fidelity, const Facet_shape_check_3& shapes,
+                     bool boundary_moves, const Thread_policy& threads = Thread_policy())
     : complex_(state, domain, threads)
     , lifted_(complex_)
-    , exchange_(complex_, lifted_, fidelity, boundary_moves)
+    , exchange_(complex_, lifted_, fidelity, shapes, boundary_moves)
     , boundary_moves_(boundary_moves)
     , deficit_(Sliver_steps::angles[0] + margin)
     , highest_(deficit_)
@@ -67,7 +68,6 @@ public:
 
   Restricted_trial_3(const Restricted_trial_3&) = delete;
   Restricted_trial_3& operator=(const Restricted_trial_3&) = delete;
-
   // The dihedral angle, in degrees, that should be reached in the next trials, and the number of steps of which none
   // may have more cells below it afterwards.
   void set_goal(double bound, int steps)

@@ -35,7 +35,7 @@ struct Exact_sliver_removal_parameters
   double ratio_of_scales = 1 / 4.;
   std::array<double, 3> shares_of_step = {{ 1, 0.5, 0.25 }};
   std::size_t most_steps = 3;               // tried for a cell
-  std::array<double, 3> shares_of_radius = {{ 0.02, 0.1, 0.25 }};   // by how much a vertex enters a circumsphere
+  std::array<double, 3> shares_of_radius = {{ 0.005, 0.05, 0.2 }};   // by how much a vertex enters a circumsphere
   int fewest_failures = 4, most_failures = 24;      // for the same cell: more where few cells are left
   double share_of_failures = 0.2;                   // of the tries
   std::size_t tries_of_failure = 40;
