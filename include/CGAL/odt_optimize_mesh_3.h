@@ -139,8 +139,9 @@ The global search consists of rounds (see `number_of_rounds` and `annealing_sche
 removed: vertices of cells with dihedral angles below a bound try positions around them, one by one. The bound rises in
 steps of 20, 30, 35, 40, ... degrees, and a step is kept only if the smallest angle of all cells and the numbers of
 cells below the previous steps have not become worse, so that a higher `sliver_bound` never leads to smaller angles.
-The number of trials is a fraction of the work of the previous stages; where it does not suffice for the bound, a
-higher `number_of_rounds` leads to more trials.
+A step up to 30 degrees is repeated with other random numbers as long as this removes a fifth of the cells below it.
+The number of trials is bounded by the work of the previous stages and the numbers of cells below 20 degrees and of cells
+that are removed; where it does not suffice for the bound, a higher `number_of_rounds` leads to more trials.
 
 Vertices of dimension 2 move on the surface, first toward a centroidal Voronoi tessellation of it
 (see `remesh_boundary_mesh_3()`) and then together with the interior, where the energy of that tessellation is added
@@ -339,9 +340,9 @@ version of %CGAL in use accepts: `parameters::time_limit = 10, parameters::do_fr
 - `CGAL::CONVERGENCE_REACHED` when the largest displacements are below `convergence`;
 - `CGAL::ALL_VERTICES_FROZEN` when `do_freeze` is `true` and all vertices that may move are frozen, also when there are
   none;
-- `CGAL::CANT_IMPROVE_ANYMORE` when cells below a positive `sliver_bound` are left, when no step along the search
-  direction, nor along the gradient, lowers the energy, or when no valid mesh can be made, in which case `c3t3` is as
-  before.
+- `CGAL::CANT_IMPROVE_ANYMORE` when cells below a positive `sliver_bound` are left though `do_remove_slivers` is `true`,
+  also when no vertex may move, when no step along the search direction, nor along the gradient, lowers the energy, or when
+  no valid mesh can be made, in which case `c3t3` is as before.
 
 \pre No vertex but those on features carries a weight, that is, `exude_mesh_3()` has not been called before.
 \pre The triangulation has at most \f$ 2^{28} \f$ cells.

@@ -9,6 +9,7 @@
 
 #include "check.h"
 
+#include <CGAL/Compact_mesh_cell_base_3.h>
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Global_odt_mesh_3/internal/blocks/Block_annealing_3.h>
 #include <CGAL/IO/File_binary_mesh_3.h>
@@ -37,9 +38,39 @@
 typedef CGAL::Exact_predicates_inexact_constructions_kernel Kernel;
 typedef Kernel::Point_3 Point_3;
 typedef CGAL::Labeled_mesh_domain_3<Kernel> Domain;
+
+// The thread that may use the marks of cells, which CGAL does even in functions that only look; and whether others do.
+static std::thread::id marking_thread;
+static std::atomic<bool> others_mark{false};
+
+// The cell of CGAL, which tells who uses its marks.
+template <class Cell>
+struct Watched_cell : Cell
+{
+  using Cell::Cell;
+
+  auto& tds_data()
+  {
+    if(std::this_thread::get_id() != marking_thread && marking_thread != std::thread::id())
+      others_mark = true;
+    return Cell::tds_data();
+  }
+  const auto& tds_data() const { return Cell::tds_data(); }
+};
+
+struct Watched_cell_base : CGAL::Compact_mesh_cell_base_3<CGAL::Mesh_triangulation_3<Domain>::type::Geom_traits, Domain>
+{
+  template <class Tds>
+  struct Rebind_TDS
+  {
+    typedef Watched_cell<typename CGAL::Compact_mesh_cell_base_3<CGAL::Mesh_triangulation_3<Domain>::type::Geom_traits,
+                                                                 Domain>::template Rebind_TDS<Tds>::Other> Other;
+  };
+};
+
 template <class Concurrency_tag>
 using C3t3_for = CGAL::Mesh_complex_3_in_triangulation_3<
-  typename CGAL::Mesh_triangulation_3<Domain, CGAL::Default, Concurrency_tag>::type>;
+  typename CGAL::Mesh_triangulation_3<Domain, CGAL::Default, Concurrency_tag, CGAL::Default, Watched_cell_base>::type>;
 typedef C3t3_for<CGAL::Parallel_tag> C3t3;
 typedef C3t3::Triangulation Triangulation;
 typedef CGAL::Mesh_criteria_3<Triangulation> Criteria;
@@ -118,7 +149,10 @@ Coordinates optimized(const std::string& mesh, const Domain& domain, std::size_t
   tbb::global_control control(tbb::global_control::max_allowed_parallelism, threads);
   C3t3 c3t3 = read<C3t3>(mesh);
   const Coordinates before = coordinates(c3t3);
+  marking_thread = std::this_thread::get_id();
   CGAL::odt_optimize_mesh_3(c3t3, domain, params::number_of_rounds = 1, params::domain_is_thread_safe = domain_is_safe);
+  marking_thread = std::thread::id();
+  check::that(!others_mark, "a thread marks cells of the caller");
   check::that(c3t3.triangulation().is_valid(), "the triangulation is not valid");
   const Coordinates after = coordinates(c3t3);
   check::that(after.size() == before.size() && after != before, "vertices are lost, or nothing has moved");
@@ -207,7 +241,10 @@ int main()
     return squared(p) < 1 ? 1 : 0;
   };
   const Domain domain(label, Kernel::Sphere_3(CGAL::ORIGIN, 4.));
-  const auto mesh_with = [&](double size)
+  // Cut into eight pieces: many vertices stay, and with them cells that have all vertices on the boundary.
+  const auto piece = [&](const Point_3& p) { return label(p) == 0 ? 0 : 1 + (p.x() > 0.1) + 2 * (p.y() > 0.1) + 4 * (p.z() > 0.1); };
+  const Domain pieces(piece, Kernel::Sphere_3(CGAL::ORIGIN, 4.));
+  const auto mesh_of = [&](const Domain& domain, double size)
   {
     const Criteria criteria(params::facet_angle = 25, params::facet_size = size, params::facet_distance = size / 10,
                             params::cell_radius_edge_ratio = 2, params::cell_size = size);
@@ -218,6 +255,7 @@ int main()
               << std::endl;
     return c3t3;
   };
+  const auto mesh_with = [&](double size) { return mesh_of(domain, size); };
   const auto stored = [](const C3t3& c3t3)
   {
     std::ostringstream stream;
@@ -230,10 +268,15 @@ int main()
                 large.triangulation().number_of_vertices()) > 1, "too few vertices for a search in blocks");
   const Coordinates expected = same_for_all_threads(stored(c3t3), domain, { 2, 3, 8 }),
                     expected_of_large = same_for_all_threads(stored(large), domain, { 3 });
+  const std::string mesh_of_pieces = stored(mesh_of(pieces, 0.15));
+  const Coordinates expected_of_pieces = same_for_all_threads(mesh_of_pieces, pieces, { 2, 8 });
   users_are_called_from_one_thread(c3t3, domain, caller);
   // From here on, other threads may ask.
   check::that(optimized<C3t3>(stored(c3t3), domain, 8, true) == expected
               && optimized<C3t3>(stored(large), domain, 3, true) == expected_of_large, "threads that ask the domain lead elsewhere");
+  for(std::size_t threads : { 2, 4, 8 })
+    check::that(optimized<C3t3>(mesh_of_pieces, pieces, threads, true) == expected_of_pieces,
+                threads, " threads that ask a domain of several pieces lead elsewhere");
   safe_domain(c3t3, domain, caller);
   return check::result();
 }

@@ -40,8 +40,6 @@ struct Exact_sliver_removal_parameters
   double share_of_failures = 0.2;                   // of the tries
   std::size_t tries_of_failure = 40;
   int most_passes = 30;                     // with each bound
-  std::size_t few_tries = 1000;             // if a pass takes more, so many of them have to lead to a move for another to follow
-  std::size_t tries_for_a_move = 100;
   int most_failures_of_worst = 120;         // for the cell with the smallest angle, which should rise by so many degrees:
   double rise_of_worst = 2;
   std::size_t tries_of_lift = 8;            // to lift a vertex and put it back takes as long as so many tries
@@ -124,7 +122,6 @@ private:
       goes_on = false;
       const std::vector<Sliver> slivers(slivers_.begin(), slivers_.lower_bound({ Sliver_steps::angles[step], Quadruple() }));
       const int most_failures = failures_for_each(slivers.size(), share);
-      const std::size_t tries = number_of_tries_, moves = number_of_moves_;
       for(const Sliver& s : slivers)
       {
         if(!is_still_there(s))
@@ -138,8 +135,6 @@ private:
         if(!improve(s.second, failures))
           ++failures;
       }
-      if(number_of_tries_ - tries > (std::max)(parameters_.few_tries, (number_of_moves_ - moves) * parameters_.tries_for_a_move))
-        break;
     }
     return true;
   }

@@ -67,7 +67,7 @@ public:
         improve_parts(parts, at_surfaces, may_go_on);
     int joint_tries = parameters_.most_joint_tries;
     do
-      make_passes(may_go_on);
+      for(int n = 0; n < parameters_.most_passes && improvement_.improve(all_slivers(), may_go_on); ++n) {}
     while(displace_slivers(joint_tries, may_go_on));
   }
 
@@ -82,20 +82,6 @@ private:
       if(improvement_.is_sliver(c))
         found.push_back(c);
     }));
-  }
-
-  // As long as they pay.
-  template <class Predicate>
-  void make_passes(const Predicate& may_go_on)
-  {
-    std::vector<int> slivers = all_slivers();
-    for(int n = 0; n < parameters_.most_passes && improvement_.improve(slivers, may_go_on); ++n)
-    {
-      const std::size_t before = slivers.size();
-      slivers = all_slivers();
-      if(before > parameters_.few_slivers && double(slivers.size()) > (1 - parameters_.least_gain_of_pass) * double(before))
-        return;
-    }
   }
 
   // Each part gets a share of the tries for the slivers that it has, those at surfaces or only the others.

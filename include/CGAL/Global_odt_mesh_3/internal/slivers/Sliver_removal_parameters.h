@@ -21,8 +21,6 @@ struct Sliver_removal_parameters
   double farthest = 0.35, nearest = 0.12;   // the longest tries, over the mean incident edge length, near ones first
   int most_failures = 3;            // for the same cell
   int most_passes = 12;
-  std::size_t few_slivers = 50;     // if there are more, a pass has to remove this share of them for another to follow
-  double least_gain_of_pass = 0.03;
   double joint_farthest = 0.2;                // the longest of a vertex, over the same
   int joint_tries_per_sliver = 2, most_joint_tries = 20, passes_after_joint_try = 5;
   int vertices_of_part = 5000, partitions = 3;    // how large parts are, and how often others are made
