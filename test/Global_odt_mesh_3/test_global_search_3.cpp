@@ -238,7 +238,7 @@ static void searches()
 static void long_plans()
 {
   constexpr int most = (std::numeric_limits<int>::max)();
-  Metropolis_annealing_schedule schedule;
+  CGAL::Metropolis_annealing_schedule schedule;
   schedule.iterations_in_round = schedule.final_iterations = most;
   Odt_parameters parameters;
   parameters.annealing_schedule = schedule;
