@@ -9,7 +9,6 @@
 
 #include "check.h"
 
-#include <CGAL/Compact_mesh_cell_base_3.h>
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Global_odt_mesh_3/internal/blocks/Block_annealing_3.h>
 #include <CGAL/IO/File_binary_mesh_3.h>
@@ -38,39 +37,9 @@
 typedef CGAL::Exact_predicates_inexact_constructions_kernel Kernel;
 typedef Kernel::Point_3 Point_3;
 typedef CGAL::Labeled_mesh_domain_3<Kernel> Domain;
-
-// The thread that may use the marks of cells, which CGAL does even in functions that only look; and whether others do.
-static std::thread::id marking_thread;
-static std::atomic<bool> others_mark{false};
-
-// The cell of CGAL, which tells who uses its marks.
-template <class Cell>
-struct Watched_cell : Cell
-{
-  using Cell::Cell;
-
-  auto& tds_data()
-  {
-    if(std::this_thread::get_id() != marking_thread && marking_thread != std::thread::id())
-      others_mark = true;
-    return Cell::tds_data();
-  }
-  const auto& tds_data() const { return Cell::tds_data(); }
-};
-
-struct Watched_cell_base : CGAL::Compact_mesh_cell_base_3<CGAL::Mesh_triangulation_3<Domain>::type::Geom_traits, Domain>
-{
-  template <class Tds>
-  struct Rebind_TDS
-  {
-    typedef Watched_cell<typename CGAL::Compact_mesh_cell_base_3<CGAL::Mesh_triangulation_3<Domain>::type::Geom_traits,
-                                                                 Domain>::template Rebind_TDS<Tds>::Other> Other;
-  };
-};
-
 template <class Concurrency_tag>
 using C3t3_for = CGAL::Mesh_complex_3_in_triangulation_3<
-  typename CGAL::Mesh_triangulation_3<Domain, CGAL::Default, Concurrency_tag, CGAL::Default, Watched_cell_base>::type>;
+  typename CGAL::Mesh_triangulation_3<Domain, CGAL::Default, Concurrency_tag>::type>;
 typedef C3t3_for<CGAL::Parallel_tag> C3t3;
 typedef C3t3::Triangulation Triangulation;
 typedef CGAL::Mesh_criteria_3<Triangulation> Criteria;
@@ -149,10 +118,7 @@ Coordinates optimized(const std::string& mesh, const Domain& domain, std::size_t
   tbb::global_control control(tbb::global_control::max_allowed_parallelism, threads);
   C3t3 c3t3 = read<C3t3>(mesh);
   const Coordinates before = coordinates(c3t3);
-  marking_thread = std::this_thread::get_id();
   CGAL::odt_optimize_mesh_3(c3t3, domain, params::number_of_rounds = 1, params::domain_is_thread_safe = domain_is_safe);
-  marking_thread = std::thread::id();
-  check::that(!others_mark, "a thread marks cells of the caller");
   check::that(c3t3.triangulation().is_valid(), "the triangulation is not valid");
   const Coordinates after = coordinates(c3t3);
   check::that(after.size() == before.size() && after != before, "vertices are lost, or nothing has moved");
