@@ -96,8 +96,7 @@ public:
   // If so many cells are left below the bound.
   Mesh_optimization_return_code code(std::size_t slivers) const
   {
-    const bool is_for_slivers = parameters_.do_remove_slivers && plan_->removes_slivers() && control_.goes_on();
-    return slivers > 0 && is_for_slivers ? CANT_IMPROVE_ANYMORE : code_;
+    return slivers > 0 && removes_slivers() && control_.goes_on() ? CANT_IMPROVE_ANYMORE : code_;
   }
 
   const Oracle_statistics& oracle_statistics() const { return complex_.domain().statistics(); }

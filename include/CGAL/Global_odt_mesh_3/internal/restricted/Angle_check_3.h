@@ -9,6 +9,7 @@
 #include <CGAL/Global_odt_mesh_3/internal/geometry/Angle_deficit_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/geometry/Site.h>
 #include <CGAL/Global_odt_mesh_3/internal/parallel/Collect_in_chunks.h>
+#include <CGAL/Global_odt_mesh_3/internal/parallel/Thread_policy.h>
 #include <CGAL/Global_odt_mesh_3/internal/restricted/Restricted_report_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/triangulation/Constrained_triangulation_3.h>
 
@@ -26,17 +27,18 @@ class Angle_check_3
 {
 public:
   // The mesh is that of the state; the bound is in degrees.
-  Angle_check_3(const Constrained_triangulation_3& mesh, double bound)
+  Angle_check_3(const Constrained_triangulation_3& mesh, double bound, const Thread_policy& threads)
     : deficit_(bound)
     , smallest_(mesh.sites.size(), bound)
   {
-    for(int c = 0; c < mesh.topology.number_of_cell_slots(); ++c)
-      if(mesh.topology.is_alive(c))
-      {
-        const double angle = smallest_angle(mesh.cell_sites(c));
-        for(int v : mesh.topology.cell(c))
-          smallest_[v] = (std::min)(smallest_[v], angle);
-      }
+    const auto find_slivers = [&](int c, std::vector<int>& found)
+    {
+      if(mesh.topology.is_alive(c) && smallest_angle(mesh.cell_sites(c)) < bound)
+        found.push_back(c);
+    };
+    for(int c : collect_in_chunks(mesh.topology.number_of_cell_slots(), threads, find_slivers))
+      for(int v : mesh.topology.cell(c))
+        smallest_[v] = (std::min)(smallest_[v], smallest_angle(mesh.cell_sites(c)));
   }
 
   // Sends back vertices of cells that are worse.

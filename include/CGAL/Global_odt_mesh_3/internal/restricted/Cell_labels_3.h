@@ -32,8 +32,8 @@ namespace internal {
 //
 // Where a vertex has no boundary facet, its subdomain is the label, and the dual point has to be there. A cell with all
 // vertices on the boundary is labelled by the side on which its dual point lies. On the way, that is as seen
-// from the vertices on the boundary where these agree and see it clearly, unless a cell would be wrong. In the end the domain tells, even far from the boundary, since details that the samples miss leave holes that no
-// facet goes around.
+// from the vertices on the boundary where these agree and see it clearly, unless a cell would be wrong. In the end the
+// domain is asked, even far from the boundary, since details that the samples miss leave holes that no facet goes around.
 template <class Domain>
 class Cell_labels_3
 {

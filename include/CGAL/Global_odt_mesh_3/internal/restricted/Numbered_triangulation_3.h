@@ -22,7 +22,6 @@
 #include <cstddef>
 #include <iterator>
 #include <numeric>
-#include <set>
 #include <utility>
 #include <vector>
 

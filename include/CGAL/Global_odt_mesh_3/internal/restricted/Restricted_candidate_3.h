@@ -161,19 +161,10 @@ struct Restricted_candidate_3
   }
 
   // Where the vertex is now, on the surface, is its home from now on.
-  void settle(int v)
-  {
-    homes[v] = sites[v];
-    is_home_on_surface[v - numbering.number_of_interior_vertices] = true;
-  }
+  void settle(int v) { set_home(v, sites[v]); }
 
   // From now on, home is where the vertex was in the input.
-  void give_up_home(int v)
-  {
-    homes[v] = numbering.input_site(v);
-    if(!numbering.is_interior(v))
-      is_home_on_surface[v - numbering.number_of_interior_vertices] = true;
-  }
+  void give_up_home(int v) { set_home(v, numbering.input_site(v)); }
 
   // The candidate becomes a state.
   State finish()
@@ -209,6 +200,14 @@ struct Restricted_candidate_3
   }
 
 private:
+  // On the surface, if the vertex belongs to one.
+  void set_home(int v, const Site& s)
+  {
+    homes[v] = s;
+    if(!numbering.is_interior(v))
+      is_home_on_surface[v - numbering.number_of_interior_vertices] = true;
+  }
+
   static int times(const std::map<int, int>& vertices, int v)
   {
     const auto it = vertices.find(v);

@@ -108,7 +108,7 @@ private:
   {
     if(reached_.below[step] == 0)
       return true;
-    const typename Complex::Angle_check angles(mesh_, Sliver_steps::angles[step - 1]);
+    const typename Complex::Angle_check angles(mesh_, Sliver_steps::angles[step - 1], mesh_.threads());
     if(!remove_from_mesh(step, has_time))
       return climb_in_complex(step, has_time);
     std::optional<State> replaced = complex_.advance(mesh_, angles);
