@@ -60,13 +60,13 @@ public:
                 "vertices on the boundary or their dimension or index changed");
     check::that(after.facets == before_.facets, n, "facets of the complex, their patches or surface centers changed, ",
                 before_.facets.size(), " -> ", after.facets.size());
-    check_volume(after, 1e-11, 1e-11);
+    check_volume(after, 1e-11);
   }
 
-  // Checks a mesh made from the one before with vertices moving on the surfaces. Volumes
-  // of subdomains and their sum may change by these ratios. Vertices and surface centers
-  // are within `tolerance`, relative to the size of the mesh, of the surface.
-  void check_moved(const C3t3& c3t3, double volume_of_subdomain, double volume_of_all, double tolerance) const
+  // Checks a mesh made from the one before with vertices moving on the surfaces. Vertices and surface centers are within
+  // `tolerance`, relative to the size of the mesh, of the surface. No facet gets an angle below that of the input or
+  // `facet_angle`. The volume of a subdomain changes by at most this share of the layer of cells along its surface.
+  void check_moved(const C3t3& c3t3, double tolerance, double facet_angle = 30, double share_of_layer = 0.03) const
   {
     const State after(c3t3, domain_);
     check_common(c3t3, after);
@@ -91,7 +91,9 @@ public:
                 centers_off_before);
     check::that(after.farthest_centroid_off_slivers <= 1.01 * before_.farthest_centroid + 1e-12, n, "a facet's centroid is ",
                 after.farthest_centroid_off_slivers, " from the surface, before ", before_.farthest_centroid);
-    check_volume(after, volume_of_subdomain, volume_of_all);
+    check::that(after.smallest_facet_angle >= (std::min)(before_.smallest_facet_angle, facet_angle) - 1e-3, n, "a facet has an angle of ",
+                after.smallest_facet_angle, " degrees, before ", before_.smallest_facet_angle);
+    check_volume(after, share_of_layer);
   }
 
   // How many of some edges there are at each of their ends.
@@ -122,6 +124,44 @@ public:
         stray += std::none_of(others.begin(), others.end(), [&](const Segment& o)
                               { return (std::min)(length(p, o.first), length(p, o.second)) <= longest; });
     return stray;
+  }
+
+  // The median length of the edges of each subdomain.
+  static std::map<Subdomain_index, double> median_edges(const C3t3& c3t3)
+  {
+    const Triangulation& tr = c3t3.triangulation();
+    std::map<Subdomain_index, std::set<Segment> > edges;
+    for(auto c = c3t3.cells_in_complex_begin(); c != c3t3.cells_in_complex_end(); ++c)
+      for(int i = 0; i < 4; ++i)
+        for(int j = 0; j < i; ++j)
+          edges[c3t3.subdomain_index(c)].insert(std::minmax({ point(tr, c->vertex(i)), point(tr, c->vertex(j)) }));
+    std::map<Subdomain_index, double> medians;
+    for(const auto& e : edges)
+    {
+      std::vector<double> lengths;
+      for(const Segment& s : e.second)
+        lengths.push_back(length(s.first, s.second));
+      const auto middle = lengths.begin() + lengths.size() / 2;
+      std::nth_element(lengths.begin(), middle, lengths.end());
+      medians[e.first] = *middle;
+    }
+    return medians;
+  }
+
+  // The largest circumradius of the cells of each subdomain.
+  static std::map<Subdomain_index, double> largest_circumradii(const C3t3& c3t3)
+  {
+    const Triangulation& tr = c3t3.triangulation();
+    std::map<Subdomain_index, double> radii;
+    for(auto c = c3t3.cells_in_complex_begin(); c != c3t3.cells_in_complex_end(); ++c)
+    {
+      typename Domain::Point_3 p[4];
+      for(int i = 0; i < 4; ++i)
+        p[i] = tr.point(c, i).point();
+      double& largest = radii[c3t3.subdomain_index(c)];
+      largest = (std::max)(largest, std::sqrt(CGAL::to_double(CGAL::squared_radius(p[0], p[1], p[2], p[3]))));
+    }
+    return radii;
   }
 
   static double length(const Point& p, const Point& q) { return std::hypot(p[0] - q[0], p[1] - q[1], p[2] - q[2]); }
@@ -171,24 +211,16 @@ private:
     check_rescan(c3t3, after);
   }
 
-  void check_volume(const State& after, double of_subdomain, double of_all) const
+  void check_volume(const State& after, double share_of_layer) const
   {
-    const std::string n = name_ + ": ";
-    check::that(after.volume.size() == before_.volume.size(), n, "subdomains appeared or vanished");
-    double sum = 0, sum_before = 0;
+    check::that(after.volume.size() == before_.volume.size(), name_, ": subdomains appeared or vanished");
     for(const auto& v : before_.volume)
     {
       const auto it = after.volume.find(v.first);
-      const double volume = it == after.volume.end() ? 0 : it->second;
-      sum += volume;
-      sum_before += v.second;
-      // A speck of an image, of three cells at most, may become any tetrahedra.
-      const bool is_speck = before_.cells_in_subdomain.at(v.first) < 4 && of_subdomain > 0.01;
-      check::that(is_speck || std::abs(volume - v.second) <= of_subdomain * v.second + 1e-11 * before_.box_volume,
-                  n, "volume of a subdomain changed by ", volume - v.second, " of ", v.second);
+      const double change = (it == after.volume.end() ? 0 : it->second) - v.second, layer = before_.layer.at(v.first);
+      check::that(std::abs(change) <= share_of_layer * layer + 1e-11 * before_.box_volume, name_,
+                  ": the volume of a subdomain changed by ", change, " of ", v.second, ", with ", layer, " along its surface");
     }
-    check::that(std::abs(sum - sum_before) <= of_all * sum_before + 1e-11 * before_.box_volume, n, "volume changed from ",
-                sum_before, " to ", sum);
   }
 
   std::size_t vertices_off_surface(const State& s, double reach) const
@@ -269,6 +301,7 @@ private:
     double box_volume = 0;
     // Of a facet from the surface, of polyhedral domains: of all, and of those that are not of slivers on the surface.
     check::Largest farthest_centroid, farthest_centroid_off_slivers;
+    double smallest_facet_angle = 60;             // of the facets of the complex, in degrees
     std::map<Point, std::tuple<int, bool, Index> > fixed, sliding;    // of dimensions -1, 0, 1, and 2
     std::map<std::string, std::array<long, 3> > patches;              // facets, Euler characteristic, components
     std::set<Segment> junctions;                  // edges without just two facets of one patch
@@ -276,7 +309,7 @@ private:
     std::multiset<std::pair<Point, std::string> > corners;
     std::multiset<std::pair<Segment, std::string> > edges;
     std::map<Subdomain_index, double> volume;
-    std::map<Subdomain_index, std::size_t> cells_in_subdomain;
+    std::map<Subdomain_index, double> layer;      // the sum over the boundary of the area of facets times their mean edge
     std::multiset<Point> all_points;
 
     State(const C3t3& c3t3, const Domain& domain)
@@ -364,7 +397,6 @@ private:
         if(!c3t3.is_in_complex(c))
           continue;
         ++cells;
-        ++cells_in_subdomain[label];
         std::array<Point, 4> p;
         for(int i = 0; i < 4; ++i)
           p[i] = point(tr, c->vertex(i));
@@ -377,6 +409,9 @@ private:
         }
         volume[label] += (a[0] * (b[1] * d[2] - b[2] * d[1]) + a[1] * (b[2] * d[0] - b[0] * d[2])
                           + a[2] * (b[0] * d[1] - b[1] * d[0])) / 6;
+        for(int i = 0; i < 4; ++i)
+          if(c3t3.is_in_complex(c, i))
+            layer[label] += area_times_mean_edge(p[(i + 1) % 4], p[(i + 2) % 4], p[(i + 3) % 4]);
       }
     }
 
@@ -437,6 +472,7 @@ private:
           around[edges[k]].push_back(name);
         }
         patch.facets.push_back(edges);
+        smallest_facet_angle = (std::min)(smallest_facet_angle, smallest_angle(t));
         const double d = distance(domain, t);
         farthest_centroid.add(d);
         if(!is_of_sliver(c3t3, *f) && !is_of_sliver(c3t3, tr.mirror_facet(*f)))
@@ -488,6 +524,24 @@ private:
         }
       }
       return count;
+    }
+
+    // By Heron's formula.
+    static double area_times_mean_edge(const Point& p, const Point& q, const Point& r)
+    {
+      const double a = length(p, q), b = length(q, r), c = length(r, p), h = (a + b + c) / 2;
+      return std::sqrt((std::max)(0., h * (h - a) * (h - b) * (h - c))) * 2 * h / 3;
+    }
+
+    static double smallest_angle(const Triangle& t)
+    {
+      double smallest = 180;
+      for(int k = 0; k < 3; ++k)
+      {
+        const auto at = [&](int n) { return typename Domain::Point_3(t[(k + n) % 3][0], t[(k + n) % 3][1], t[(k + n) % 3][2]); };
+        smallest = (std::min)(smallest, CGAL::to_double(CGAL::approximate_angle(at(1), at(0), at(2))));
+      }
+      return smallest;
     }
 
     template <class D>

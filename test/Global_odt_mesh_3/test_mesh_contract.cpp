@@ -28,7 +28,7 @@ static void damage(const std::string& what, const C3t3& input, const Domain& dom
   const Mesh_contract<C3t3, Domain> contract(input, domain, what);
   const std::function<void(const C3t3&)> checks[] = {
     [&](const C3t3& c) { contract.check(c); },
-    [&](const C3t3& c) { contract.check_moved(c, 0.01, 0.01, 1e-3); } };
+    [&](const C3t3& c) { contract.check_moved(c, 1e-3); } };
   for(int moved = 0; moved < (boundary_may_move ? 1 : 2); ++moved)
   {
     C3t3 c3t3(input);

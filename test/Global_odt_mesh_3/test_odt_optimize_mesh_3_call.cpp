@@ -40,10 +40,10 @@ namespace params = CGAL::parameters;
 
 typedef Mesh_contract<Labeled_c3t3, Labeled_domain> Contract;
 
-// Vertices on the sphere move; the coarse mesh gets rounder by that.
-static void check_moved(const Contract& contract, const Labeled_c3t3& c3t3, double volume = 0.01)
+// Vertices on the sphere move.
+static void check_moved(const Contract& contract, const Labeled_c3t3& c3t3)
 {
-  contract.check_moved(c3t3, volume, volume, 2e-3);
+  contract.check_moved(c3t3, 2e-3, 20, 0.06);
 }
 
 static void parameter_styles(const Labeled_c3t3& input, const Labeled_domain& domain)
@@ -339,7 +339,7 @@ static void slivers()
     visitor = Sliver_visitor();
     code = CGAL::odt_optimize_mesh_3(c, domain, params::sliver_bound = bound, params::do_remove_slivers = removes,
                                      params::number_of_rounds = rounds, params::visitor(std::ref(visitor)));
-    check_moved(contract, c, 0.1);
+    check_moved(contract, c);
     check::that(visitor.calls == 1 && visitor.is_before_rebuilt, "the visitor hears of slivers ", visitor.calls, " times");
     return c;
   };
@@ -395,7 +395,7 @@ static void slivers_alone()
     Sliver_visitor visitor;
     const auto code = CGAL::remove_slivers_mesh_3(c, domain, params::optimize_boundary = moves, params::random_seed(3),
                                                   params::visitor(std::ref(visitor)));
-    check_moved(contract, c, 0.1);
+    check_moved(contract, c);
     check::that(code == CGAL::CONVERGENCE_REACHED && visitor.calls == 1, "the removal of slivers alone returns ", code);
     CGAL::remove_slivers_mesh_3(fixed_bound, domain, params::sliver_bound = 20, params::optimize_boundary = moves);
     const auto before = Contract::points(input), after = Contract::points(fixed_bound);
@@ -439,6 +439,26 @@ static void slivers_that_cannot_move()
 
 // A limit that is too short for the whole schedule shortens all stages: the call ends in time, give
 // or take what cannot be interrupted, and with a better mesh than the input.
+// On a mesh that is fine compared with the curvature, with some seeds: facets have angles of 30 degrees, the volume hardly
+// changes, the median edge gets a little shorter, and the largest cell no larger.
+static void fine_mesh()
+{
+  const Labeled_domain domain = domains::sphere();
+  const Labeled_c3t3 input = domains::mesh(domain, 0.1);
+  const Contract contract(input, domain, "fine mesh");
+  for(unsigned int seed : { 0, 1, 2 })
+  {
+    Labeled_c3t3 c(input);
+    CGAL::odt_optimize_mesh_3(c, domain, params::random_seed(seed));
+    contract.check_moved(c, 2e-3, 30, 0.01);
+    const double edge = Contract::median_edges(c).at(1) / Contract::median_edges(input).at(1);
+    const double radius = Contract::largest_circumradii(c).at(1) / Contract::largest_circumradii(input).at(1);
+    std::cout << "fine mesh: median edge times " << edge << ", largest circumradius times " << radius << std::endl;
+    check::that(edge > 0.93 && edge < 1.01, "the median edge becomes longer by a factor of ", edge);
+    check::that(radius < 1.05, "the largest circumradius becomes longer by a factor of ", radius);
+  }
+}
+
 static void time_limit()
 {
   const Labeled_domain domain = domains::sphere();
@@ -601,14 +621,14 @@ static void complete_facets(Labeled_c3t3& c3t3)
 
 static void degenerate(const Labeled_c3t3& sphere_mesh, const Labeled_domain& domain)
 {
-  const auto survives = [&](const std::string& name, Labeled_c3t3& c3t3, bool may_move, double volume = 0.01)
+  const auto survives = [&](const std::string& name, Labeled_c3t3& c3t3, bool may_move)
   {
     const Contract contract(c3t3, domain, name);
     Labeled_c3t3 with_fixed_boundary(c3t3);
     CGAL::odt_optimize_mesh_3(with_fixed_boundary, domain, params::optimize_boundary = false);
     contract.check(with_fixed_boundary);
     const auto code = CGAL::odt_optimize_mesh_3(c3t3, domain);
-    check_moved(contract, c3t3, volume);
+    check_moved(contract, c3t3);
     if(!may_move)
     {
       contract.check_untouched(c3t3);
@@ -654,7 +674,7 @@ static void degenerate(const Labeled_c3t3& sphere_mesh, const Labeled_domain& do
   }
   {
     Labeled_c3t3 c = domains::mesh(domain, 1.2);
-    survives("hardly an interior vertex", c, true, 0.2);
+    survives("hardly an interior vertex", c, true);
   }
   {
     Labeled_c3t3 c(sphere_mesh);
@@ -693,7 +713,7 @@ static void structured(const Labeled_domain& domain)
         CGAL::odt_optimize_mesh_3(c3t3, domain, params::optimize_boundary = optimizes_boundary,
                                   params::do_remove_slivers = false, params::max_iteration_number = iterations);
         if(optimizes_boundary)
-          check_moved(contract, c3t3, 0.1);
+          check_moved(contract, c3t3);
         else
           contract.check(c3t3);
         check::that(Contract::points(c3t3) != Contract::points(input), "a structured mesh does not move");
@@ -711,7 +731,7 @@ static void called_by_the_mesher()
   const Contract contract(plain, domain, "make_mesh_3 with odt()");
   const auto c3t3 = CGAL::make_mesh_3<Labeled_c3t3>(same_domain, criteria, params::no_exude(), params::no_perturb(),
                                                    params::odt());
-  check_moved(contract, c3t3, 0.02);
+  check_moved(contract, c3t3);
   check::that(Contract::points(c3t3) != Contract::points(plain), "make_mesh_3 with odt() does not optimize");
 
   // The mesher computes surface centers anew, hence a contract of its own.
@@ -720,7 +740,7 @@ static void called_by_the_mesher()
   const Contract contract_after_scan(rescanned, domain, "refine_mesh_3 with odt()");
   CGAL::refine_mesh_3(refined, domain, criteria, params::no_exude(), params::no_perturb(), params::no_reset_c3t3(),
                       params::odt(params::time_limit = 10, params::convergence = 0.1));
-  check_moved(contract_after_scan, refined, 0.02);
+  check_moved(contract_after_scan, refined);
   check::that(Contract::points(refined) != Contract::points(plain), "refine_mesh_3 with odt() does not optimize");
 
   // The optimized mesh satisfies the mesher, perturber and exuder.
@@ -745,6 +765,7 @@ int main()
   slivers();
   slivers_alone();
   slivers_that_cannot_move();
+  fine_mesh();
   time_limit();
   throwing_fields(mesh, domain);
   exceptions(mesh);

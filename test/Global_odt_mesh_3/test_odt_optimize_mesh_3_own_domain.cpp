@@ -162,7 +162,7 @@ static void functions()
   const Contract contract(input, complete_ball, "own domain");
   const auto improved = [&](const C3t3& c3t3, const char* what)
   {
-    contract.check_moved(c3t3, 0.03, 0.03, 1e-9);
+    contract.check_moved(c3t3, 1e-9);
     check::that(Contract::points(c3t3) != Contract::points(input), what, " does nothing");
   };
   C3t3 optimized(input), remeshed(input), freed(input), refined(input);

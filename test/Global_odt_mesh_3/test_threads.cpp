@@ -21,6 +21,7 @@
 #include <CGAL/tags.h>
 
 #include <tbb/global_control.h>
+#include <tbb/task_arena.h>
 
 #include <algorithm>
 #include <array>
@@ -174,6 +175,58 @@ static void users_are_called_from_one_thread(const C3t3& input, const Domain& do
   }
 }
 
+// Counts the calls and iterations, all from the thread that has made it.
+struct Visitor
+{
+  Caller* caller;
+  int* calls;
+
+  void count() const
+  {
+    caller->check();
+    ++*calls;
+  }
+  void after_compute_moves() const { count(); }
+  void after_move_points() const { count(); }
+  void after_rebuild_restricted_delaunay() const { count(); }
+  void end_of_iteration(int) const { count(); }
+  void after_sliver_removal(std::size_t) const { count(); }
+};
+
+// The work is that of the caller's arena, and callback and visitor are called from the thread that calls.
+static void in_an_arena(const std::string& mesh, const Domain& domain, Caller& caller, std::atomic<int>& arenas,
+                        const Coordinates& expected)
+{
+  tbb::global_control control(tbb::global_control::max_allowed_parallelism, 4);
+  for(int threads : { 1, 3 })
+  {
+    arenas = 0;
+    tbb::task_arena arena(threads);
+    arena.execute([&]
+    {
+      C3t3 c3t3 = read<C3t3>(mesh);
+      caller.thread = std::this_thread::get_id();
+      caller.is_other = false;
+      caller.calls_left = Caller::most_calls;
+      Caller caller_of_callback, caller_of_visitor;
+      int calls = 0, callbacks = 0;
+      const Visitor visitor = { &caller_of_visitor, &calls };
+      CGAL::odt_optimize_mesh_3(c3t3, domain, params::number_of_rounds = 1, params::domain_is_thread_safe = true,
+                                params::visitor(visitor), params::callback([&](double)
+                                {
+                                  caller_of_callback.check();
+                                  ++callbacks;
+                                  return true;
+                                }));
+      check::that(calls > 0 && callbacks > 0 && !caller_of_visitor.is_other && !caller_of_callback.is_other,
+                  "callback or visitor are called from another thread, or not at all");
+      check::that(coordinates(c3t3) == expected, "in an arena of ", threads, " the mesh becomes another one");
+    });
+    check::that(arenas == 1 << threads, "threads of another arena work than that of the caller, of ", threads);
+    check::that(threads > 1 || !caller.is_other, "an arena of one thread gets more");
+  }
+}
+
 // A domain that is said to be safe is asked by several threads.
 static void safe_domain(const C3t3& input, const Domain& domain, Caller& caller)
 {
@@ -200,10 +253,14 @@ int main()
 {
   Caller caller;
   bool is_meshing = true;   // which is the business of CGAL's threads
+  std::atomic<int> arenas{0};   // a bit for each number of threads in an arena from which the domain is asked
   const auto label = [&](const Point_3& p)
   {
     if(!is_meshing)
+    {
       caller.check();
+      arenas |= 1 << (std::min)(tbb::this_task_arena::max_concurrency(), 30);
+    }
     return squared(p) < 1 ? 1 : 0;
   };
   const Domain domain(label, Kernel::Sphere_3(CGAL::ORIGIN, 4.));
@@ -249,6 +306,8 @@ int main()
   for(std::size_t threads : { 2, 4, 8 })
     check::that(optimized<C3t3>(mesh_of_pieces, pieces, threads, true) == expected_of_pieces,
                 threads, " threads that ask a domain of several pieces lead elsewhere");
+  in_an_arena(stored(c3t3), domain, caller, arenas, expected);
+  caller.thread = std::this_thread::get_id();
   safe_domain(c3t3, domain, caller);
   return check::result();
 }

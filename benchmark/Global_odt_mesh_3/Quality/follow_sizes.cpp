@@ -76,7 +76,7 @@ void compare(const char* name, const C3t3& input, const Domain& domain, const Si
     print(std::string(what) + ", seed " + std::to_string(seed), c3t3, size, time, reference);
     if(seed == 1)
       record_figure_13(record, name, what, input, c3t3, size);
-    Mesh_contract<C3t3, Domain>(input, domain, std::string(name) + ", " + what).check_moved(c3t3, 0.02, 0.01, tolerance);
+    Mesh_contract<C3t3, Domain>(input, domain, std::string(name) + ", " + what).check_moved(c3t3, tolerance);
   };
   for(unsigned int seed = 1; seed <= seeds; ++seed)
     optimize("default", seed);

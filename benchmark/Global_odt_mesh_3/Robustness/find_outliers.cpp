@@ -4,7 +4,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 // Calls the optimizer and CGAL's odt on meshes of many kinds and sizes, each in a process of its own, and prints the CPU
-// times, where ours is spent, the worst cells, and how many cells and facets break the sizes that the mesh was made with.
+// times, where ours is spent, the worst cells, how many cells and facets break the sizes that the mesh was made with, and by
+// how much the volumes of subdomains and the median edge change.
 //
 //   find_outliers [name of an input, or model.off:relative size, or model.off:relative size:smooth] ...
 //
@@ -57,10 +58,41 @@ struct Outcome
   std::size_t below_20 = 0, below_30 = 0, cells = 0;
   double largest_cell = 0, largest_facet = 0;   // over the wanted size
   std::size_t large_cells = 0, large_facets = 0;
+  double volume = 0, median_edge = 0;           // the largest change of a subdomain's volume, the change of the median edge
 };
 
 template <class C3t3>
-Outcome measure(const C3t3& c3t3, const Sizes& sizes)
+std::map<int, double> volumes(const C3t3& c3t3)
+{
+  std::map<int, double> v;
+  for(auto c = c3t3.cells_in_complex_begin(); c != c3t3.cells_in_complex_end(); ++c)
+    v[static_cast<int>(c3t3.subdomain_index(c))] += c3t3.triangulation().tetrahedron(c).volume();
+  return v;
+}
+
+template <class C3t3>
+double median_edge(const C3t3& c3t3)
+{
+  const auto& tr = c3t3.triangulation();
+  std::vector<double> lengths;
+  for(auto e = tr.finite_edges_begin(); e != tr.finite_edges_end(); ++e)
+  {
+    bool is_in_complex = false;
+    auto c = tr.incident_cells(*e);
+    const auto first = c;
+    do
+      is_in_complex = is_in_complex || c3t3.is_in_complex(c);
+    while(++c != first);
+    if(is_in_complex)
+      lengths.push_back(std::sqrt(tr.segment(*e).squared_length()));
+  }
+  const auto middle = lengths.begin() + static_cast<std::ptrdiff_t>(lengths.size() / 2);
+  std::nth_element(lengths.begin(), middle, lengths.end());
+  return *middle;
+}
+
+template <class C3t3>
+Outcome measure(const C3t3& c3t3, const Sizes& sizes, const C3t3& input)
 {
   constexpr double tolerance = 1e-9;
   Outcome o;
@@ -86,6 +118,15 @@ Outcome measure(const C3t3& c3t3, const Sizes& sizes)
     o.largest_facet = (std::max)(o.largest_facet, r);
     o.large_facets += r > 1 + tolerance;
   }
+  const std::map<int, double> after = volumes(c3t3);
+  for(const auto& before : volumes(input))
+  {
+    const auto v = after.find(before.first);
+    const double change = (v == after.end() ? 0 : v->second) / before.second - 1;
+    if(std::abs(change) > std::abs(o.volume))
+      o.volume = change;
+  }
+  o.median_edge = median_edge(c3t3) / median_edge(input) - 1;
   return o;
 }
 
@@ -104,7 +145,7 @@ Outcome outcome(const C3t3& input, const Sizes& sizes, const F& optimize)
     C3t3 c3t3(input);
     Outcome of_call;
     const double cpu = seconds([&] { optimize(c3t3, of_call); });
-    o = measure(c3t3, sizes);
+    o = measure(c3t3, sizes, input);
     o.cpu = cpu;
     o.stages = of_call.stages;
     _exit(write(ends[1], &o, sizeof o) == sizeof o ? EXIT_SUCCESS : EXIT_FAILURE);
@@ -121,9 +162,9 @@ Outcome outcome(const C3t3& input, const Sizes& sizes, const F& optimize)
 static void print(const char* what, const Outcome& o, double reference)
 {
   std::printf("  %-6s %7.2f s %5.2f  angle %5.2f  <20 %5zu  <30 %5zu  3r/R %.4f  "
-              "cells %.3f, %zu of %zu over  facets %.3f, %zu over\n", what, o.cpu, o.cpu / reference,
+              "cells %.3f, %zu of %zu over  facets %.3f, %zu over  volume %+.2f %%  edge %+.1f %%\n", what, o.cpu, o.cpu / reference,
               o.smallest_angle, o.below_20, o.below_30, o.radius_ratio, o.largest_cell, o.large_cells, o.cells,
-              o.largest_facet, o.large_facets);
+              o.largest_facet, o.large_facets, 100 * o.volume, 100 * o.median_edge);
   std::fflush(stdout);
 }
 
@@ -136,7 +177,7 @@ void compare(const std::string& name, const C3t3& input, const Domain& domain, c
   constexpr std::size_t few_vertices = 1000;
   const std::size_t vertices = input.triangulation().number_of_vertices();
   std::printf("%s, %zu vertices\n", name.c_str(), vertices);
-  print("input", measure(input, sizes), 1);
+  print("input", measure(input, sizes, input), 1);
   const Outcome cgal = outcome(input, sizes, [&](C3t3& c3t3, Outcome&) { odt_of_mesh_3(c3t3, domain); });
   print("CGAL", cgal, cgal.cpu);
   const Outcome ours = outcome(input, sizes, [&](C3t3& c3t3, Outcome& o)

@@ -44,7 +44,7 @@ void test(const std::string& name, const C3t3& input, const Domain& domain, unsi
   C3t3 c3t3(input);
   CGAL::odt_optimize_mesh_3(c3t3, domain, params::number_of_rounds = (seed % 2) * 4, params::random_seed(seed));
   const int before = check::failures();
-  contract.check_moved(c3t3, 0.2, 0.1, tolerance);
+  contract.check_moved(c3t3, tolerance);
   Tally& tally = tallies[name];
   ++tally.runs;
   tally.broken += check::failures() > before;

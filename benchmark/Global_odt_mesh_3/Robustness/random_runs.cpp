@@ -54,7 +54,7 @@ static const unsigned int most_seconds = 600;           // of CPU time; a run th
 static const unsigned int most_seconds_of_waiting = 3600;
 static const unsigned int most_seconds_of_mesher = 60;  // to make the input
 static const int exit_unmeshed = 3;
-static const std::size_t few_vertices = 200;            // of a mesh that is far from its domain
+static const double most_of_layer = 0.3;                // by which volumes may change: meshes can be far from their domains
 
 static constexpr bool is_parallel = std::is_same<Concurrency_tag, CGAL::Parallel_tag>::value;
 
@@ -207,10 +207,7 @@ void run(Input& input, const std::string& method, Draw& draw, Outcome& outcome)
   else if(method != "cgal" && !parameters.optimize_boundary)
     contract.check(c3t3);
   else
-  {
-    const double most_of_volume = outcome.vertices < few_vertices ? 1 : 0.3;
-    contract.check_moved(c3t3, (std::max)(0.5, most_of_volume), most_of_volume, input.tolerance);
-  }
+    contract.check_moved(c3t3, input.tolerance, 0, most_of_layer);
   if(!has_thrown)
     on_one_thread([&] { go_on(c3t3, input.domain, input.criteria(), draw); });
 }

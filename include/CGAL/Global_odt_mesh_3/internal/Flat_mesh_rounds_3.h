@@ -69,6 +69,9 @@ public:
       search_in_blocks_ = std::make_unique<Block_annealing_3>(mesh_, blocks, parameters_.random_seed, *momentum, threads_);
   }
 
+  // At a vertex where it is now.
+  double local_size(int v) const { return density_.size(v, mesh_.sites[v]); }
+
   // The next one of the plan, on these boundaries. Gives the energy that is reached.
   double make_round(const Boundary_geometry_3& boundary)
   {

@@ -14,6 +14,7 @@
 #include <CGAL/Global_odt_mesh_3/internal/surface/Surface_cvt_energy_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/triangulation/Moving_triangulation_3.h>
 
+#include <cmath>
 #include <memory>
 
 namespace CGAL {
@@ -45,6 +46,12 @@ public:
     mesh.set_quadrature(quadrature_.get());
     if(!density_->is_uniform())
       on_surface_ = [this](int v, const Site& s) { return density_->on_surface(v, s); };
+  }
+
+  // The local size at a vertex, about one as a median, if the energy of cells follows the density.
+  double size(int v, const Site& s) const
+  {
+    return density_->is_uniform() ? 1 : std::pow(density_->in_volume(v, s), -1 / 5.);
   }
 
   // Empty if it is uniform.

@@ -18,6 +18,7 @@
 #include <CGAL/Global_odt_mesh_3/internal/restricted/C3t3_writer_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/restricted/Restricted_complex_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/restricted/Surface_roughness_3.h>
+#include <CGAL/Global_odt_mesh_3/internal/sizing/Largest_cells_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/slivers/Cell_angles.h>
 #include <CGAL/Global_odt_mesh_3/internal/slivers/Sliver_stage_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/triangulation/Moving_triangulation_3.h>
@@ -80,6 +81,8 @@ public:
     const auto& vertices = complex_.state().numbering->input_vertices;
     rounds_ = std::make_unique<Rounds>(mesh_, *plan_, parameters_, fields_, control_, threads_,
                                        [&vertices](int v) { return vertices[v]; });
+    largest_cells_ = std::make_unique<Largest_cells_3>(mesh_, complex_.state().numbering->subdomain, local_size(),
+                                                       !static_cast<bool>(fields_));
     return make_rounds();
   }
 
@@ -115,6 +118,8 @@ private:
   static constexpr std::size_t tries_for_a_sliver = 120;                                   // where they are many
 
   Stage_clock::In_stage during(Stage_clock::Stage stage) const { return Stage_clock::In_stage(threads_.clock(), stage); }
+
+  auto local_size() const { return [this](int v) { return rounds_->local_size(v); }; }
 
   bool boundary_moves() const { return number_of_surface_vertices() > 0; }
 
@@ -194,6 +199,8 @@ private:
   bool remove_slivers()
   {
     const auto in_stage = during(Stage_clock::REMOVE_SLIVERS);
+    if(largest_cells_)
+      mesh_.size_bound = largest_cells_->bound(mesh_, local_size());
     Sliver_stage_3<Complex> stage(complex_, mesh_, parameters_.sliver_bound, parameters_.random_seed,
                                   most_tries_for_slivers());
     if(!stage.run([this] { return control_.has_time(); }, [this] { return control_.may_go_on(); }))
@@ -226,6 +233,7 @@ private:
   Moving_triangulation_3 mesh_;
   std::unique_ptr<Round_plan> plan_;
   std::unique_ptr<Rounds> rounds_;
+  std::unique_ptr<Largest_cells_3> largest_cells_;        // where there are rounds, too
   Mesh_optimization_return_code code_;
 };
 

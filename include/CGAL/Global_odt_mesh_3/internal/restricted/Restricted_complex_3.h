@@ -6,6 +6,7 @@
 #ifndef CGAL_GLOBAL_ODT_MESH_3_INTERNAL_RESTRICTED_RESTRICTED_COMPLEX_3_H
 #define CGAL_GLOBAL_ODT_MESH_3_INTERNAL_RESTRICTED_RESTRICTED_COMPLEX_3_H
 
+#include <CGAL/Global_odt_mesh_3/internal/geometry/Circumradius_bound_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/geometry/Site.h>
 #include <CGAL/Global_odt_mesh_3/internal/parallel/Stage_clock.h>
 #include <CGAL/Global_odt_mesh_3/internal/parallel/Thread_policy.h>
@@ -128,10 +129,10 @@ public:
   bool is_close_to_surface(const Eigen::Vector3d& point) const { return fidelity_.is_close(point); }
 
   // Trials of single vertices. The state is incomplete until it adopts them.
-  Trial make_trial()
+  Trial make_trial(const Circumradius_bound_3& size_bound = Circumradius_bound_3())
   {
     provide_triangulation();
-    return Trial(state_, domain_, fidelity_, shapes_, motion_ != Boundary_motion::NONE, threads_);
+    return Trial(state_, domain_, fidelity_, shapes_, motion_ != Boundary_motion::NONE, size_bound, threads_);
   }
 
   // Goes to where trials of this state have led, of which nothing is left there. False if that cannot be done: then the

@@ -9,6 +9,7 @@
 #include <CGAL/Global_odt_mesh_3/internal/geometry/Angle_deficit_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/geometry/Angle_step_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/geometry/Cell_products_3.h>
+#include <CGAL/Global_odt_mesh_3/internal/geometry/Circumradius_bound_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/geometry/Place_in_sphere.h>
 #include <CGAL/Global_odt_mesh_3/internal/geometry/Promising_step.h>
 #include <CGAL/Global_odt_mesh_3/internal/geometry/Site.h>
@@ -23,8 +24,6 @@
 #include <CGAL/Global_odt_mesh_3/internal/restricted/Lifted_vertex_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/restricted/Trial_complex_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/restricted/Trial_neighborhood_3.h>
-
-#include <CGAL/assertions.h>
 
 #include <Eigen/Core>
 
@@ -57,17 +56,16 @@ public:
 
   // The state lends its triangulation. If `boundary_moves` is false, the boundary stays. Threads share visits of all cells.
   Restricted_trial_3(State& state, Domain& domain, const Fidelity_check_3<Domain>& fidelity, const Facet_shape_check_3& shapes,
-                     bool boundary_moves, const Thread_policy& threads = Thread_policy())
+                     bool boundary_moves, const Circumradius_bound_3& size_bound, const Thread_policy& threads)
     : complex_(state, domain, threads)
     , lifted_(complex_)
     , exchange_(complex_, lifted_, fidelity, shapes, boundary_moves)
     , boundary_moves_(boundary_moves)
+    , size_bound_(size_bound)
     , deficit_(Sliver_steps::angles[0] + margin)
     , highest_(deficit_)
   {}
 
-  Restricted_trial_3(const Restricted_trial_3&) = delete;
-  Restricted_trial_3& operator=(const Restricted_trial_3&) = delete;
   // The dihedral angle, in degrees, that should be reached in the next trials, and the number of steps of which none
   // may have more cells below it afterwards.
   void set_goal(double bound, int steps)
@@ -216,7 +214,6 @@ private:
   typedef Trial_neighborhood_3<Complex> Neighborhood;
   typedef typename Lifted_vertex::Cell Cell;
   typedef typename Complex::Cell_handle Cell_handle;
-  typedef typename Complex::Vertex_handle Vertex_handle;
 
   static constexpr double margin = 0.25;        // degrees by which steps are to be exceeded: they are no place to get stuck
   static constexpr double infinity = (std::numeric_limits<double>::infinity)();
@@ -232,10 +229,9 @@ private:
   bool is_sliver(const Quadruple& q, double bound) const { return Angle_deficit_3(bound)(cell_sites(q)) > 0; }
 
   std::array<Site, 4> cell_sites(const Quadruple& q) const
-  {
-    const std::vector<Site>& s = complex_.sites;
-    return {{ s[q[0]], s[q[1]], s[q[2]], s[q[3]] }};
-  }
+  { return {{ site(q[0]), site(q[1]), site(q[2]), site(q[3]) }}; }
+
+  double deficit(const Quadruple& q) const { return deficit_(cell_sites(q)) + size_bound_.deficit(q.data(), cell_sites(q)); }
 
   // In order of their numbers: those of the interior come first, as that needs fewer questions to the domain.
   template <class Iterator>
@@ -272,7 +268,7 @@ private:
     for(std::size_t n = 0; n < lifted_.new_cells().size(); ++n)
     {
       const Cell& c = lifted_.new_cells()[n];
-      order_.emplace_back(c.label == Lifted_vertex::unknown ? -deficit_(cell_sites(c.vertices)) : 0., n);
+      order_.emplace_back(c.label == Lifted_vertex::unknown ? -deficit(c.vertices) : 0., n);
     }
     std::sort(order_.begin(), order_.end());
     for(const auto& o : order_)
@@ -301,8 +297,10 @@ private:
   {
     if(c.label == Lifted_vertex::mixed)
       count.deficit = infinity;
-    else if(is_inside(c.label))
-      count.add(cell_sites(c.vertices), highest_, deficit_.bound(), steps_);
+    if(!is_inside(c.label))
+      return;
+    count.add(cell_sites(c.vertices), highest_, deficit_.bound(), steps_);
+    count.deficit += size_bound_.deficit(c.vertices.data(), cell_sites(c.vertices));
   }
 
   // The cells of the complex around a vertex.
@@ -326,7 +324,7 @@ private:
       const std::array<Site, 4> s = cell_sites(q);
       if(!(Cell_products(s[0], s[1], s[2], s[3]).determinant > 0))
         return infinity;
-      sum += deficit_(s);
+      sum += deficit(q);
     }
     return sum;
   }
@@ -335,6 +333,7 @@ private:
   Lifted_vertex lifted_;
   Facet_exchange_3<Domain> exchange_;
   bool boundary_moves_;
+  Circumradius_bound_3 size_bound_;
   int steps_ = 0;
   Angle_deficit_3 deficit_, highest_;
   std::vector<Quadruple> star_;

@@ -153,7 +153,7 @@ private:
   template <class Has_time>
   void remove_from_complex(int step, const Has_time& has_time)
   {
-    typename Complex::Trial trial = complex_.make_trial();
+    typename Complex::Trial trial = complex_.make_trial(mesh_.size_bound);
     Exact_removal removal(trial, failures_, seed_++);
     const std::size_t most_tries = tries_left() / tries_for_an_exact_one;
     removal.climb(step, std::size_t(share_of_climb * double(most_tries)), has_time);

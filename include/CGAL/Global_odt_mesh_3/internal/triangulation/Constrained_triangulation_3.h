@@ -8,6 +8,7 @@
 
 #include <CGAL/Global_odt_mesh_3/internal/geometry/Angle_deficit_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/geometry/Cell_products_3.h>
+#include <CGAL/Global_odt_mesh_3/internal/geometry/Circumradius_bound_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/geometry/Site.h>
 #include <CGAL/Global_odt_mesh_3/internal/triangulation/Flat_triangulation_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/triangulation/Slot.h>
@@ -40,6 +41,7 @@ struct Constrained_triangulation_3
   std::vector<double> surface_heights;     // positive toward side 1
   int number_of_interior_vertices = 0;
   int number_of_movable_vertices = 0;
+  Circumradius_bound_3 size_bound;
 
   int number_of_surface_vertices() const { return number_of_movable_vertices - number_of_interior_vertices; }
 
@@ -72,10 +74,13 @@ struct Constrained_triangulation_3
     return {{ sites[v[0]], sites[v[1]], sites[v[2]], sites[v[3]] }};
   }
 
-  // What the angles of the cell lack, or 0 if it is not alive.
+  // What the angles of the cell lack and what it is too large by, or 0 if it is not alive.
   double deficit(int cell, const Angle_deficit_3& angle_deficit) const
   {
-    return topology.is_alive(cell) ? angle_deficit(cell_sites(cell)) : 0.;
+    if(!topology.is_alive(cell))
+      return 0;
+    const std::array<Site, 4> s = cell_sites(cell);
+    return angle_deficit(s) + size_bound.deficit(topology.vertices(cell), s);
   }
 
   // Six times the volumes of the cells that flip_2_3() would make.

@@ -1,0 +1,104 @@
+// Copyright (c) 2026 The Global_odt_mesh_3 authors.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_GLOBAL_ODT_MESH_3_INTERNAL_SIZING_LARGEST_CELLS_3_H
+#define CGAL_GLOBAL_ODT_MESH_3_INTERNAL_SIZING_LARGEST_CELLS_3_H
+
+#include <CGAL/Global_odt_mesh_3/internal/geometry/Circumradius_bound_3.h>
+#include <CGAL/Global_odt_mesh_3/internal/triangulation/Constrained_triangulation_3.h>
+
+#include <CGAL/number_utils.h>
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <limits>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Global_odt_mesh_3 {
+namespace internal {
+
+// The largest circumradius in each subdomain of the input, so that no cell need be larger in the end: over the local size and,
+// if the sizes are those of the input, as a length, too.
+class Largest_cells_3
+{
+public:
+  // `subdomain[v]` is that of a vertex of the interior, or negative. `size(v)` is the local size at a movable vertex in the mesh,
+  // which is the input.
+  template <class Size>
+  Largest_cells_3(const Constrained_triangulation_3& mesh, std::vector<int> subdomain, const Size& size, bool has_sizes_of_input)
+    : subdomain_(std::move(subdomain))
+    , has_sizes_of_input_(has_sizes_of_input)
+  {
+    if(!subdomain_.empty())
+      largest_.resize(1 + (std::max)(0, *std::max_element(subdomain_.begin(), subdomain_.end())));
+    const std::vector<double> sizes = squared_sizes(mesh, size);
+    for(int c = 0; c < mesh.topology.number_of_cell_slots(); ++c)
+      if(mesh.topology.is_alive(c))
+        add(mesh.topology.cell(c), squared_circumradius(mesh.cell_sites(c)), sizes);
+  }
+
+  // Around the vertices where they are in a mesh. Next to those on surfaces, each subdomain may have its own.
+  template <class Size>
+  Circumradius_bound_3 bound(const Constrained_triangulation_3& mesh, const Size& size) const
+  {
+    std::vector<double> radii = squared_sizes(mesh, size);
+    for(std::size_t v = 0; v < radii.size(); ++v)
+    {
+      const Largest& largest = subdomain_[v] >= 0 ? largest_[subdomain_[v]] : largest_of_all_;
+      radii[v] *= largest.over_size;
+      if(has_sizes_of_input_)
+        radii[v] = (std::min)(radii[v], largest.length);
+    }
+    return Circumradius_bound_3(std::move(radii));
+  }
+
+private:
+  // Squares.
+  struct Largest
+  {
+    double length = 0, over_size = 0;
+
+    void add(double squared_radius, double squared_size)
+    {
+      length = (std::max)(length, squared_radius);
+      over_size = (std::max)(over_size, squared_radius / squared_size);
+    }
+  };
+
+  void add(const std::array<int, 4>& vertices, double squared_radius, const std::vector<double>& sizes)
+  {
+    double least = (std::numeric_limits<double>::infinity)();
+    for(int v : vertices)
+      least = (std::min)(least, sizes[v]);
+    largest_of_all_.add(squared_radius, least);
+    for(int v : vertices)
+      if(subdomain_[v] >= 0)
+        largest_[subdomain_[v]].add(squared_radius, least);
+  }
+
+  // Those that do not move have any.
+  template <class Size>
+  static std::vector<double> squared_sizes(const Constrained_triangulation_3& mesh, const Size& size)
+  {
+    std::vector<double> sizes(mesh.sites.size(), (std::numeric_limits<double>::infinity)());
+    for(int v = 0; v < mesh.number_of_movable_vertices; ++v)
+      sizes[v] = CGAL::square(size(v));
+    return sizes;
+  }
+
+  std::vector<int> subdomain_;
+  bool has_sizes_of_input_;
+  std::vector<Largest> largest_;          // by subdomain
+  Largest largest_of_all_;
+};
+
+} // namespace internal
+} // namespace Global_odt_mesh_3
+} // namespace CGAL
+
+#endif // CGAL_GLOBAL_ODT_MESH_3_INTERNAL_SIZING_LARGEST_CELLS_3_H
