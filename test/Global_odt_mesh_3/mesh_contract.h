@@ -126,44 +126,6 @@ public:
     return stray;
   }
 
-  // The median length of the edges of each subdomain.
-  static std::map<Subdomain_index, double> median_edges(const C3t3& c3t3)
-  {
-    const Triangulation& tr = c3t3.triangulation();
-    std::map<Subdomain_index, std::set<Segment> > edges;
-    for(auto c = c3t3.cells_in_complex_begin(); c != c3t3.cells_in_complex_end(); ++c)
-      for(int i = 0; i < 4; ++i)
-        for(int j = 0; j < i; ++j)
-          edges[c3t3.subdomain_index(c)].insert(std::minmax({ point(tr, c->vertex(i)), point(tr, c->vertex(j)) }));
-    std::map<Subdomain_index, double> medians;
-    for(const auto& e : edges)
-    {
-      std::vector<double> lengths;
-      for(const Segment& s : e.second)
-        lengths.push_back(length(s.first, s.second));
-      const auto middle = lengths.begin() + lengths.size() / 2;
-      std::nth_element(lengths.begin(), middle, lengths.end());
-      medians[e.first] = *middle;
-    }
-    return medians;
-  }
-
-  // The largest circumradius of the cells of each subdomain.
-  static std::map<Subdomain_index, double> largest_circumradii(const C3t3& c3t3)
-  {
-    const Triangulation& tr = c3t3.triangulation();
-    std::map<Subdomain_index, double> radii;
-    for(auto c = c3t3.cells_in_complex_begin(); c != c3t3.cells_in_complex_end(); ++c)
-    {
-      typename Domain::Point_3 p[4];
-      for(int i = 0; i < 4; ++i)
-        p[i] = tr.point(c, i).point();
-      double& largest = radii[c3t3.subdomain_index(c)];
-      largest = (std::max)(largest, std::sqrt(CGAL::to_double(CGAL::squared_radius(p[0], p[1], p[2], p[3]))));
-    }
-    return radii;
-  }
-
   static double length(const Point& p, const Point& q) { return std::hypot(p[0] - q[0], p[1] - q[1], p[2] - q[2]); }
 
   static std::multiset<std::array<double, 4> > points(const C3t3& c3t3)

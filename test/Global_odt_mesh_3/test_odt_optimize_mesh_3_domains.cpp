@@ -9,6 +9,7 @@
 #include "mesh_contract.h"
 #include "mesh_domains.h"
 #include "realized_sizes.h"
+#include "subdomain_measures.h"
 
 #include <CGAL/Annealing_schedules_3.h>
 #include <CGAL/Density_quadratures_3.h>
@@ -76,15 +77,15 @@ void test(const std::string& name, const C3t3& input, const Domain& domain, bool
   contract.check_moved(c3t3, surface);
   check_improved(c3t3);
   // Cells get rounder, hence the longest edges shorter.
-  const auto edges = contract.median_edges(c3t3);
-  for(const auto& before : contract.median_edges(input))
+  const auto edges = median_edges(c3t3);
+  for(const auto& before : median_edges(input))
   {
     const double change = edges.at(before.first) / before.second - 1;
     std::cout << "  median edge " << before.second << ", " << 100 * change << " %" << std::endl;
     check::that(change > -0.15 && change < 0.02, name, ": the median edge changes by ", 100 * change, " %");
   }
-  const auto radii = contract.largest_circumradii(c3t3);
-  for(const auto& before : contract.largest_circumradii(input))
+  const auto radii = largest_circumradii(c3t3);
+  for(const auto& before : largest_circumradii(input))
   {
     const double ratio = radii.at(before.first) / before.second;
     std::cout << "  largest circumradius times " << ratio << std::endl;

@@ -152,7 +152,7 @@ void removal(const std::string& name, const C3t3& c3t3, const Domain& domain, Bo
   if(motion == Boundary_motion::NONE)
     contract.check(results[0]);
   else
-    contract.check_moved(results[0], 1e-2, 20, 0.06);
+    contract.check_moved(results[0], 1e-2);
   typedef Mesh_contract<C3t3, Domain> Contract;
   check::that(Contract::points(results[0]) == Contract::points(results[1]), name, ": not deterministic");
 }
@@ -222,7 +222,7 @@ static void junction_moves()
     }
   std::cout << "junction: " << moved << " of " << lifted << " moves" << std::endl;
   check::that(moved > 0 && setting.complex.adopt(trial), "no vertex where three subdomains meet moves");
-  Mesh_contract<Labeled_c3t3, Labeled_domain>(c3t3, domain, "junction").check_moved(setting.write(), 1e-2, 20, 0.06);
+  Mesh_contract<Labeled_c3t3, Labeled_domain>(c3t3, domain, "junction").check_moved(setting.write(), 1e-2);
 }
 
 // Vertices stay where the domain has put them, if the complex permits: it is asked again, and answers otherwise, only for those

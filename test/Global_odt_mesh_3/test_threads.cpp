@@ -85,6 +85,14 @@ struct Caller
 
   static constexpr long most_calls = 1000000000;
 
+  // With the thread that calls now.
+  void start_over()
+  {
+    thread = std::this_thread::get_id();
+    is_other = false;
+    calls_left = most_calls;
+  }
+
   void check()
   {
     if(std::this_thread::get_id() != thread)
@@ -205,9 +213,7 @@ static void in_an_arena(const std::string& mesh, const Domain& domain, Caller& c
     arena.execute([&]
     {
       C3t3 c3t3 = read<C3t3>(mesh);
-      caller.thread = std::this_thread::get_id();
-      caller.is_other = false;
-      caller.calls_left = Caller::most_calls;
+      caller.start_over();
       Caller caller_of_callback, caller_of_visitor;
       int calls = 0, callbacks = 0;
       const Visitor visitor = { &caller_of_visitor, &calls };
@@ -236,8 +242,7 @@ static void safe_domain(const C3t3& input, const Domain& domain, Caller& caller)
   {
     CGAL::odt_optimize_mesh_3(c3t3, domain, params::number_of_rounds = 1, params::domain_is_thread_safe = true);
   };
-  caller.is_other = false;
-  caller.calls_left = Caller::most_calls;
+  caller.start_over();
   caller.milliseconds_to_wait = 20000;
   optimize();
   check::that(caller.is_other, "a domain that is safe is asked by one thread");
@@ -307,7 +312,6 @@ int main()
     check::that(optimized<C3t3>(mesh_of_pieces, pieces, threads, true) == expected_of_pieces,
                 threads, " threads that ask a domain of several pieces lead elsewhere");
   in_an_arena(stored(c3t3), domain, caller, arenas, expected);
-  caller.thread = std::this_thread::get_id();
   safe_domain(c3t3, domain, caller);
   return check::result();
 }

@@ -5,7 +5,7 @@
 
 // Calls the optimizer and CGAL's odt on meshes of many kinds and sizes, each in a process of its own, and prints the CPU
 // times, where ours is spent, the worst cells, how many cells and facets break the sizes that the mesh was made with, and by
-// how much the volumes of subdomains and the median edge change.
+// how much the volumes and the median edges of subdomains change.
 //
 //   find_outliers [name of an input, or model.off:relative size, or model.off:relative size:smooth] ...
 //
@@ -14,6 +14,7 @@
 #include "benchmark_inputs.h"
 #include "cpu_seconds.h"
 #include "odt_of_mesh_3.h"
+#include "subdomain_measures.h"
 #include "synthetic_images.h"
 
 #include <CGAL/Mesh_domain_with_polyline_features_3.h>
@@ -58,37 +59,22 @@ struct Outcome
   std::size_t below_20 = 0, below_30 = 0, cells = 0;
   double largest_cell = 0, largest_facet = 0;   // over the wanted size
   std::size_t large_cells = 0, large_facets = 0;
-  double volume = 0, median_edge = 0;           // the largest change of a subdomain's volume, the change of the median edge
+  double volume = 0, median_edge = 0;           // the largest changes of a subdomain's
 };
 
-template <class C3t3>
-std::map<int, double> volumes(const C3t3& c3t3)
+// The change by the largest ratio of what the subdomains had before.
+template <class Measures>
+double largest_change(const Measures& before, const Measures& after)
 {
-  std::map<int, double> v;
-  for(auto c = c3t3.cells_in_complex_begin(); c != c3t3.cells_in_complex_end(); ++c)
-    v[static_cast<int>(c3t3.subdomain_index(c))] += c3t3.triangulation().tetrahedron(c).volume();
-  return v;
-}
-
-template <class C3t3>
-double median_edge(const C3t3& c3t3)
-{
-  const auto& tr = c3t3.triangulation();
-  std::vector<double> lengths;
-  for(auto e = tr.finite_edges_begin(); e != tr.finite_edges_end(); ++e)
+  double largest = 0;
+  for(const auto& b : before)
   {
-    bool is_in_complex = false;
-    auto c = tr.incident_cells(*e);
-    const auto first = c;
-    do
-      is_in_complex = is_in_complex || c3t3.is_in_complex(c);
-    while(++c != first);
-    if(is_in_complex)
-      lengths.push_back(std::sqrt(tr.segment(*e).squared_length()));
+    const auto a = after.find(b.first);
+    const double change = (a == after.end() ? 0 : a->second) / b.second - 1;
+    if(std::abs(change) > std::abs(largest))
+      largest = change;
   }
-  const auto middle = lengths.begin() + static_cast<std::ptrdiff_t>(lengths.size() / 2);
-  std::nth_element(lengths.begin(), middle, lengths.end());
-  return *middle;
+  return largest;
 }
 
 template <class C3t3>
@@ -118,15 +104,8 @@ Outcome measure(const C3t3& c3t3, const Sizes& sizes, const C3t3& input)
     o.largest_facet = (std::max)(o.largest_facet, r);
     o.large_facets += r > 1 + tolerance;
   }
-  const std::map<int, double> after = volumes(c3t3);
-  for(const auto& before : volumes(input))
-  {
-    const auto v = after.find(before.first);
-    const double change = (v == after.end() ? 0 : v->second) / before.second - 1;
-    if(std::abs(change) > std::abs(o.volume))
-      o.volume = change;
-  }
-  o.median_edge = median_edge(c3t3) / median_edge(input) - 1;
+  o.volume = largest_change(volumes(input), volumes(c3t3));
+  o.median_edge = largest_change(median_edges(input), median_edges(c3t3));
   return o;
 }
 
@@ -162,8 +141,8 @@ Outcome outcome(const C3t3& input, const Sizes& sizes, const F& optimize)
 static void print(const char* what, const Outcome& o, double reference)
 {
   std::printf("  %-6s %7.2f s %5.2f  angle %5.2f  <20 %5zu  <30 %5zu  3r/R %.4f  "
-              "cells %.3f, %zu of %zu over  facets %.3f, %zu over  volume %+.2f %%  edge %+.1f %%\n", what, o.cpu, o.cpu / reference,
-              o.smallest_angle, o.below_20, o.below_30, o.radius_ratio, o.largest_cell, o.large_cells, o.cells,
+              "cells %.3f, %zu of %zu over  facets %.3f, %zu over  volume %+.2f %%  edge %+.1f %%\n", what, o.cpu,
+              o.cpu / reference, o.smallest_angle, o.below_20, o.below_30, o.radius_ratio, o.largest_cell, o.large_cells, o.cells,
               o.largest_facet, o.large_facets, 100 * o.volume, 100 * o.median_edge);
   std::fflush(stdout);
 }

@@ -14,7 +14,6 @@
 #include <CGAL/Global_odt_mesh_3/internal/surface/Surface_cvt_energy_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/triangulation/Moving_triangulation_3.h>
 
-#include <cmath>
 #include <memory>
 
 namespace CGAL {
@@ -51,7 +50,7 @@ public:
   // The local size at a vertex, about one as a median, if the energy of cells follows the density.
   double size(int v, const Site& s) const
   {
-    return density_->is_uniform() ? 1 : std::pow(density_->in_volume(v, s), -1 / 5.);
+    return density_->is_uniform() ? 1 : Density_3::size_of_density(density_->in_volume(v, s));
   }
 
   // Empty if it is uniform.

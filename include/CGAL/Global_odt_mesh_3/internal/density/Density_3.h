@@ -9,6 +9,8 @@
 #include <CGAL/Global_odt_mesh_3/internal/density/Quadratic_polynomial_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/geometry/Site.h>
 
+#include <cmath>
+
 namespace CGAL {
 namespace Global_odt_mesh_3 {
 namespace internal {
@@ -21,6 +23,7 @@ class Density_3
 {
 public:
   static double volume_density(double size) { return 1 / (size * size * size * size * size); }
+  static double size_of_density(double volume_density) { return std::pow(volume_density, -1 / 5.); }
   static double surface_density(double size) { return 1 / (size * size * size * size); }
 
   virtual ~Density_3() {}

@@ -8,8 +8,6 @@
 
 #include <CGAL/Global_odt_mesh_3/internal/geometry/Site.h>
 
-#include <CGAL/number_utils.h>
-
 #include <Eigen/Core>
 #include <Eigen/Geometry>
 
@@ -23,7 +21,8 @@ namespace CGAL {
 namespace Global_odt_mesh_3 {
 namespace internal {
 
-// The square of the circumradius of a cell, infinite or not a number if it is flat. Weights do not count, as they do not for CGAL's criterion.
+// The square of the circumradius of a cell, infinite or not a number if it is flat. Weights do not count, as they do not for
+// CGAL's criterion.
 inline double squared_circumradius(const std::array<Site, 4>& s)
 {
   const Eigen::Vector3d a = position(s[1]) - position(s[0]), b = position(s[2]) - position(s[0]), c = position(s[3]) - position(s[0]);
@@ -49,7 +48,10 @@ public:
     for(int i = 1; i < 4; ++i)
       most = (std::min)(most, squared_radii_[vertices[i]]);
     const double squared_radius = squared_circumradius(cell);
-    return squared_radius > most ? CGAL::square((std::min)(degrees * (std::sqrt(squared_radius / most) - 1), most_degrees)) : 0.;
+    if(!(squared_radius > most))
+      return 0;
+    const double excess = (std::min)(degrees * (std::sqrt(squared_radius / most) - 1), most_degrees);
+    return excess * excess;
   }
 
 private:

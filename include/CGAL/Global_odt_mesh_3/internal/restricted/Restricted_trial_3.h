@@ -231,7 +231,7 @@ private:
   std::array<Site, 4> cell_sites(const Quadruple& q) const
   { return {{ site(q[0]), site(q[1]), site(q[2]), site(q[3]) }}; }
 
-  double deficit(const Quadruple& q) const { return deficit_(cell_sites(q)) + size_bound_.deficit(q.data(), cell_sites(q)); }
+  double deficit(const Quadruple& q, const std::array<Site, 4>& s) const { return deficit_(s) + size_bound_.deficit(q.data(), s); }
 
   // In order of their numbers: those of the interior come first, as that needs fewer questions to the domain.
   template <class Iterator>
@@ -268,7 +268,7 @@ private:
     for(std::size_t n = 0; n < lifted_.new_cells().size(); ++n)
     {
       const Cell& c = lifted_.new_cells()[n];
-      order_.emplace_back(c.label == Lifted_vertex::unknown ? -deficit(c.vertices) : 0., n);
+      order_.emplace_back(c.label == Lifted_vertex::unknown ? -deficit(c.vertices, cell_sites(c.vertices)) : 0., n);
     }
     std::sort(order_.begin(), order_.end());
     for(const auto& o : order_)
@@ -299,8 +299,9 @@ private:
       count.deficit = infinity;
     if(!is_inside(c.label))
       return;
-    count.add(cell_sites(c.vertices), highest_, deficit_.bound(), steps_);
-    count.deficit += size_bound_.deficit(c.vertices.data(), cell_sites(c.vertices));
+    const std::array<Site, 4> s = cell_sites(c.vertices);
+    count.add(s, highest_, deficit_.bound(), steps_);
+    count.deficit += size_bound_.deficit(c.vertices.data(), s);
   }
 
   // The cells of the complex around a vertex.
@@ -324,7 +325,7 @@ private:
       const std::array<Site, 4> s = cell_sites(q);
       if(!(Cell_products(s[0], s[1], s[2], s[3]).determinant > 0))
         return infinity;
-      sum += deficit(q);
+      sum += deficit(q, s);
     }
     return sum;
   }

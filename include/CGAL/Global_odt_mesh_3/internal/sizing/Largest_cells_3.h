@@ -9,8 +9,6 @@
 #include <CGAL/Global_odt_mesh_3/internal/geometry/Circumradius_bound_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/triangulation/Constrained_triangulation_3.h>
 
-#include <CGAL/number_utils.h>
-
 #include <algorithm>
 #include <array>
 #include <cstddef>
@@ -87,7 +85,10 @@ private:
   {
     std::vector<double> sizes(mesh.sites.size(), (std::numeric_limits<double>::infinity)());
     for(int v = 0; v < mesh.number_of_movable_vertices; ++v)
-      sizes[v] = CGAL::square(size(v));
+    {
+      const double s = size(v);
+      sizes[v] = s * s;
+    }
     return sizes;
   }
 
