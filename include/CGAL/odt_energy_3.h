@@ -13,8 +13,8 @@
 #include <CGAL/disable_warnings.h>
 
 #include <CGAL/Density_quadratures_3.h>
-#include <CGAL/Global_odt_mesh_3/internal/Named_parameters.h>
-#include <CGAL/Global_odt_mesh_3/internal/User_fields_3.h>
+#include <CGAL/Global_odt_mesh_3/internal/door/Named_parameters.h>
+#include <CGAL/Global_odt_mesh_3/internal/door/User_fields_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/density/Density_moments_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/density/Density_quadrature_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/density/Field_density_3.h>
@@ -93,12 +93,12 @@ double odt_energy(const C3t3& c3t3, const User_fields_3<C3t3>& fields, Quadratur
   const auto uniform = [](const Cell_vertices&) { return linear_density_moments({{ 1, 1, 1, 1 }}); };
   if(!fields)
     return mesh.energy(uniform);
-  const std::unique_ptr<Field_density_3> density
-    = fields.make_density(mesh.sites, [&mesh](int v) { return mesh.vertices[static_cast<std::size_t>(v)]; });
-  const double unit = density->unit_density();
+  const User_field_3 field = fields.of_mesh([&mesh](int v) { return mesh.vertices[static_cast<std::size_t>(v)]; });
+  Field_density_3 density(field.meaning, field.field, mesh.sites, field.polynomial);
+  const double unit = density.unit_density();
   if(const auto* cubature = std::get_if<Adaptive_cubature_3>(&choice))
-    return unit * reference_energy(mesh.sites, mesh.cells, *density, *cubature);
-  const std::unique_ptr<Density_quadrature_3> quadrature = make_density_quadrature_3(choice, *density, mesh.sites);
+    return unit * reference_energy(mesh.sites, mesh.cells, density, *cubature);
+  const std::unique_ptr<Density_quadrature_3> quadrature = make_density_quadrature_3(choice, density, mesh.sites);
   if(quadrature == nullptr)
     return unit * mesh.energy(uniform);
   return unit * mesh.energy([&](const Cell_vertices& v) { return quadrature->moments(0, v.data(), mesh.sites.data()); });

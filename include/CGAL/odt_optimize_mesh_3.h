@@ -25,11 +25,11 @@ same name of the package 3D Mesh Generation does not define it.
 #  include <tbb/enumerable_thread_specific.h>
 #endif
 
-#include <CGAL/Global_odt_mesh_3/internal/Named_parameters.h>
-#include <CGAL/Global_odt_mesh_3/internal/Odt_mesh_optimizer_3.h>
+#include <CGAL/Global_odt_mesh_3/internal/door/Named_parameters.h>
+#include <CGAL/Global_odt_mesh_3/internal/door/Odt_mesh_optimizer_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/Odt_parameters.h>
 #include <CGAL/Global_odt_mesh_3/internal/Parameter_check.h>
-#include <CGAL/Global_odt_mesh_3/internal/User_fields_3.h>
+#include <CGAL/Global_odt_mesh_3/internal/door/User_fields_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/triangulation/Flat_triangulation_3.h>
 #include <CGAL/Mesh_3/Mesh_global_optimizer.h>
 #include <CGAL/Mesh_3/Mesh_sizing_field.h>

@@ -10,8 +10,8 @@
 #include <CGAL/Global_odt_mesh_3/internal/Mesh_density_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/Odt_parameters.h>
 #include <CGAL/Global_odt_mesh_3/internal/Round_plan.h>
-#include <CGAL/Global_odt_mesh_3/internal/User_fields_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/blocks/Block_annealing_3.h>
+#include <CGAL/Global_odt_mesh_3/internal/density/Field_density_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/optimization/Convergence_monitor.h>
 #include <CGAL/Global_odt_mesh_3/internal/optimization/Global_search.h>
 #include <CGAL/Global_odt_mesh_3/internal/optimization/Limited_memory_bfgs.h>
@@ -40,15 +40,13 @@ namespace Global_odt_mesh_3 {
 namespace internal {
 
 // What happens to the flat mesh in the rounds of a plan, and after them.
-template <class C3t3, class Visitor>
 class Flat_mesh_rounds_3
 {
 public:
-  // Refers to its arguments. `vertex(v)` is the one of the input with that number.
-  template <class Vertex>
+  // Refers to its arguments, also to the numbers that vertices have in the input.
   Flat_mesh_rounds_3(Moving_triangulation_3& mesh, const Round_plan& plan, const Odt_parameters& parameters,
-                     const User_fields_3<C3t3>& fields, Iteration_control<Visitor>& control, const Thread_policy& threads,
-                     const Vertex& vertex)
+                     const User_field_3& field, Iteration_control& control, const Thread_policy& threads,
+                     const std::vector<int>& input_numbers)
     : mesh_(mesh)
     , plan_(plan)
     , parameters_(parameters)
@@ -56,7 +54,7 @@ public:
     , threads_(threads)
   {
     const auto in_stage = during(Stage_clock::DENSITY);
-    density_.prepare(mesh_, fields, parameters_.quadrature, vertex);
+    density_.prepare(mesh_, field, parameters_.quadrature, input_numbers);
     minimizer_parameters_ = minimizer_parameters(mesh_.quadrature());
     surface_term_ = std::make_unique<Surface_cvt_term_3>(mesh_.number_of_interior_vertices, mesh_.number_of_surface_vertices(),
                                                          parameters_.surface_weight, density_.on_surface(), threads_);
@@ -64,8 +62,8 @@ public:
                                               threads_);
     const int blocks = Block_annealing_3::usual_number_of_blocks(mesh_.sites.size());
     const auto* momentum = std::get_if<Momentum_annealing_schedule>(&parameters_.annealing_schedule);
-    // Blocks would ask the fields of the user as of other vertices.
-    if(momentum != nullptr && blocks > 1 && !fields)
+    // Blocks would ask the field of the user as of other vertices.
+    if(momentum != nullptr && blocks > 1 && !field)
       search_in_blocks_ = std::make_unique<Block_annealing_3>(mesh_, blocks, parameters_.random_seed, *momentum, threads_);
   }
 
@@ -239,7 +237,7 @@ private:
   Moving_triangulation_3& mesh_;
   const Round_plan& plan_;
   const Odt_parameters& parameters_;
-  Iteration_control<Visitor>& control_;
+  Iteration_control& control_;
   Thread_policy threads_;
   const Boundary_geometry_3* boundary_ = nullptr;         // of this round
   Mesh_density_3 density_;

@@ -7,6 +7,7 @@
 #define CGAL_GLOBAL_ODT_MESH_3_INTERNAL_ITERATION_CONTROL_H
 
 #include <CGAL/Global_odt_mesh_3/internal/Odt_parameters.h>
+#include <CGAL/Global_odt_mesh_3/internal/Optimization_visitor.h>
 #include <CGAL/Global_odt_mesh_3/internal/parallel/Stage_clock.h>
 
 #include <CGAL/Mesh_optimization_return_code.h>
@@ -21,11 +22,10 @@ namespace Global_odt_mesh_3 {
 namespace internal {
 
 // What the user says of when to stop, and is told about the iterations.
-template <class Visitor>
 class Iteration_control
 {
 public:
-  Iteration_control(const Odt_parameters& parameters, Visitor& visitor)
+  Iteration_control(const Odt_parameters& parameters, Optimization_visitor& visitor)
     : parameters_(parameters)
     , visitor_(visitor)
   {
@@ -109,7 +109,7 @@ private:
   }
 
   const Odt_parameters& parameters_;
-  Visitor& visitor_;
+  Optimization_visitor& visitor_;
   Real_timer timer_;
   Stage_clock clock_;
   int most_iterations_ = 0, number_of_iterations_ = 0;

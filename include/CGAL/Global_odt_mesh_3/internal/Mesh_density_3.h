@@ -6,15 +6,17 @@
 #ifndef CGAL_GLOBAL_ODT_MESH_3_INTERNAL_MESH_DENSITY_3_H
 #define CGAL_GLOBAL_ODT_MESH_3_INTERNAL_MESH_DENSITY_3_H
 
-#include <CGAL/Global_odt_mesh_3/internal/User_fields_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/density/Density_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/density/Density_quadrature_3.h>
+#include <CGAL/Global_odt_mesh_3/internal/density/Field_density_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/density/Make_density_quadrature_3.h>
+#include <CGAL/Global_odt_mesh_3/internal/geometry/Site.h>
 #include <CGAL/Global_odt_mesh_3/internal/sizing/Input_density_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/surface/Surface_cvt_energy_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/triangulation/Moving_triangulation_3.h>
 
 #include <memory>
+#include <vector>
 
 namespace CGAL {
 namespace Global_odt_mesh_3 {
@@ -30,17 +32,17 @@ public:
   Mesh_density_3(const Mesh_density_3&) = delete;
   Mesh_density_3& operator=(const Mesh_density_3&) = delete;
 
-  // `vertex(v)` is the one of the input with that number.
-  template <class C3t3, class Vertex>
-  void prepare(Moving_triangulation_3& mesh, const User_fields_3<C3t3>& fields, const Quadrature_choice& quadrature,
-               const Vertex& vertex)
+  // Refers to the field, and to the numbers that vertices have in the input.
+  void prepare(Moving_triangulation_3& mesh, const User_field_3& field, const Quadrature_choice& quadrature,
+               const std::vector<int>& input_numbers)
   {
-    if(fields)
-      density_ = fields.make_density(mesh.sites, vertex);
+    const auto in_input = [&field, &input_numbers](int v, const Site& s) { return field.field(input_numbers[v], s); };
+    if(field)
+      density_ = std::make_unique<Field_density_3>(field.meaning, in_input, mesh.sites, field.polynomial);
     else
       density_ = std::make_unique<Input_density_3>(mesh);
     // The density of the input is what it is at vertices, but a field may vary between them.
-    if(!density_->is_uniform() || fields)
+    if(!density_->is_uniform() || field)
       quadrature_ = make_density_quadrature_3(quadrature, *density_, mesh.sites);
     mesh.set_quadrature(quadrature_.get());
     if(!density_->is_uniform())

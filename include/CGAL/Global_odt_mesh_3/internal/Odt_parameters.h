@@ -6,7 +6,7 @@
 #ifndef CGAL_GLOBAL_ODT_MESH_3_INTERNAL_ODT_PARAMETERS_H
 #define CGAL_GLOBAL_ODT_MESH_3_INTERNAL_ODT_PARAMETERS_H
 
-#include <CGAL/Global_odt_mesh_3/internal/Named_parameters.h>
+#include <CGAL/Global_odt_mesh_3/internal/door/Named_parameters.h>
 #include <CGAL/Global_odt_mesh_3/internal/Parameter_check.h>
 #include <CGAL/Global_odt_mesh_3/internal/density/Quadrature_choice.h>
 #include <CGAL/Global_odt_mesh_3/internal/optimization/Annealing_schedule.h>

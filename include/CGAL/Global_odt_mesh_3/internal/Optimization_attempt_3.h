@@ -10,13 +10,15 @@
 #include <CGAL/Global_odt_mesh_3/internal/Iteration_control.h>
 #include <CGAL/Global_odt_mesh_3/internal/Odt_parameters.h>
 #include <CGAL/Global_odt_mesh_3/internal/Round_plan.h>
-#include <CGAL/Global_odt_mesh_3/internal/User_fields_3.h>
+#include <CGAL/Global_odt_mesh_3/internal/density/Field_density_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/parallel/Stage_clock.h>
 #include <CGAL/Global_odt_mesh_3/internal/parallel/Thread_policy.h>
 #include <CGAL/Global_odt_mesh_3/internal/restricted/Boundary_motion.h>
-#include <CGAL/Global_odt_mesh_3/internal/restricted/C3t3_reader_3.h>
-#include <CGAL/Global_odt_mesh_3/internal/restricted/C3t3_writer_3.h>
+#include <CGAL/Global_odt_mesh_3/internal/restricted/Domain_view_3.h>
+#include <CGAL/Global_odt_mesh_3/internal/restricted/Mesh_view_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/restricted/Restricted_complex_3.h>
+#include <CGAL/Global_odt_mesh_3/internal/restricted/State_reader_3.h>
+#include <CGAL/Global_odt_mesh_3/internal/restricted/State_tabulation_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/restricted/Surface_roughness_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/sizing/Largest_cells_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/slivers/Cell_angles.h>
@@ -27,6 +29,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <functional>
 #include <limits>
 #include <memory>
 #include <utility>
@@ -35,7 +38,7 @@ namespace CGAL {
 namespace Global_odt_mesh_3 {
 namespace internal {
 
-// Algorithms 1 and 2 of the paper on a c3t3, with vertices that also move on surfaces.
+// Algorithms 1 and 2 of the paper on a mesh, with vertices that also move on surfaces.
 //
 // While the boundary moves, the facets between subdomains are constrained in the flat
 // triangulation. After some iterations, the exact triangulation and its restriction to the
@@ -43,23 +46,22 @@ namespace internal {
 // surfaces go toward a centroidal Voronoi tessellation (section 5.1). In the next, all vertices
 // search globally, and in the last they go to the minimum, of an energy of which that tessellation's
 // is a term. Then the boundary rests, the interior converges, and slivers are removed.
-template <class C3t3, class Mesh_domain, class Visitor>
 class Optimization_attempt_3
 {
 public:
-  // Refers to its arguments; the c3t3 stays as it is until commit().
-  Optimization_attempt_3(C3t3& c3t3, const Mesh_domain& domain, Odt_task task, const Odt_parameters& parameters,
-                         const User_fields_3<C3t3>& fields, Iteration_control<Visitor>& control, Boundary_motion motion)
-    : c3t3_(c3t3)
+  // Refers to its arguments; the input stays as it is until commit().
+  Optimization_attempt_3(Mesh_view_3& input, const Domain_view_3& domain, Odt_task task, const Odt_parameters& parameters,
+                         const User_field_3& field, Iteration_control& control, const Thread_policy& threads,
+                         Boundary_motion motion)
+    : input_(input)
     , parameters_(parameters)
-    , fields_(fields)
+    , field_(field)
     , control_(control)
-    , threads_(Thread_policy::for_tag<typename Triangulation::Concurrency_tag>(&control.clock()))
-    , complex_(domain, motion, static_cast<bool>(fields), threads_,     // to sizes that the input does not have
-               parameters.domain_is_thread_safe ? threads_ : Thread_policy())
+    , threads_(threads)
+    , complex_(domain, motion, static_cast<bool>(field), threads)     // to sizes that the input does not have
   {
     const auto in_stage = during(Stage_clock::READ);
-    complex_.start(C3t3_reader_3<C3t3, Domain>(c3t3, complex_.domain(), threads_).read(mesh_, motion != Boundary_motion::NONE));
+    complex_.start(State_reader_3(input, threads).read(mesh_, motion != Boundary_motion::NONE));
     plan_ = std::make_unique<Round_plan>(task, parameters, boundary_moves(), motion == Boundary_motion::BY_DOMAIN);
     code_ = parameters_.do_freeze && plan_->optimizes() ? ALL_VERTICES_FROZEN : CONVERGENCE_REACHED;
   }
@@ -78,22 +80,21 @@ public:
     control_.start(plan_->usual_most_iterations());
     if(plan_->is_done())
       return remove_slivers();
-    const auto& vertices = complex_.state().numbering->input_vertices;
-    rounds_ = std::make_unique<Rounds>(mesh_, *plan_, parameters_, fields_, control_, threads_,
-                                       [&vertices](int v) { return vertices[v]; });
+    rounds_ = std::make_unique<Flat_mesh_rounds_3>(mesh_, *plan_, parameters_, field_, control_, threads_,
+                                                   complex_.state().numbering->input_numbers);
     largest_cells_ = std::make_unique<Largest_cells_3>(mesh_, complex_.state().numbering->subdomain, local_size(),
-                                                       !static_cast<bool>(fields_));
+                                                       !static_cast<bool>(field_));
     return make_rounds();
   }
 
-  // Comes last: nothing is left here but the code and statistics.
+  // Comes last: nothing is left here but the code.
   void commit()
   {
     const auto in_stage = during(Stage_clock::WRITE);
     rounds_.reset();
     mesh_ = Moving_triangulation_3();
     if(!complex_.state().is_input)
-      C3t3_writer_3<C3t3, Domain>(complex_.take_state(), complex_.domain(), threads_).write(c3t3_);
+      input_.write(State_tabulation_3(complex_.take_state(), threads_)(), threads_);
   }
 
   // If so many cells are left below the bound.
@@ -102,15 +103,9 @@ public:
     return slivers > 0 && removes_slivers() && control_.goes_on() ? CANT_IMPROVE_ANYMORE : code_;
   }
 
-  const Oracle_statistics& oracle_statistics() const { return complex_.domain().statistics(); }
   int number_of_surface_vertices() const { return mesh_.number_of_surface_vertices(); }
 
 private:
-  typedef typename C3t3::Triangulation Triangulation;
-  typedef Restricted_complex_3<Triangulation, Mesh_domain> Complex;
-  typedef typename Complex::Domain Domain;
-  typedef Flat_mesh_rounds_3<C3t3, Visitor> Rounds;
-
   static constexpr int most_tries_of_last_round = 3;
   static constexpr double least_gain_of_round = 2e-4;     // of the energy, relatively
   static constexpr std::size_t iterations_for_a_check = 20, cells_in_iteration_for_a_try = 180;     // of like cost
@@ -119,7 +114,7 @@ private:
 
   Stage_clock::In_stage during(Stage_clock::Stage stage) const { return Stage_clock::In_stage(threads_.clock(), stage); }
 
-  auto local_size() const { return [this](int v) { return rounds_->local_size(v); }; }
+  std::function<double(int)> local_size() const { return [this](int v) { return rounds_->local_size(v); }; }
 
   bool boundary_moves() const { return number_of_surface_vertices() > 0; }
 
@@ -201,7 +196,7 @@ private:
     const auto in_stage = during(Stage_clock::REMOVE_SLIVERS);
     if(largest_cells_)
       mesh_.size_bound = largest_cells_->bound(mesh_, local_size());
-    Sliver_stage_3<Complex> stage(complex_, mesh_, parameters_.sliver_bound, parameters_.random_seed,
+    Sliver_stage_3 stage(complex_, mesh_, parameters_.sliver_bound, parameters_.random_seed,
                                   most_tries_for_slivers());
     if(!stage.run([this] { return control_.has_time(); }, [this] { return control_.may_go_on(); }))
       return false;
@@ -224,15 +219,15 @@ private:
   // Whether no vertex has moved since the input.
   bool is_untouched() const { return complex_.state().is_input && complex_.state().has_positions(mesh_.sites); }
 
-  C3t3& c3t3_;
+  Mesh_view_3& input_;
   const Odt_parameters& parameters_;
-  const User_fields_3<C3t3>& fields_;
-  Iteration_control<Visitor>& control_;
+  const User_field_3& field_;
+  Iteration_control& control_;
   Thread_policy threads_;
-  Complex complex_;
+  Restricted_complex_3 complex_;
   Moving_triangulation_3 mesh_;
   std::unique_ptr<Round_plan> plan_;
-  std::unique_ptr<Rounds> rounds_;
+  std::unique_ptr<Flat_mesh_rounds_3> rounds_;
   std::unique_ptr<Largest_cells_3> largest_cells_;        // where there are rounds, too
   Mesh_optimization_return_code code_;
 };

@@ -98,6 +98,16 @@ private:
   bool is_uniform_ = true;
 };
 
+// What the user wants sizes or density to be, if anything.
+struct User_field_3
+{
+  Field_density_3::Meaning meaning = Field_density_3::SIZE;
+  Field_density_3::Field field;                       // which is asked of vertices by their numbers in the input
+  std::optional<Quadratic_polynomial_3> polynomial;   // if it is one
+
+  explicit operator bool() const { return static_cast<bool>(field); }
+};
+
 } // namespace internal
 } // namespace Global_odt_mesh_3
 } // namespace CGAL

@@ -14,8 +14,11 @@ namespace CGAL {
 namespace Global_odt_mesh_3 {
 namespace internal {
 
-// The numbers of the vertices of a facet or cell, as std::array<int, n>, are keys that
-// do not depend on the order of the vertices once they are sorted.
+// The numbers of the vertices of a facet or cell.
+typedef std::array<int, 3> Triple;
+typedef std::array<int, 4> Quadruple;
+
+// They are keys that do not depend on the order of the vertices once they are sorted.
 template <class Tuple>
 Tuple sorted(Tuple t)
 {
@@ -24,15 +27,14 @@ Tuple sorted(Tuple t)
 }
 
 // The same oriented facet, from its lowest vertex on.
-template <class Triple>
-Triple rotated(Triple t)
+inline Triple rotated(Triple t)
 {
   std::rotate(t.begin(), std::min_element(t.begin(), t.end()), t.end());
   return t;
 }
 
 // The vertices of an oriented cell in ascending order, but for the last two where orientation asks for it.
-inline std::array<int, 4> in_canonical_order(std::array<int, 4> v)
+inline Quadruple in_canonical_order(Quadruple v)
 {
   bool is_odd = false;
   for(int i = 1; i < 4; ++i)

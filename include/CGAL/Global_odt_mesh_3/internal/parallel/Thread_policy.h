@@ -36,10 +36,9 @@ public:
 
   // Threads for what is made for them, if TBB is linked.
   template <class Concurrency_tag>
-  static Thread_policy for_tag(Stage_clock* clock = nullptr)
+  static Thread_policy for_tag()
   {
     Thread_policy policy;
-    policy.clock_ = clock;
 #ifdef CGAL_LINKED_WITH_TBB
     policy.is_parallel_ = std::is_convertible<Concurrency_tag, Parallel_tag>::value;
 #endif
@@ -47,6 +46,14 @@ public:
   }
 
   bool is_parallel() const { return is_parallel_; }
+
+  // The same, with loops that tell the time to the clock.
+  Thread_policy with(Stage_clock& clock) const
+  {
+    Thread_policy policy = *this;
+    policy.clock_ = &clock;
+    return policy;
+  }
 
   // What the loops tell the time to, or null.
   Stage_clock* clock() const { return clock_; }

@@ -10,6 +10,8 @@
 #include <CGAL/Global_odt_mesh_3/internal/geometry/Site.h>
 #include <CGAL/Global_odt_mesh_3/internal/parallel/Collect_in_chunks.h>
 #include <CGAL/Global_odt_mesh_3/internal/parallel/Thread_policy.h>
+#include <CGAL/Global_odt_mesh_3/internal/restricted/Domain_view_3.h>
+#include <CGAL/Global_odt_mesh_3/internal/restricted/Restricted_candidate_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/restricted/Restricted_report_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/triangulation/Constrained_triangulation_3.h>
 
@@ -42,13 +44,12 @@ public:
   }
 
   // Sends back vertices of cells that are worse.
-  template <class Candidate>
-  void check(const Candidate& candidate, int outside, Restricted_report_3<Candidate>& report) const
+  void check(const Restricted_candidate_3& candidate, Restricted_report_3& report) const
   {
-    const auto& cells = candidate.numbered->cells();
+    const std::vector<Cell_handle>& cells = candidate.numbered->cells();
     const auto find_worse_cells = [&](int n, std::vector<int>& found)
     {
-      if(cells[n]->label() != outside && is_worse(candidate.numbers(cells[n]), candidate.sites))
+      if(cells[n]->label() != Domain_view_3::outside && is_worse(candidate.numbers(cells[n]), candidate.sites))
         found.push_back(n);
     };
     for(int n : collect_in_chunks(static_cast<int>(cells.size()), candidate.threads, find_worse_cells))

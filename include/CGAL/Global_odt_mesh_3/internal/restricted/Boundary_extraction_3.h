@@ -27,16 +27,13 @@ namespace Global_odt_mesh_3 {
 namespace internal {
 
 // Finds the boundary facets of a labelled candidate, and their patches.
-template <class Domain>
 class Boundary_extraction_3
 {
 public:
-  typedef Restricted_candidate_3<typename Domain::Triangulation> Candidate;
-
   // Collects the facets that separate subdomains, or may do so once cells with all vertices
   // on the boundary are labelled otherwise, and those that were in the complex without separating any. All their vertices
   // are on the boundary, as cells around a vertex that is not have its label.
-  Boundary_extraction_3(Candidate& candidate, Domain& domain)
+  Boundary_extraction_3(Restricted_candidate_3& candidate, const Domain_view_3& domain)
     : candidate_(candidate)
     , domain_(domain)
   {
@@ -73,7 +70,7 @@ public:
         return;
       old_numbers[n] = old;
       facets[n] = { t, {{ f.first->label(), f.first->neighbor(f.second)->label() }},
-                    old >= 0 ? old_facets[old].patch : int(Candidate::unknown_patch) };
+                    old >= 0 ? old_facets[old].patch : int(Restricted_candidate_3::unknown_patch) };
       found.push_back(n);
     };
     std::vector<Boundary_facet> found;
@@ -92,10 +89,6 @@ public:
   }
 
 private:
-  typedef typename Candidate::Cell_handle Cell_handle;
-  typedef typename Candidate::Facet Facet;
-  typedef typename Candidate::Triple Triple;
-
   static bool separates(const Facet& f) { return f.first->label() != f.first->neighbor(f.second)->label(); }
 
   bool may_be_on_boundary(const Facet& f) const
@@ -125,18 +118,16 @@ private:
       common.swap(here);
     }
     if(common.size() <= 1)
-      return common.empty() ? int(Candidate::unknown_patch) : *common.begin();
+      return common.empty() ? int(Restricted_candidate_3::unknown_patch) : *common.begin();
     const Facet_dual_3 dual(f.vertices, candidate_.sites);
     Eigen::Vector3d p = dual.center;
-    typename Candidate::State::Index index;
-    if(!domain_.intersect(p, dual.normal, dual.radius, index))
-      return Candidate::unknown_patch;
-    const int patch = domain_.patch_at(index);
-    return common.count(patch) > 0 ? patch : int(Candidate::unknown_patch);
+    int patch;
+    return domain_.intersect(p, dual.normal, dual.radius, patch) && common.count(patch) > 0
+             ? patch : int(Restricted_candidate_3::unknown_patch);
   }
 
-  Candidate& candidate_;
-  Domain& domain_;
+  Restricted_candidate_3& candidate_;
+  const Domain_view_3& domain_;
   std::vector<Facet> possible_facets_;
 };
 

@@ -29,14 +29,11 @@ namespace internal {
 // Takes flat cells off the boundary, on the way: they get the label that is on the other side of two of their facets, which
 // the two others replace, where that keeps the topology. In the end it is vertices that have to move, lest a cell have
 // another label than the domain gives its dual point.
-template <class Domain>
 class Boundary_peeling_3
 {
 public:
-  typedef Restricted_candidate_3<typename Domain::Triangulation> Candidate;
-
-  Boundary_peeling_3(Candidate& candidate, Domain& domain, Boundary_extraction_3<Domain>& extraction,
-                     const Fidelity_check_3<Domain>& fidelity, const Facet_shape_check_3& shapes)
+  Boundary_peeling_3(Restricted_candidate_3& candidate, const Domain_view_3& domain, Boundary_extraction_3& extraction,
+                     const Fidelity_check_3& fidelity, const Facet_shape_check_3& shapes)
     : candidate_(candidate)
     , extraction_(extraction)
     , flat_cells_(candidate, domain, fidelity, shapes)
@@ -70,14 +67,10 @@ public:
   }
 
 private:
-  typedef typename Candidate::Cell_handle Cell_handle;
-  typedef typename Candidate::Facet Facet;
-  typedef typename Candidate::Quadruple Quadruple;
-  typedef typename Candidate::Triple Triple;
   typedef std::map<Cell_handle, std::pair<int, int> > Peeled_cells;     // with old and new label
 
   static constexpr int most_passes = 4;                       // cells lie upon each other
-  static constexpr int no_subdomain = Candidate::State::no_subdomain;
+  static constexpr int no_subdomain = Restricted_state_3::no_subdomain;
 
   // Cells to be peeled that have no vertices in common: the first ones by the numbers of their vertices, since the order
   // of cells depends on how the triangulation has been made.
@@ -143,9 +136,9 @@ private:
     }
   }
 
-  Candidate& candidate_;
-  Boundary_extraction_3<Domain>& extraction_;
-  Flat_boundary_cells_3<Domain> flat_cells_;
+  Restricted_candidate_3& candidate_;
+  Boundary_extraction_3& extraction_;
+  Flat_boundary_cells_3 flat_cells_;
   std::set<Cell_handle> refused_;
 };
 

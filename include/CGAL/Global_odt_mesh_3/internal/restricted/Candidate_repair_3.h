@@ -25,23 +25,18 @@ namespace Global_odt_mesh_3 {
 namespace internal {
 
 // Moves the vertices of a candidate at which something is wrong toward where they were, and those that are to be pushed.
-template <class Domain>
 class Candidate_repair_3
 {
 public:
-  typedef Restricted_candidate_3<typename Domain::Triangulation> Candidate;
-  typedef Restricted_report_3<Candidate> Report;
-  typedef Surface_projection_3<Domain> Surface_projection;
-
   // `rebuild()` makes the triangulation of the candidate anew.
-  Candidate_repair_3(Candidate& candidate, Surface_projection& projection, std::function<void()> rebuild)
+  Candidate_repair_3(Restricted_candidate_3& candidate, Surface_projection_3& projection, std::function<void()> rebuild)
     : candidate_(candidate)
     , projection_(projection)
     , rebuild_(std::move(rebuild))
   {}
 
   // False if a vertex cannot be put back onto its surface.
-  bool apply(const Report& report, int attempt)
+  bool apply(const Restricted_report_3& report, int attempt)
   {
     for(int v : report.offending_vertices())
       if(candidate_.is_home(v))
@@ -77,9 +72,9 @@ private:
   static constexpr int halfway_returns = 2, halfway_returns_on_surface = 1;
 
   // Those of the report, and around them.
-  std::set<int> offending_vertices(const Report& report, int attempt) const
+  std::set<int> offending_vertices(const Restricted_report_3& report, int attempt) const
   {
-    Vertex_rings_3<typename Candidate::Numbered_triangulation> region(*candidate_.numbered, report.offending_vertices());
+    Vertex_rings_3 region(*candidate_.numbered, report.offending_vertices());
     for(int ring = patient_attempts; ring <= attempt; ring += attempts_per_ring)
       region.grow();
     return std::set<int>(region.vertices().begin(), region.vertices().end());
@@ -121,8 +116,8 @@ private:
       it = std::any_of(it->first.begin(), it->first.end(), has_moved) ? answers.erase(it) : std::next(it);
   }
 
-  Candidate& candidate_;
-  Surface_projection& projection_;
+  Restricted_candidate_3& candidate_;
+  Surface_projection_3& projection_;
   std::function<void()> rebuild_;
 };
 

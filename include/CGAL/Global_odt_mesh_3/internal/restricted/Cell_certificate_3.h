@@ -20,14 +20,13 @@ namespace internal {
 
 // Rejects the cells that are not positive, and those on both sides of facets that are not strictly locally
 // regular. Where spheres pass through five vertices, insertion is to decide.
-template <class Triangulation>
-void certify_cells(Taken_cells_3& taken, const Exact_regularity_3<Triangulation>& tests, const Thread_policy& threads)
+inline void certify_cells(Taken_cells_3& taken, const Exact_regularity_3& tests, const Thread_policy& threads)
 {
   const std::vector<int>& cells = taken.cells();
   const auto find_wrong_cells = [&](int n, std::vector<int>& wrong)
   {
     const int c = cells[n];
-    const typename Exact_regularity_3<Triangulation>::Cell cell(tests, taken.flat().vertices(c));
+    const Exact_regularity_3::Cell cell(tests, taken.flat().vertices(c));
     if(!cell.is_positive())
       return wrong.push_back(c);
     for(int i = 0; i < 4; ++i)

@@ -7,10 +7,12 @@
 #define CGAL_GLOBAL_ODT_MESH_3_INTERNAL_RESTRICTED_CELL_LABELS_3_H
 
 #include <CGAL/Global_odt_mesh_3/internal/geometry/Cell_products_3.h>
+#include <CGAL/Global_odt_mesh_3/internal/geometry/Point_coordinates.h>
 #include <CGAL/Global_odt_mesh_3/internal/geometry/Site.h>
 #include <CGAL/Global_odt_mesh_3/internal/parallel/Collect_in_chunks.h>
 #include <CGAL/Global_odt_mesh_3/internal/restricted/Boundary_motion.h>
 #include <CGAL/Global_odt_mesh_3/internal/restricted/Cell_knowledge.h>
+#include <CGAL/Global_odt_mesh_3/internal/restricted/Domain_view_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/restricted/Dual_side_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/restricted/Restricted_candidate_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/restricted/Restricted_report_3.h>
@@ -20,7 +22,6 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <optional>
 #include <utility>
 #include <vector>
 
@@ -34,21 +35,17 @@ namespace internal {
 // vertices on the boundary is labelled by the side on which its dual point lies. On the way, that is as seen
 // from the vertices on the boundary where these agree and see it clearly, unless a cell would be wrong. In the end the
 // domain is asked, even far from the boundary, since details that the samples miss leave holes that no facet goes around.
-template <class Domain>
 class Cell_labels_3
 {
 public:
-  typedef Restricted_candidate_3<typename Domain::Triangulation> Candidate;
-  typedef Restricted_report_3<Candidate> Report;
-
-  Cell_labels_3(Candidate& candidate, Domain& domain)
+  Cell_labels_3(Restricted_candidate_3& candidate, const Domain_view_3& domain)
     : candidate_(candidate)
     , domain_(domain)
   {}
 
-  Report label_cells()
+  Restricted_report_3 label_cells()
   {
-    Report report(candidate_);
+    Restricted_report_3 report(candidate_);
     const std::vector<Cell_handle>& cells = candidate_.numbered->cells();
     const auto find_cells_in_question = [&](int n, std::vector<int>& found)
     {
@@ -66,36 +63,30 @@ public:
       const Cell_handle c = cells[in_question[n]];
       if(knows(c, IS_SETTLED))
         return;
-      Findings findings = examine(c);
+      const Findings findings = examine(c);
       if(!settle(c, findings))
-        found.emplace_back(c, std::move(findings));
+        found.emplace_back(c, findings);
     };
-    for(const Doubt& d : domain_.template collect<Doubt>(in_question.size(), label_where_clear))
+    for(const Doubt& d : domain_.collect<Doubt>(in_question.size(), label_where_clear))
       label_or_report(d.first, d.second, report);
     collect_cells_at_boundary(in_question);
     return report;
   }
 
 private:
-  typedef typename Candidate::Triangulation Triangulation;
-  typedef typename Candidate::Quadruple Quadruple;
-  typedef typename Candidate::Cell_handle Cell_handle;
-  typedef typename Candidate::Vertex_numbering::Cell_handle Input_cell;
-
   // What is known of a cell: the label that its vertices off the boundary have, if any, unless these have several,
-  // and where its dual point lies, as a label or as the domain has told.
+  // and that of its dual point.
   struct Findings
   {
     bool has_several_labels = false;
     int label = no_subdomain, label_of_dual = no_subdomain;
-    std::optional<typename Domain::Subdomain_index> subdomain_of_dual;
   };
 
   // The sine between the direction to a dual point and the tangential planes that is clear enough.
   static constexpr double clear_margin = 0.05, clear_margin_on_rough_surface = 0.5;
   // Six times the volume, over the cube of the longest edge at a vertex, of a cell whose dual point is sure to nine digits.
   static constexpr double certain_volume = 1e-6;
-  static constexpr int no_subdomain = Candidate::State::no_subdomain;
+  static constexpr int no_subdomain = Restricted_state_3::no_subdomain;
 
   bool is_on_boundary(int v) const { return candidate_.numbering.is_on_boundary(v); }
 
@@ -106,7 +97,7 @@ private:
     label = no_subdomain;
     for(int v : q)
     {
-      const int l = v < 0 ? domain_.outside() : candidate_.numbering.subdomain[v];
+      const int l = v < 0 ? Domain_view_3::outside : candidate_.numbering.subdomain[v];
       if(l == no_subdomain || l == label)
         continue;
       if(label != no_subdomain)
@@ -150,27 +141,24 @@ private:
     // What the vertices see is not enough to send any of them back.
     const bool is_enough = is_boundary_cell ? found.label_of_dual != no_subdomain : found.label_of_dual == found.label;
     if(!is_enough)
-      found.subdomain_of_dual = domain_.subdomain_at(candidate_.triangulation().dual(c));
+      found.label_of_dual = domain_.label(coordinates(candidate_.triangulation().dual(c)));
     return found;
   }
 
-  // Labels a cell that the domain agrees about, in a subdomain that is known; or else it is left alone.
+  // Labels a cell that the domain agrees about; or else it is left alone.
   bool settle(Cell_handle c, const Findings& found) const
   {
-    if(found.has_several_labels || (found.subdomain_of_dual && !domain_.has_label(*found.subdomain_of_dual)))
-      return false;
-    const int label_of_dual = found.subdomain_of_dual ? domain_.known_label(*found.subdomain_of_dual) : found.label_of_dual;
     const bool is_boundary_cell = found.label == no_subdomain;
-    if(!is_boundary_cell && found.label != label_of_dual)
+    if(found.has_several_labels || (!is_boundary_cell && found.label != found.label_of_dual))
       return false;
-    c->set_label(label_of_dual);
+    c->set_label(found.label_of_dual);
     if(is_boundary_cell)
       note(c, IS_BOUNDARY_CELL);
     note(c, IS_SETTLED);
     return true;
   }
 
-  void label_or_report(Cell_handle c, const Findings& found, Report& report)
+  void label_or_report(Cell_handle c, const Findings& found, Restricted_report_3& report)
   {
     const Quadruple q = candidate_.numbers(c);
     if(found.has_several_labels)
@@ -178,10 +166,6 @@ private:
       report.send_back(q);
       return;
     }
-    if(found.subdomain_of_dual)
-      domain_.label(*found.subdomain_of_dual);      // it is known from now on
-    if(settle(c, found))
-      return;
     c->set_label(found.label);
     // What was wrong in the input may stay so.
     if(candidate_.numbering.is_input_cell(q, candidate_.sites))
@@ -217,9 +201,8 @@ private:
     const int of_state = candidate_.state.label_of_dual(q);
     if(!candidate_.is_thorough() || (candidate_.state.has_labels_of_domain && is_dual_point_certain(q)))
       return of_state;
-    const Input_cell c = candidate_.numbering.input_cell(q, candidate_.sites);
-    if(c != Input_cell())
-      return domain_.known_label(c->subdomain_index());
+    if(const Vertex_numbering_3::Input_cell* const c = candidate_.numbering.input_cell(q, candidate_.sites))
+      return c->label;
     return candidate_.state.has_labels_of_domain && !candidate_.boundary_moves() ? of_state : no_subdomain;
   }
 
@@ -255,8 +238,8 @@ private:
     return label;
   }
 
-  Candidate& candidate_;
-  Domain& domain_;
+  Restricted_candidate_3& candidate_;
+  const Domain_view_3& domain_;
 };
 
 } // namespace internal

@@ -20,8 +20,7 @@ namespace internal {
 
 // The direction away from the boundary into the subdomain, as the normals at the vertices of a cell
 // tell, and the longest of the shortest edges there.
-template <class Candidate>
-Eigen::Vector3d inward(const Candidate& candidate, const typename Candidate::Quadruple& q, int label, double& edge)
+inline Eigen::Vector3d inward(const Restricted_candidate_3& candidate, const Quadruple& q, int label, double& edge)
 {
   Eigen::Vector3d sum = Eigen::Vector3d::Zero();
   edge = 0;
@@ -40,9 +39,8 @@ Eigen::Vector3d inward(const Candidate& candidate, const typename Candidate::Qua
 
 // Of a cell of the subdomain `label` whose dual point is beyond the surface: its vertices have come too close to
 // the boundary, or else its vertex of the interior is to move away from it.
-template <class Candidate>
-void report_cell_beyond_surface(const Candidate& candidate, const typename Candidate::Quadruple& q, int label,
-                                Restricted_report_3<Candidate>& report)
+inline void report_cell_beyond_surface(const Restricted_candidate_3& candidate, const Quadruple& q, int label,
+                                Restricted_report_3& report)
 {
   constexpr double step_from_boundary = 0.05;       // over an edge on the boundary
   constexpr int most_pushes = 5, most_returns = 2;

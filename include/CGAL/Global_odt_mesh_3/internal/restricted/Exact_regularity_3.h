@@ -8,10 +8,10 @@
 
 #include <CGAL/Global_odt_mesh_3/internal/geometry/Regularity_filter_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/geometry/Site.h>
+#include <CGAL/Global_odt_mesh_3/internal/restricted/Working_triangulation_3.h>
 
 #include <CGAL/enum.h>
 
-#include <type_traits>
 #include <vector>
 
 namespace CGAL {
@@ -20,17 +20,11 @@ namespace internal {
 
 // Exact tests of cells that are named by the numbers of their vertices. What rounded numbers
 // prove is not asked again.
-template <class Triangulation>
 class Exact_regularity_3
 {
 public:
-  typedef typename Triangulation::Weighted_point Weighted_point;
-  typedef typename Triangulation::Geom_traits Geom_traits;
-
-  Exact_regularity_3(const std::vector<Weighted_point>& points, const std::vector<Site>& sites,
-                     const Geom_traits& traits)
-    : points_(points)
-    , sites_(sites)
+  Exact_regularity_3(const std::vector<Site>& sites, const Working_traits& traits)
+    : sites_(sites)
     , traits_(traits)
   {}
 
@@ -46,7 +40,7 @@ public:
 
     bool is_positive() const
     {
-      if(is_filter_valid && filter_.is_positive())
+      if(filter_.is_positive())
         return true;
       const auto bare = tests_.traits_.construct_point_3_object();
       return tests_.traits_.orientation_3_object()(bare(point(0)), bare(point(1)), bare(point(2)), bare(point(3))) == POSITIVE;
@@ -55,14 +49,14 @@ public:
     // Whether the vertex is strictly outside of the sphere of the cell, which is positive.
     bool is_outside(int v) const
     {
-      if(is_filter_valid && filter_.is_outside(tests_.sites_[v]))
+      if(filter_.is_outside(tests_.sites_[v]))
         return true;
       return tests_.traits_.power_side_of_oriented_power_sphere_3_object()(point(0), point(1), point(2), point(3),
-                                                                           tests_.points_[v]) == ON_NEGATIVE_SIDE;
+                                                                           weighted_point(tests_.sites_[v])) == ON_NEGATIVE_SIDE;
     }
 
   private:
-    const Weighted_point& point(int i) const { return tests_.points_[vertices_[i]]; }
+    Weighted_point point(int i) const { return weighted_point(tests_.sites_[vertices_[i]]); }
 
     const Exact_regularity_3& tests_;
     const int* vertices_;
@@ -70,12 +64,8 @@ public:
   };
 
 private:
-  // Sites are exact only where numbers are doubles.
-  static constexpr bool is_filter_valid = std::is_same<typename Geom_traits::FT, double>::value;
-
-  const std::vector<Weighted_point>& points_;
   const std::vector<Site>& sites_;
-  const Geom_traits& traits_;
+  const Working_traits& traits_;
 };
 
 } // namespace internal

@@ -31,15 +31,11 @@ namespace Global_odt_mesh_3 {
 namespace internal {
 
 // What a vertex at another place makes of the boundary, and whether that may be so.
-template <class Domain>
 class Facet_exchange_3
 {
 public:
-  typedef Trial_complex_3<Domain> Complex;
-  typedef Lifted_vertex_3<Domain> Lifted_vertex;
-
   // If `changes` is false, the boundary has to stay as it is.
-  Facet_exchange_3(Complex& complex, const Lifted_vertex& lifted, const Fidelity_check_3<Domain>& fidelity,
+  Facet_exchange_3(Trial_complex_3& complex, const Lifted_vertex_3& lifted, const Fidelity_check_3& fidelity,
                    const Facet_shape_check_3& shapes, bool changes)
     : complex_(complex)
     , lifted_(lifted)
@@ -72,12 +68,8 @@ public:
   void apply() { complex_.boundary.exchange(removed_, added_); }
 
 private:
-  typedef typename Lifted_vertex::Cell Cell;
-  typedef typename Complex::Cell_handle Cell_handle;
-  typedef typename Complex::Quadruple Quadruple;
+  typedef Lifted_vertex_3::Cell Cell;
   typedef Exchangeable_boundary_3::Facet Facet;
-  typedef Exchangeable_boundary_3::Triple Triple;
-  typedef Eigen::Vector3d Vector;
 
   // Degrees. Below that, a facet is worse for the surface than a sliver for the cells, even if the input has worse ones.
   static constexpr double small_angle = 25;
@@ -161,8 +153,8 @@ private:
     const std::vector<Cell>& cells = lifted_.new_cells();
     if(is_infinite(cells[s.cell]) || (other != nullptr && is_infinite(cells[other->cell])))
       return false;
-    const Vector from = cells[s.cell].dual;
-    Vector to;
+    const Eigen::Vector3d from = cells[s.cell].dual;
+    Eigen::Vector3d to;
     if(other != nullptr)
       to = cells[other->cell].dual;
     else
@@ -173,9 +165,9 @@ private:
       to = coordinates(complex_.triangulation().dual(c));
     }
     const double length = (to - from).norm();
-    Vector middle = (from + to) / 2;
-    typename Complex::State::Index index;
-    return length > 0 && complex_.domain.intersect(middle, (to - from) / length, length / 2, index);
+    Eigen::Vector3d middle = (from + to) / 2;
+    int patch;
+    return length > 0 && complex_.domain.intersect(middle, (to - from) / length, length / 2, patch);
   }
 
   // Takes it for one that stays, or else for one that comes; false if it has no patch.
@@ -220,12 +212,8 @@ private:
     if(common.size() == 1)
       return true;
     const Facet_dual_3 dual(t, complex_.sites);
-    Vector p = dual.center;
-    typename Complex::State::Index index;
-    if(!complex_.domain.intersect(p, dual.normal, dual.radius, index))
-      return false;
-    patch = complex_.domain.patch_at(index);
-    return common.count(patch) > 0;
+    Eigen::Vector3d p = dual.center;
+    return complex_.domain.intersect(p, dual.normal, dual.radius, patch) && common.count(patch) > 0;
   }
 
   // Of the facets that go or stay at the vertex.
@@ -246,9 +234,9 @@ private:
     return smallest_angle_of_facet({{ complex_.sites[t[0]], complex_.sites[t[1]], complex_.sites[t[2]] }});
   }
 
-  Complex& complex_;
-  const Lifted_vertex& lifted_;
-  const Fidelity_check_3<Domain>& fidelity_;
+  Trial_complex_3& complex_;
+  const Lifted_vertex_3& lifted_;
+  const Fidelity_check_3& fidelity_;
   double least_angle_;
   bool changes_;
   std::vector<int> removed_;          // numbers of facets

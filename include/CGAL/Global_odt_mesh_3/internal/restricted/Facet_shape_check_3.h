@@ -60,8 +60,7 @@ public:
   }
 
   // Sends back vertices of facets that have become too thin.
-  template <class Candidate>
-  void check(const Candidate& candidate, Restricted_report_3<Candidate>& report) const
+  void check(const Restricted_candidate_3& candidate, Restricted_report_3& report) const
   {
     for(std::size_t n = 0; n < candidate.old_facets.size(); ++n)
     {

@@ -25,21 +25,16 @@ namespace internal {
 
 // No centroid of a boundary facet may be farther from the surface than the worst of
 // the input, where the domain tells distances.
-template <class Domain>
 class Fidelity_check_3
 {
 public:
-  typedef Restricted_candidate_3<typename Domain::Triangulation> Candidate;
-  typedef typename Candidate::State State;
-  typedef typename Candidate::Triple Triple;
-
-  explicit Fidelity_check_3(Domain& domain)
+  explicit Fidelity_check_3(const Domain_view_3& domain)
     : domain_(domain)
   {}
 
-  void measure(const State& input)
+  void measure(const Restricted_state_3& input)
   {
-    if(!Domain::tells_distances)
+    if(!domain_.tells_distances())
       return;
     const std::vector<Boundary_facet>& facets = input.boundary.complex().facets();
     std::vector<double> distances(facets.size());
@@ -51,13 +46,13 @@ public:
   // Whether a boundary facet may have its centroid there.
   bool is_close(const Eigen::Vector3d& point) const
   {
-    return !Domain::tells_distances || domain_.distance_to_surface(point) <= farthest_centroid_;
+    return !domain_.tells_distances() || domain_.distance_to_surface(point) <= farthest_centroid_;
   }
 
   // Whether these vertices may be those of a boundary facet.
-  bool is_faithful(Candidate& candidate, const Triple& facet) const
+  bool is_faithful(Restricted_candidate_3& candidate, const Triple& facet) const
   {
-    if(!Domain::tells_distances)
+    if(!domain_.tells_distances())
       return true;
     const Triple t = sorted(facet);
     const auto known = candidate.known_distances.find(t);
@@ -66,10 +61,10 @@ public:
     return candidate.known_distances.emplace(t, distance(t, candidate.sites)).first->second <= farthest_centroid_;
   }
 
-  Restricted_report_3<Candidate> check(Candidate& candidate) const
+  Restricted_report_3 check(Restricted_candidate_3& candidate) const
   {
-    Restricted_report_3<Candidate> report(candidate);
-    if(!Domain::tells_distances)
+    Restricted_report_3 report(candidate);
+    if(!domain_.tells_distances())
       return report;
     const auto vertices = [&](int n) { return sorted(candidate.boundary_complex->facets()[n].vertices); };
     const int number = static_cast<int>(candidate.facets.size());
@@ -114,7 +109,7 @@ private:
     return domain_.distance_to_surface(centroid(facet, sites));
   }
 
-  Domain& domain_;
+  const Domain_view_3& domain_;
   double farthest_centroid_ = 0;
 };
 

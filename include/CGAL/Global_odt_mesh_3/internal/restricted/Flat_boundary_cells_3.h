@@ -25,16 +25,12 @@ namespace internal {
 //
 // A sliver with two facets on the boundary stems from four vertices in nearly one plane and on one circle. Its two other
 // facets could take the place of those if they are good, and if their dual lines meet the surface.
-template <class Domain>
 class Flat_boundary_cells_3
 {
 public:
-  typedef Restricted_candidate_3<typename Domain::Triangulation> Candidate;
-  typedef typename Candidate::Cell_handle Cell_handle;
+  static constexpr int no_subdomain = Restricted_state_3::no_subdomain;
 
-  static constexpr int no_subdomain = Candidate::State::no_subdomain;
-
-  Flat_boundary_cells_3(Candidate& candidate, Domain& domain, const Fidelity_check_3<Domain>& fidelity,
+  Flat_boundary_cells_3(Restricted_candidate_3& candidate, const Domain_view_3& domain, const Fidelity_check_3& fidelity,
                         const Facet_shape_check_3& shapes)
     : candidate_(candidate)
     , domain_(domain)
@@ -46,7 +42,7 @@ public:
   // The label beyond both boundary facets of such a cell, or no_subdomain if it is none.
   int label_beyond(Cell_handle c, int label)
   {
-    if(label == domain_.outside())
+    if(label == Domain_view_3::outside)
       return no_subdomain;
     std::array<int, 4> facet;
     int count = 0;
@@ -83,9 +79,6 @@ public:
   }
 
 private:
-  typedef typename Candidate::Facet Facet;
-  typedef typename Candidate::Quadruple Quadruple;
-
   static constexpr double sliver_angle = 20, flat_angle = 35; // degrees
 
   bool has_surface_center(Facet f)
@@ -93,16 +86,16 @@ private:
     if(!candidate_.numbered->is_first_side(f))
       f = candidate_.triangulation().mirror_facet(f);
     const std::array<int, 3> t = candidate_.numbered->vertices(f);
-    typename Candidate::Surface_center center;
+    Restricted_candidate_3::Surface_center center;
     center.point = estimated_surface_center(t, candidate_.measured_boundary, candidate_.sites);
     return centers_.find_center(f, t, center);
   }
 
-  Candidate& candidate_;
-  Domain& domain_;
-  const Fidelity_check_3<Domain>& fidelity_;
+  Restricted_candidate_3& candidate_;
+  const Domain_view_3& domain_;
+  const Fidelity_check_3& fidelity_;
   const Facet_shape_check_3& shapes_;
-  Surface_center_search_3<Domain> centers_;
+  Surface_center_search_3 centers_;
 };
 
 } // namespace internal

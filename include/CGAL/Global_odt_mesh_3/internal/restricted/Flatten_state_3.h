@@ -13,16 +13,13 @@
 #include <CGAL/Global_odt_mesh_3/internal/triangulation/Flatten_triangulation_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/triangulation/Moving_triangulation_3.h>
 
-#include <vector>
-
 namespace CGAL {
 namespace Global_odt_mesh_3 {
 namespace internal {
 
 // Completes a mesh whose topology is that of the state, the constrained facets being these.
-template <class State, class Triangulation>
-void load_positions(const State& state, const std::vector<Constrained_facet<Triangulation> >& facets,
-                    const Thread_policy& threads, Moving_triangulation_3& mesh)
+inline void load_positions(const Restricted_state_3& state, const Constrained_facets& facets, const Thread_policy& threads,
+                           Moving_triangulation_3& mesh)
 {
   mesh.sites = state.sites;
   mesh.number_of_interior_vertices = state.numbering->number_of_interior_vertices;
@@ -33,17 +30,14 @@ void load_positions(const State& state, const std::vector<Constrained_facet<Tria
 }
 
 // Loads the state into a mesh: all cells that are in the complex, in canonical order; the boundary facets are constrained.
-template <class Triangulation>
-void flatten_state_3(const Restricted_state_3<Triangulation>& state, const Thread_policy& threads,
-                     Moving_triangulation_3& mesh)
+inline void flatten_state_3(const Restricted_state_3& state, const Thread_policy& threads, Moving_triangulation_3& mesh)
 {
-  typedef typename Triangulation::Cell_handle Cell_handle;
-  const Numbered_triangulation_3<Triangulation>& numbered = *state.numbered;
-  const auto number = [](typename Triangulation::Vertex_handle v) { return Numbered_triangulation_3<Triangulation>::number(v); };
+  const Numbered_triangulation_3& numbered = *state.numbered;
+  const auto number = [](Vertex_handle v) { return Numbered_triangulation_3::number(v); };
   const auto label = [](Cell_handle c) { return c->label(); };
   const auto is_in_complex = [](Cell_handle c, int i) { return c->is_facet_in_complex(i); };
-  const auto facets = flatten_triangulation_3(numbered.triangulation(), numbered.cells(), number, label, is_in_complex, threads,
-                                              mesh.topology);
+  const Constrained_facets facets = flatten_triangulation_3(numbered.triangulation(), numbered.cells(), number, label,
+                                                            is_in_complex, threads, mesh.topology);
   load_positions(state, facets, threads, mesh);
 }
 

@@ -28,15 +28,9 @@ namespace internal {
 
 // A vertex that is taken out of the exact triangulation and looks for a place. The cells around it at a
 // place follow from those in conflict with it, so that a place of no use costs no change.
-template <class Domain>
 class Lifted_vertex_3
 {
 public:
-  typedef Trial_complex_3<Domain> Complex;
-  typedef typename Complex::Triangulation Triangulation;
-  typedef typename Complex::Quadruple Quadruple;
-  typedef typename Complex::Cell_handle Cell_handle;
-
   // Besides numbers of subdomains, labels tell of new cells that the domain has to be asked, or that there is none.
   static constexpr int unknown = -2, mixed = -3;
 
@@ -47,7 +41,7 @@ public:
     Eigen::Vector3d dual = Eigen::Vector3d::Zero();       // of new cells that are finite
   };
 
-  explicit Lifted_vertex_3(Complex& complex)
+  explicit Lifted_vertex_3(Trial_complex_3& complex)
     : complex_(complex)
     , last_on_hull_(1 + complex.sites.size(), 0)
   {}
@@ -90,7 +84,7 @@ public:
   {
     conflicts_.clear();
     walls_.clear();
-    const auto p = complex_.point(vertex_);
+    const Weighted_point p = complex_.point(vertex_);
     const Cell_handle start = triangulation().locate(p, hole_.front().handle);
     triangulation().find_conflicts(p, start, std::back_inserter(walls_), std::back_inserter(conflicts_));
     if(conflicts_.empty() || hides_vertices())
@@ -106,13 +100,13 @@ public:
     const Quadruple& q = c.vertices;
     if(*std::min_element(q.begin(), q.end()) < 0)
       return true;
-    const auto dual = triangulation().geom_traits().construct_weighted_circumcenter_3_object()(
-      complex_.point(q[0]), complex_.point(q[1]), complex_.point(q[2]), complex_.point(q[3]));
-    const int label = complex_.domain.label_at(dual);
+    const Eigen::Vector3d dual = coordinates(triangulation().geom_traits().construct_weighted_circumcenter_3_object()(
+      complex_.point(q[0]), complex_.point(q[1]), complex_.point(q[2]), complex_.point(q[3])));
+    const int label = complex_.domain.label(dual);
     if(c.label != unknown && c.label != label)
       return false;
     c.label = label;
-    c.dual = coordinates(dual);
+    c.dual = dual;
     if(n < kept_of_hole_.size())
       hole_[kept_of_hole_[n]].label = label;
     return true;
@@ -138,9 +132,6 @@ public:
   }
 
 private:
-  typedef typename Complex::Vertex_handle Vertex_handle;
-  typedef typename Triangulation::Facet Facet;
-
   struct Hole_cell
   {
     Cell_handle handle;
@@ -149,7 +140,7 @@ private:
 
   enum Mark { IN_HOLE, IN_CONFLICT };
 
-  const Triangulation& triangulation() const { return complex_.triangulation(); }
+  const Working_triangulation_3& triangulation() const { return complex_.triangulation(); }
 
   // The cells that have come where the vertex was, within the facets around it, which are seen from outside.
   void find_hole(const std::vector<Facet>& around)
@@ -182,12 +173,12 @@ private:
   int label_of_vertices(const Quadruple& q) const
   {
     if(*std::min_element(q.begin(), q.end()) < 0)
-      return complex_.domain.outside();
+      return Domain_view_3::outside;
     int label = unknown;
     for(int v : q)
     {
       const int l = complex_.numbering.subdomain[v];
-      if(l == Complex::no_subdomain)
+      if(l == Trial_complex_3::no_subdomain)
         continue;
       if(label != unknown && label != l)
         return mixed;
@@ -213,7 +204,7 @@ private:
   }
 
   // The last search in which a vertex, perhaps the infinite one, was one of the hull.
-  std::size_t& last_on_hull(Vertex_handle v) { return last_on_hull_[1 + Complex::Numbered_triangulation::number(v)]; }
+  std::size_t& last_on_hull(Vertex_handle v) { return last_on_hull_[1 + Numbered_triangulation_3::number(v)]; }
 
   void collect_cells()
   {
@@ -248,7 +239,7 @@ private:
     for(const Hole_cell& h : hole_)
       h.handle->unmark(IN_HOLE);
     const int v = std::exchange(vertex_, -1);
-    complex_.numbered->insert_near(v, complex_.point(v), start);
+    complex_.numbered->insert_near(v, complex_.sites[v], start);
     CGAL_assertion(complex_.numbered->is_visible(v));
     std::vector<std::pair<Quadruple, int> > labels;
     for(const Cell& c : cells)
@@ -265,7 +256,7 @@ private:
     }
   }
 
-  Complex& complex_;
+  Trial_complex_3& complex_;
   int vertex_ = -1;
   Site from_ = { 0, 0, 0, 0 };
   std::vector<Cell> star_;                    // around it before

@@ -9,12 +9,11 @@
 #include <CGAL/Global_odt_mesh_3/internal/geometry/Spatial_order.h>
 #include <CGAL/Global_odt_mesh_3/internal/geometry/Vertex_tuples.h>
 #include <CGAL/Global_odt_mesh_3/internal/parallel/Thread_policy.h>
-#include <CGAL/Global_odt_mesh_3/internal/restricted/Triangulation_table_3.h>
+#include <CGAL/Global_odt_mesh_3/internal/restricted/Mesh_table_3.h>
+#include <CGAL/Global_odt_mesh_3/internal/restricted/Working_triangulation_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/triangulation/All_cells.h>
 #include <CGAL/Global_odt_mesh_3/internal/triangulation/Slot.h>
 
-#include <CGAL/Time_stamper.h>
-#include <CGAL/Unique_hash_map.h>
 #include <CGAL/assertions.h>
 
 #include <algorithm>
@@ -30,17 +29,11 @@ namespace Global_odt_mesh_3 {
 namespace internal {
 
 // The exact regular triangulation of the vertices of a complex, and its vertices by their numbers.
-template <class Triangulation>
 class Numbered_triangulation_3
 {
 public:
-  typedef typename Triangulation::Vertex_handle Vertex_handle;
-  typedef typename Triangulation::Cell_handle Cell_handle;
-  typedef typename Triangulation::Facet Facet;
-  typedef typename Triangulation::Weighted_point Weighted_point;
-
-  const Triangulation& triangulation() const { return tr_; }
-  Triangulation& triangulation() { return tr_; }
+  const Working_triangulation_3& triangulation() const { return tr_; }
+  Working_triangulation_3& triangulation() { return tr_; }
   Vertex_handle vertex(int v) const
   {
     CGAL_assertion(vertices_[v] != Vertex_handle());
@@ -62,17 +55,17 @@ public:
   static int number(Vertex_handle h) { return h->number(); }
 
   // Of the vertices of a cell, -1 for the infinite one.
-  static std::array<int, 4> numbers(Cell_handle c)
+  static Quadruple numbers(Cell_handle c)
   {
     return {{ number(c->vertex(0)), number(c->vertex(1)), number(c->vertex(2)), number(c->vertex(3)) }};
   }
 
   // The vertices of a finite facet, clockwise seen from its cell, from the lowest on: in an order that does not depend on
   // that of the cell.
-  static std::array<int, 3> vertices(const Facet& f)
+  static Triple vertices(const Facet& f)
   {
-    const std::array<int, 3>& k = facet_indices(f.second);
-    return rotated(std::array<int, 3>{{ number(f.first->vertex(k[0])), number(f.first->vertex(k[1])),
+    const Triple& k = facet_indices(f.second);
+    return rotated({{ number(f.first->vertex(k[0])), number(f.first->vertex(k[1])),
                                         number(f.first->vertex(k[2])) }});
   }
 
@@ -83,12 +76,12 @@ public:
     return !tr_.is_infinite(here) && (tr_.is_infinite(beyond) || number(beyond) < number(here));
   }
 
-  void build(const std::vector<Weighted_point>& points, const std::vector<Site>& sites)
+  void build(const std::vector<Site>& sites)
   {
-    clear(points.size());
-    std::vector<int> all(points.size());
+    clear(sites.size());
+    std::vector<int> all(sites.size());
     std::iota(all.begin(), all.end(), 0);
-    insert(all, points, sites);
+    insert(all, sites);
   }
 
   // Without any vertices, but with room for them.
@@ -101,7 +94,7 @@ public:
 
   // Weighted points come first, so that those that they would hide are noticed
   // when they are inserted.
-  void insert(const std::vector<int>& numbers, const std::vector<Weighted_point>& points, const std::vector<Site>& sites)
+  void insert(const std::vector<int>& numbers, const std::vector<Site>& sites)
   {
     std::vector<Site> inserted;
     inserted.reserve(numbers.size());
@@ -111,15 +104,15 @@ public:
     std::stable_partition(order.begin(), order.end(), [&](std::size_t n) { return inserted[n].weight != 0; });
     Cell_handle hint;
     for(std::size_t n : order)
-      insert(numbers[n], points[numbers[n]], hint);
+      insert(numbers[n], inserted[n], hint);
   }
 
   // A vertex that has no cell yet.
-  void create_vertex(int v, const Weighted_point& p)
+  void create_vertex(int v, const Site& s)
   {
     cells_.clear();
     vertices_[v] = tr_.tds().create_vertex();
-    vertices_[v]->set_point(p);
+    vertices_[v]->set_point(weighted_point(s));
     vertices_[v]->set_number(v);
   }
 
@@ -140,12 +133,12 @@ public:
     return is_complete() && double(number_of_moves) <= most_moved_one_by_one * double(vertices_.size());
   }
 
-  void move(int v, const Weighted_point& p)
+  void move(int v, const Site& s)
   {
     if(is_visible(v))
       remove(v);
     Cell_handle hint;
-    insert(v, p, hint);
+    insert(v, s, hint);
   }
 
   // Takes the vertex out of the triangulation.
@@ -157,28 +150,26 @@ public:
   }
 
   // Puts it back, at or near a cell.
-  void insert_near(int v, const Weighted_point& p, Cell_handle start) { insert(v, p, start); }
+  void insert_near(int v, const Site& s, Cell_handle start) { insert(v, s, start); }
 
-  // Becomes a copy of the input, whose points and numbers of vertices are given.
-  template <class Input, class Number>
-  void copy(const Input& input, const std::vector<Weighted_point>& points, const Number& number, const Thread_policy& threads)
+  // Becomes the triangulation of a table, whatever that is like, in which its vertices are numbered otherwise.
+  void copy(const Mesh_table_3& table, const std::vector<int>& numbers_in_table, const Thread_policy& threads)
   {
-    typedef typename Input::Cell_handle Input_cell;
-    const std::vector<Input_cell> cells = all_cells(input);
-    CGAL::Unique_hash_map<Input_cell, int, CGAL::Hash_handles_with_or_without_timestamps> places(-1, cells.size());
-    for(std::size_t n = 0; n < cells.size(); ++n)
-      places[cells[n]] = static_cast<int>(n);
-    const auto place = [&known = std::as_const(places)](Input_cell c) { return known[c]; };
-    clear(points.size());
+    clear(table.sites.size());
     tr_.tds().clear();
     tr_.tds().set_dimension(3);
     tr_.set_infinite_vertex(tr_.tds().create_vertex());
-    for(std::size_t v = 0; v < points.size(); ++v)
-      create_vertex(static_cast<int>(v), points[v]);
-    cells_.reserve(cells.size());
-    while(cells_.size() < cells.size())
+    std::vector<Vertex_handle> in_table(table.sites.size());
+    for(std::size_t v = 0; v < table.sites.size(); ++v)
+    {
+      create_vertex(static_cast<int>(v), table.sites[numbers_in_table[v]]);
+      in_table[numbers_in_table[v]] = vertices_[v];
+    }
+    const std::vector<Mesh_table_3::Cell>& rows = table.cells;
+    cells_.reserve(rows.size());
+    while(cells_.size() < rows.size())
       cells_.push_back(tr_.tds().create_cell());
-    Triangulation_table_3(input, cells, number, place, threads).connect(vertices_, cells_, threads, tr_);
+    connect_cells(table, in_table, cells_, threads, tr_);
   }
 
   // Of a vertex, unless it is hidden.
@@ -194,8 +185,9 @@ public:
   }
 
 private:
-  void insert(int v, const Weighted_point& p, Cell_handle& hint)
+  void insert(int v, const Site& s, Cell_handle& hint)
   {
+    const Weighted_point p = weighted_point(s);
     cells_.clear();
     const std::size_t before = tr_.number_of_vertices();
     const Vertex_handle h = hint == Cell_handle() ? tr_.insert(p) : tr_.insert(p, hint);
@@ -226,7 +218,7 @@ private:
     vertices_ = std::move(visible);
   }
 
-  Triangulation tr_;
+  Working_triangulation_3 tr_;
   std::vector<Vertex_handle> vertices_;
   mutable std::vector<Cell_handle> cells_;      // or none
 };

@@ -38,29 +38,20 @@ namespace internal {
 
 // The next state of a complex while it is made. It owns all that changes on the way; the state
 // from which it starts stays as it is.
-template <class Triangulation_>
 struct Restricted_candidate_3
 {
-  typedef Triangulation_ Triangulation;
-  typedef Restricted_state_3<Triangulation> State;
-  typedef Numbered_triangulation_3<Triangulation> Numbered_triangulation;
-  typedef typename State::Vertex_numbering Vertex_numbering;
-  typedef typename State::Surface_center Surface_center;
-  typedef typename State::Surface_position Surface_position;
-  typedef typename State::Triple Triple;
-  typedef typename State::Quadruple Quadruple;
-  typedef typename Triangulation::Cell_handle Cell_handle;
-  typedef typename Triangulation::Facet Facet;
+  typedef Restricted_state_3::Surface_center Surface_center;
+  typedef Restricted_state_3::Surface_position Surface_position;
 
   static constexpr int unknown_patch = -2;    // of a facet on whose patch its vertices do not agree
 
-  const State& state;
-  const Vertex_numbering& numbering;
+  const Restricted_state_3& state;
+  const Vertex_numbering_3& numbering;
   const Boundary_motion motion;
   const bool is_final;                        // or else one on the way, of which less is asked
   const Thread_policy threads;
 
-  std::unique_ptr<Numbered_triangulation> numbered;   // perhaps that of the state, as long as it is lent
+  std::unique_ptr<Numbered_triangulation_3> numbered;   // perhaps that of the state, as long as it is lent
   std::vector<Site> sites;
   // Where vertices go back to: as in the state, or put on the surface since, or as in the input.
   std::vector<Site> homes;
@@ -84,7 +75,7 @@ struct Restricted_candidate_3
   std::set<Triple> spared_facets, far_facets; // of flat boundary cells: all, and those too far from the surface
   std::map<int, int> vertices_sent_back, pushed_vertices;     // and how often
 
-  Restricted_candidate_3(const State& from, const std::vector<Site>& target, Boundary_motion how, bool is_last,
+  Restricted_candidate_3(const Restricted_state_3& from, const std::vector<Site>& target, Boundary_motion how, bool is_last,
                          const Thread_policy& policy)
     : state(from)
     , numbering(*from.numbering)
@@ -120,17 +111,16 @@ struct Restricted_candidate_3
   // From the cells of a mesh that has been at about the positions, if there is one and that can be done; whether it was.
   bool build(const Moving_triangulation_3* mesh)
   {
-    const std::vector<typename Triangulation::Weighted_point> points = state.points(sites);
-    if(mesh != nullptr && Triangulation_takeover_3<Triangulation>(*mesh, points, sites, threads, *numbered).run())
+    if(mesh != nullptr && Triangulation_takeover_3(*mesh, sites, threads, *numbered).run())
       return true;
-    numbered->build(points, sites);
+    numbered->build(sites);
     return false;
   }
 
   // Moves the vertex in the triangulation to where its site is.
-  void move(int v) { numbered->move(v, state.point(v, sites[v])); }
+  void move(int v) { numbered->move(v, sites[v]); }
 
-  const Triangulation& triangulation() const { return numbered->triangulation(); }
+  const Working_triangulation_3& triangulation() const { return numbered->triangulation(); }
 
   // Of the vertices of a cell, -1 for the infinite one.
   Quadruple numbers(Cell_handle c) const { return numbered->numbers(c); }
@@ -164,14 +154,14 @@ struct Restricted_candidate_3
   void settle(int v) { set_home(v, sites[v]); }
 
   // From now on, home is where the vertex was in the input.
-  void give_up_home(int v) { set_home(v, numbering.input_site(v)); }
+  void give_up_home(int v) { set_home(v, numbering.input_sites[v]); }
 
   // The candidate becomes a state.
-  State finish()
+  Restricted_state_3 finish()
   {
     CGAL_assertion(centers.size() == facets.size() && boundary.complex().facets().size() == facets.size());
     CGAL_expensive_assertion(triangulation().is_valid());
-    State next;
+    Restricted_state_3 next;
     next.numbering = state.numbering;
     next.has_labels_of_domain = is_final;
     next.sites = std::move(sites);

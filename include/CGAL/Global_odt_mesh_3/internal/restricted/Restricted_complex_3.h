@@ -20,14 +20,14 @@
 #include <CGAL/Global_odt_mesh_3/internal/restricted/Fidelity_check_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/restricted/Flat_boundary_cells_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/restricted/Flatten_state_3.h>
-#include <CGAL/Global_odt_mesh_3/internal/restricted/Numbered_domain_3.h>
+#include <CGAL/Global_odt_mesh_3/internal/restricted/Domain_view_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/restricted/Numbered_triangulation_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/restricted/Places_on_surface.h>
 #include <CGAL/Global_odt_mesh_3/internal/restricted/Restricted_candidate_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/restricted/Restricted_report_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/restricted/Restricted_state_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/restricted/Restricted_trial_3.h>
-#include <CGAL/Global_odt_mesh_3/internal/restricted/Restricted_triangulation_3.h>
+#include <CGAL/Global_odt_mesh_3/internal/restricted/Working_triangulation_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/restricted/Surface_centers_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/restricted/Surface_projection_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/restricted/Topology_check_3.h>
@@ -52,21 +52,13 @@ namespace internal {
 // boundary, pierce it, get hidden, leave a cell of their subdomain with its dual point in
 // another, or make a facet too thin or too far from the surface, go back toward where they were, until
 // all is well. Then the candidate takes the state's place; or else, also if anything throws, the state is as it was.
-template <class Input_triangulation, class Mesh_domain>
 class Restricted_complex_3
 {
 public:
-  typedef Restricted_triangulation_3<Input_triangulation> Triangulation;
-  typedef Numbered_domain_3<Triangulation, Mesh_domain> Domain;
-  typedef Restricted_state_3<Triangulation> State;
-  typedef Restricted_trial_3<Domain> Trial;
-  typedef Angle_check_3 Angle_check;
-
-  // If vertices have long ways to go, facets may be thin until the final state. The domain is asked by one thread, or by
-  // those that are given last.
-  Restricted_complex_3(const Mesh_domain& domain, Boundary_motion motion, bool has_long_ways = false,
-                       const Thread_policy& threads = Thread_policy(), const Thread_policy& threads_for_domain = Thread_policy())
-    : domain_(domain, threads_for_domain)
+  // If vertices have long ways to go, facets may be thin until the final state.
+  Restricted_complex_3(const Domain_view_3& domain, Boundary_motion motion, bool has_long_ways = false,
+                       const Thread_policy& threads = Thread_policy())
+    : domain_(domain)
     , motion_(motion)
     , threads_(threads)
     , has_long_ways_(has_long_ways)
@@ -77,7 +69,7 @@ public:
   Restricted_complex_3(const Restricted_complex_3&) = delete;
   Restricted_complex_3& operator=(const Restricted_complex_3&) = delete;
 
-  void start(State input)
+  void start(Restricted_state_3 input)
   {
     state_ = std::move(input);
     places_on_surface_ = Places_on_surface(state_.numbering->number_of_interior_vertices,
@@ -89,15 +81,14 @@ public:
     }
   }
 
-  const State& state() const { return state_; }
+  const Restricted_state_3& state() const { return state_; }
   // The last one, of which nothing is left here.
-  State take_state()
+  Restricted_state_3 take_state()
   {
     provide_triangulation();
     return std::move(state_);
   }
-  Domain& domain() { return domain_; }
-  const Domain& domain() const { return domain_; }
+  const Domain_view_3& domain() const { return domain_; }
   Boundary_motion motion() const { return motion_; }
   bool is_surface_rough() const { return motion_ == Boundary_motion::BY_DOMAIN; }
 
@@ -129,15 +120,15 @@ public:
   bool is_close_to_surface(const Eigen::Vector3d& point) const { return fidelity_.is_close(point); }
 
   // Trials of single vertices. The state is incomplete until it adopts them.
-  Trial make_trial(const Circumradius_bound_3& size_bound = Circumradius_bound_3())
+  Restricted_trial_3 make_trial(const Circumradius_bound_3& size_bound = Circumradius_bound_3())
   {
     provide_triangulation();
-    return Trial(state_, domain_, fidelity_, shapes_, motion_ != Boundary_motion::NONE, size_bound, threads_);
+    return Restricted_trial_3(state_, domain_, fidelity_, shapes_, motion_ != Boundary_motion::NONE, size_bound, threads_);
   }
 
   // Goes to where trials of this state have led, of which nothing is left there. False if that cannot be done: then the
   // state is as it was.
-  bool adopt(Trial& trial)
+  bool adopt(Restricted_trial_3& trial)
   {
     auto& trials = trial.complex();
     if(state_.has_positions(trials.sites))
@@ -145,7 +136,7 @@ public:
       restore(state_, std::move(trials.numbered), trials.sites);
       return true;
     }
-    Candidate candidate(state_, trials.sites, motion_, true, threads_);
+    Restricted_candidate_3 candidate(state_, trials.sites, motion_, true, threads_);
     try
     {
       trials.give(candidate);
@@ -173,55 +164,50 @@ public:
   // Goes to new positions of the movable vertices, as far as possible, and gives the state that is replaced, without its
   // triangulation, or nothing if nothing could be done.
   // In a final state, all vertices are on their surfaces and all boundary facets have surface centers.
-  std::optional<State> advance(const std::vector<Site>& target, bool is_final) { return advance(target, nullptr, is_final); }
+  std::optional<Restricted_state_3> advance(const std::vector<Site>& target, bool is_final) { return advance(target, nullptr, is_final); }
 
   // The same for positions of a mesh that is regular as far as its constraints permit, which is faster.
-  std::optional<State> advance(const Moving_triangulation_3& mesh, bool is_final)
+  std::optional<Restricted_state_3> advance(const Moving_triangulation_3& mesh, bool is_final)
   {
     return advance(mesh.sites, &mesh, is_final);
   }
 
   // The same for a final state without slivers that the check forbids.
-  std::optional<State> advance(const Moving_triangulation_3& mesh, const Angle_check& angles)
+  std::optional<Restricted_state_3> advance(const Moving_triangulation_3& mesh, const Angle_check_3& angles)
   {
     return advance(mesh.sites, &mesh, true, &angles);
   }
 
   // Goes back to a state that has been replaced.
-  void return_to(State earlier)
+  void return_to(Restricted_state_3 earlier)
   {
     restore(earlier, std::move(state_.numbered), state_.sites);
     state_ = std::move(earlier);
   }
 
 private:
-  typedef Restricted_candidate_3<Triangulation> Candidate;
-  typedef Numbered_triangulation_3<Triangulation> Numbered_triangulation;
-  typedef Restricted_report_3<Candidate> Report;
-  typedef Surface_projection_3<Domain> Surface_projection;
-
   static constexpr int most_attempts = 40;
   // Then a valid complex matters more than the shape of facets.
   static constexpr int attempts_at_good_facets = 10;
 
-  void restore(State& state, std::unique_ptr<Numbered_triangulation> lent, const std::vector<Site>& sites) const
+  void restore(Restricted_state_3& state, std::unique_ptr<Numbered_triangulation_3> lent, const std::vector<Site>& sites) const
   {
-    Triangulation_restorer_3<Domain>(state, domain_)(std::move(lent), sites, threads_);
+    Triangulation_restorer_3{ state }(std::move(lent), sites, threads_);
   }
 
   // Nothing is taken over from no mesh.
-  void build(Candidate& candidate, const Moving_triangulation_3* mesh)
+  void build(Restricted_candidate_3& candidate, const Moving_triangulation_3* mesh)
   {
     const Stage_clock::In_stage in_stage(threads_.clock(), Stage_clock::TRIANGULATE);
     number_of_takeovers_ += candidate.build(mesh);
   }
 
-  std::optional<State> advance(const std::vector<Site>& target, const Moving_triangulation_3* mesh, bool is_final,
-                               const Angle_check* angles = nullptr)
+  std::optional<Restricted_state_3> advance(const std::vector<Site>& target, const Moving_triangulation_3* mesh, bool is_final,
+                               const Angle_check_3* angles = nullptr)
   {
     const Stage_clock::In_stage in_stage(threads_.clock(), Stage_clock::CHECK);
-    Candidate candidate(state_, target, motion_, is_final, threads_);
-    candidate.numbered = state_.numbered != nullptr ? std::move(state_.numbered) : std::make_unique<Numbered_triangulation>();
+    Restricted_candidate_3 candidate(state_, target, motion_, is_final, threads_);
+    candidate.numbered = state_.numbered != nullptr ? std::move(state_.numbered) : std::make_unique<Numbered_triangulation_3>();
     try
     {
       if(complete(candidate, mesh, angles))
@@ -237,20 +223,20 @@ private:
   }
 
   // Whether the candidate is valid, perhaps with some vertices back where they were.
-  bool complete(Candidate& candidate, const Moving_triangulation_3* mesh, const Angle_check* angles)
+  bool complete(Restricted_candidate_3& candidate, const Moving_triangulation_3* mesh, const Angle_check_3* angles)
   {
-    Surface_projection projection(candidate, domain_, places_on_surface_);
+    Surface_projection_3 projection(candidate, domain_, places_on_surface_);
     if(candidate.boundary_moves())
       projection.project_all();
     places_on_surface_.forget();
     build(candidate, mesh);
-    Candidate_repair_3<Domain> repair(candidate, projection, [&] { build(candidate, nullptr); });
+    Candidate_repair_3 repair(candidate, projection, [&] { build(candidate, nullptr); });
     for(int attempt = 0; attempt < most_attempts; ++attempt)
     {
       const bool wants_good_facets = (candidate.is_final || !has_long_ways_) && attempt < attempts_at_good_facets;
-      Report report = check(candidate, wants_good_facets);
+      Restricted_report_3 report = check(candidate, wants_good_facets);
       if(angles != nullptr && candidate.numbered->is_complete())
-        angles->check(candidate, domain_.outside(), report);
+        angles->check(candidate, report);
       if(report.is_clean())
         return true;
       if(report.is_beyond_repair() || !repair.apply(report, attempt))
@@ -260,29 +246,29 @@ private:
   }
 
   // Whether a candidate that trials have led to is valid.
-  bool complete_trials(Candidate& candidate)
+  bool complete_trials(Restricted_candidate_3& candidate)
   {
     if(candidate.boundary_moves())
-      Flat_boundary_cells_3<Domain>(candidate, domain_, fidelity_, shapes_).spare();
+      Flat_boundary_cells_3(candidate, domain_, fidelity_, shapes_).spare();
     for(int v = candidate.numbering.number_of_interior_vertices; v < candidate.numbering.number_of_movable_vertices; ++v)
       if(!candidate.is_home(v))
         candidate.surface_position(v) = { true, 0, candidate.sites[v] };
-    return topology_changes(candidate).empty() && Surface_centers_3<Domain>(candidate, domain_).find_surface_centers().is_clean()
+    return topology_changes(candidate).empty() && Surface_centers_3(candidate, domain_).find_surface_centers().is_clean()
            && fidelity_.check(candidate).is_clean();
   }
 
   // Completes the candidate until something is found wrong. Facets that are too thin may be found good enough.
-  Report check(Candidate& candidate, bool wants_good_facets)
+  Restricted_report_3 check(Restricted_candidate_3& candidate, bool wants_good_facets)
   {
     ++number_of_checks_;
     if(!candidate.numbered->is_complete())
       return hidden_vertices(candidate);
-    const Report labels = Cell_labels_3<Domain>(candidate, domain_).label_cells();
+    const Restricted_report_3 labels = Cell_labels_3(candidate, domain_).label_cells();
     if(!labels.is_clean())
       return labels;
-    Boundary_extraction_3<Domain> extraction(candidate, domain_);
+    Boundary_extraction_3 extraction(candidate, domain_);
     extraction.find_boundary();
-    Report topology = candidate.boundary_moves() ? check_topology(candidate) : check_facets_stay(candidate);
+    Restricted_report_3 topology = candidate.boundary_moves() ? check_topology(candidate) : check_facets_stay(candidate);
     if(!topology.is_clean())
     {
       if(candidate.boundary_moves() && wants_good_facets)
@@ -290,21 +276,21 @@ private:
       return topology;
     }
     if(candidate.boundary_moves() && candidate.is_final)
-      Flat_boundary_cells_3<Domain>(candidate, domain_, fidelity_, shapes_).spare();
+      Flat_boundary_cells_3(candidate, domain_, fidelity_, shapes_).spare();
     else if(candidate.boundary_moves())
-      Boundary_peeling_3<Domain>(candidate, domain_, extraction, fidelity_, shapes_).peel();
-    const Report centers = Surface_centers_3<Domain>(candidate, domain_).find_surface_centers();
+      Boundary_peeling_3(candidate, domain_, extraction, fidelity_, shapes_).peel();
+    const Restricted_report_3 centers = Surface_centers_3(candidate, domain_).find_surface_centers();
     if(!candidate.boundary_moves() || !centers.is_clean())
       return centers;
-    Report report = fidelity_.check(candidate);
+    Restricted_report_3 report = fidelity_.check(candidate);
     if(wants_good_facets)
       shapes_.check(candidate, report);
     return report;
   }
 
-  static Report hidden_vertices(const Candidate& candidate)
+  static Restricted_report_3 hidden_vertices(const Restricted_candidate_3& candidate)
   {
-    Report report(candidate);
+    Restricted_report_3 report(candidate);
     for(int v = 0; v < candidate.numbering.number_of_vertices(); ++v)
       if(!candidate.numbered->is_visible(v))
         report.send_back(std::vector<int>(1, v));
@@ -313,13 +299,13 @@ private:
     return report;
   }
 
-  Domain domain_;
+  const Domain_view_3& domain_;
   Boundary_motion motion_;
   Thread_policy threads_;
   bool has_long_ways_;
-  Fidelity_check_3<Domain> fidelity_;
+  Fidelity_check_3 fidelity_;
   Facet_shape_check_3 shapes_;
-  State state_;
+  Restricted_state_3 state_;
   Places_on_surface places_on_surface_;
   std::size_t number_of_checks_ = 0, number_of_takeovers_ = 0;
 };

@@ -19,13 +19,10 @@ namespace internal {
 
 // What a check finds wrong with a candidate: the offending vertices, which are to go back toward
 // where they were, and others that are to be pushed somewhere else.
-template <class Candidate>
 class Restricted_report_3
 {
 public:
-  typedef Eigen::Vector3d Vector;
-
-  explicit Restricted_report_3(const Candidate& candidate)
+  explicit Restricted_report_3(const Restricted_candidate_3& candidate)
     : candidate_(candidate)
   {}
 
@@ -34,7 +31,7 @@ public:
   bool is_beyond_repair() const { return is_beyond_repair_; }
 
   const std::set<int>& offending_vertices() const { return offending_vertices_; }
-  const std::map<int, Vector>& pushes() const { return pushes_; }
+  const std::map<int, Eigen::Vector3d>& pushes() const { return pushes_; }
 
   // Sends back those of the vertices that are not at home or, if there are none, those around them. If there are none
   // either, what is wrong was so before, where less was asked for; then those give up their homes, too, that are elsewhere
@@ -56,7 +53,7 @@ public:
   }
 
   // Of several pushes, the longest.
-  void push(int v, const Vector& by)
+  void push(int v, const Eigen::Vector3d& by)
   {
     const auto p = pushes_.emplace(v, by);
     if(!p.second && by.squaredNorm() > p.first->second.squaredNorm())
@@ -75,7 +72,7 @@ private:
   template <class Vertices, class Predicate>
   bool send_back_nearest(const Vertices& vertices, int rings, const Predicate& goes_back)
   {
-    Vertex_rings_3<typename Candidate::Numbered_triangulation> region(*candidate_.numbered, vertices);
+    Vertex_rings_3 region(*candidate_.numbered, vertices);
     for(int ring = 0; ring < rings; ++ring, region.grow())
     {
       bool found = false;
@@ -91,9 +88,9 @@ private:
     return false;
   }
 
-  const Candidate& candidate_;
+  const Restricted_candidate_3& candidate_;
   std::set<int> offending_vertices_;
-  std::map<int, Vector> pushes_;
+  std::map<int, Eigen::Vector3d> pushes_;
   bool is_beyond_repair_ = false;
 };
 

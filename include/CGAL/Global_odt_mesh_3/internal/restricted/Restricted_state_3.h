@@ -10,6 +10,7 @@
 #include <CGAL/Global_odt_mesh_3/internal/geometry/Site.h>
 #include <CGAL/Global_odt_mesh_3/internal/geometry/Tuple_table.h>
 #include <CGAL/Global_odt_mesh_3/internal/geometry/Vertex_tuples.h>
+#include <CGAL/Global_odt_mesh_3/internal/restricted/Mesh_table_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/restricted/Numbered_triangulation_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/restricted/Vertex_numbering_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/surface/Boundary_complex_3.h>
@@ -34,29 +35,16 @@ namespace internal {
 // A valid complex: positions, the exact regular triangulation of them, its restriction to the
 // domain, and where the vertices on surfaces are. Once made, it does not change; but its triangulation, which takes most
 // of the memory, may be lent to a next one, or be released as long as nobody asks for it.
-template <class Triangulation_>
 struct Restricted_state_3
 {
-  typedef Triangulation_ Triangulation;
-  typedef typename Triangulation::Cell_handle Cell_handle;
-  typedef typename Triangulation::Facet Facet;
-  typedef typename Triangulation::Bare_point Bare_point;
-  typedef typename Triangulation::Weighted_point Weighted_point;
-  typedef typename Triangulation::Input_triangulation Input_triangulation;
-  typedef typename Input_triangulation::Vertex::Index Index;
-  typedef Vertex_numbering_3<Input_triangulation> Vertex_numbering;
-  typedef Eigen::Vector3d Vector;
-  typedef std::array<int, 3> Triple;
-  typedef std::array<int, 4> Quadruple;
-
-  static constexpr int no_subdomain = Vertex_numbering::no_subdomain;
+  static constexpr int no_subdomain = Vertex_numbering_3::no_subdomain;
 
   // The point of the surface on the dual line of a boundary facet.
   struct Surface_center
   {
-    Vector point;
-    Bare_point stored;              // what the complex is told
-    Index index;
+    Eigen::Vector3d point;
+    int patch = Boundary_facet::no_patch;     // on which it is
+    int source = Mesh_table_3::no_facet;      // the facet of the input whose center it is
     bool is_exact = false;          // on the surface; or else estimated from the normals
     bool is_faithful = false;       // the facet's centroid is known to be close enough to the surface
   };
@@ -69,9 +57,9 @@ struct Restricted_state_3
     Site last_on_surface;
   };
 
-  std::shared_ptr<const Vertex_numbering> numbering;
+  std::shared_ptr<const Vertex_numbering_3> numbering;
   bool is_input = false;
-  std::unique_ptr<Numbered_triangulation_3<Triangulation> > numbered;       // unless it is lent or released
+  std::unique_ptr<Numbered_triangulation_3> numbered;       // unless it is lent or released
   std::vector<Site> sites;
   std::vector<Surface_position> surface_positions;  // of the vertices that move on surfaces
   Boundary_geometry_3 boundary;
@@ -86,27 +74,10 @@ struct Restricted_state_3
   bool has_labels_of_domain = false;                // also of the boundary cells
 
   // Which is neither lent nor released.
-  const Triangulation& triangulation() const
+  const Working_triangulation_3& triangulation() const
   {
     CGAL_assertion(numbered != nullptr);
     return numbered->triangulation();
-  }
-
-  // Of a vertex at a site: as exact as in the input if it is there.
-  Weighted_point point(int v, const Site& s) const
-  {
-    if(numbering->is_input_site(v, s))
-      return numbering->input_vertices[v]->point();
-    return typename Triangulation::Geom_traits().construct_weighted_point_3_object()(Bare_point(s.x, s.y, s.z));
-  }
-
-  std::vector<Weighted_point> points(const std::vector<Site>& positions) const
-  {
-    std::vector<Weighted_point> result;
-    result.reserve(positions.size());
-    for(std::size_t v = 0; v < positions.size(); ++v)
-      result.push_back(point(static_cast<int>(v), positions[v]));
-    return result;
   }
 
   // Whether the vertices are there.

@@ -46,16 +46,11 @@ namespace internal {
 // Vertices of the interior move, and those of dimension 2 that one surface goes around, also if it bends sharply
 // there or does not separate subdomains, or through which a line goes where several meet. Without features, such lines
 // are known only as well as the surfaces on either side: their vertices move on the one that they are from.
-template <class Domain>
 class Restricted_trial_3
 {
 public:
-  typedef Trial_complex_3<Domain> Complex;
-  typedef typename Complex::State State;
-  typedef typename Complex::Quadruple Quadruple;
-
   // The state lends its triangulation. If `boundary_moves` is false, the boundary stays. Threads share visits of all cells.
-  Restricted_trial_3(State& state, Domain& domain, const Fidelity_check_3<Domain>& fidelity, const Facet_shape_check_3& shapes,
+  Restricted_trial_3(Restricted_state_3& state, const Domain_view_3& domain, const Fidelity_check_3& fidelity, const Facet_shape_check_3& shapes,
                      bool boundary_moves, const Circumradius_bound_3& size_bound, const Thread_policy& threads)
     : complex_(state, domain, threads)
     , lifted_(complex_)
@@ -76,8 +71,8 @@ public:
   }
 
   // For what is to be done with the result.
-  Complex& complex() { return complex_; }
-  const Complex& complex() const { return complex_; }
+  Trial_complex_3& complex() { return complex_; }
+  const Trial_complex_3& complex() const { return complex_; }
   const Site& site(int v) const { return complex_.sites[v]; }
 
   // The cells below a bound, by sorted vertices.
@@ -135,7 +130,7 @@ public:
   template <class Shares>
   void find_steps(int v, double farthest, const Shares& shares, std::vector<Promising_step>& steps)
   {
-    neighborhood_ = Neighborhood(complex_, v, own_patch(v));
+    neighborhood_ = Trial_neighborhood_3(complex_, v, own_patch(v));
     find_star(v);
     Angle_step_3 angle_step(deficit_, neighborhood_.normal);
     for(const Quadruple& q : star_)
@@ -160,7 +155,7 @@ public:
   // Takes a vertex out.
   void lift(int v)
   {
-    neighborhood_ = Neighborhood(complex_, v, own_patch(v));
+    neighborhood_ = Trial_neighborhood_3(complex_, v, own_patch(v));
     lifted_.lift(v);
   }
 
@@ -210,16 +205,13 @@ public:
   void reject() { lifted_.put_back(); }
 
 private:
-  typedef Lifted_vertex_3<Domain> Lifted_vertex;
-  typedef Trial_neighborhood_3<Complex> Neighborhood;
-  typedef typename Lifted_vertex::Cell Cell;
-  typedef typename Complex::Cell_handle Cell_handle;
+  typedef Lifted_vertex_3::Cell Cell;
 
   static constexpr double margin = 0.25;        // degrees by which steps are to be exceeded: they are no place to get stuck
   static constexpr double infinity = (std::numeric_limits<double>::infinity)();
 
   // Labels that are not known yet count for outside.
-  bool is_inside(int label) const { return label >= 0 && label != complex_.domain.outside(); }
+  bool is_inside(int label) const { return label >= 0 && label != Domain_view_3::outside; }
   bool is_cell(const Quadruple& q, Cell_handle& c) const
   {
     const auto& t = *complex_.numbered;
@@ -248,15 +240,14 @@ private:
   {
     if(!complex_.numbering.is_on_boundary(v) || !boundary_moves_)
       return complex_.numbering.is_interior(v);
-    return complex_.numbering.input_vertices[v]->in_dimension() == 2 && complex_.sites[v].weight == 0
+    return complex_.numbering.dimensions[v] == 2 && complex_.sites[v].weight == 0
            && complex_.boundary.has_room_to_move(v);
   }
 
   // The one that the vertex has been on from the beginning, if any.
   int own_patch(int v) const
   {
-    return complex_.numbering.is_on_boundary(v) ? complex_.domain.patch_at(complex_.numbering.input_vertices[v]->index())
-                                                : int(Boundary_facet::no_patch);
+    return complex_.numbering.is_on_boundary(v) ? complex_.numbering.input_patch(v) : int(Boundary_facet::no_patch);
   }
 
   // Asks the domain about the new cells, first those that may have it decide, as they lack most and nobody knows whether
@@ -268,7 +259,7 @@ private:
     for(std::size_t n = 0; n < lifted_.new_cells().size(); ++n)
     {
       const Cell& c = lifted_.new_cells()[n];
-      order_.emplace_back(c.label == Lifted_vertex::unknown ? -deficit(c.vertices, cell_sites(c.vertices)) : 0., n);
+      order_.emplace_back(c.label == Lifted_vertex_3::unknown ? -deficit(c.vertices, cell_sites(c.vertices)) : 0., n);
     }
     std::sort(order_.begin(), order_.end());
     for(const auto& o : order_)
@@ -295,7 +286,7 @@ private:
 
   void add(const Cell& c, Sliver_count& count) const
   {
-    if(c.label == Lifted_vertex::mixed)
+    if(c.label == Lifted_vertex_3::mixed)
       count.deficit = infinity;
     if(!is_inside(c.label))
       return;
@@ -330,16 +321,16 @@ private:
     return sum;
   }
 
-  Complex complex_;
-  Lifted_vertex lifted_;
-  Facet_exchange_3<Domain> exchange_;
+  Trial_complex_3 complex_;
+  Lifted_vertex_3 lifted_;
+  Facet_exchange_3 exchange_;
   bool boundary_moves_;
   Circumradius_bound_3 size_bound_;
   int steps_ = 0;
   Angle_deficit_3 deficit_, highest_;
   std::vector<Quadruple> star_;
   std::vector<std::pair<double, std::size_t> > order_;        // of new cells, by what they may lack
-  Neighborhood neighborhood_;                                 // of the lifted vertex
+  Trial_neighborhood_3 neighborhood_;                                 // of the lifted vertex
   Sliver_count before_, after_;
 };
 

@@ -20,16 +20,12 @@ namespace Global_odt_mesh_3 {
 namespace internal {
 
 // Finds where the dual line of a facet meets the surface: on the dual segment if that joins two subdomains.
-template <class Domain>
 class Surface_center_search_3
 {
 public:
-  typedef Restricted_candidate_3<typename Domain::Triangulation> Candidate;
-  typedef typename Candidate::Facet Facet;
-  typedef typename Candidate::Surface_center Surface_center;
-  typedef typename Candidate::Triple Triple;
+  typedef Restricted_candidate_3::Surface_center Surface_center;
 
-  Surface_center_search_3(Candidate& candidate, Domain& domain)
+  Surface_center_search_3(Restricted_candidate_3& candidate, const Domain_view_3& domain)
     : candidate_(candidate)
     , domain_(domain)
   {}
@@ -55,7 +51,7 @@ public:
         center = known->second;
       return;
     }
-    const Vector expected = center.point;
+    const Eigen::Vector3d expected = center.point;
     const Facet_dual_3 dual(t, candidate_.sites);
     for(const auto& s : segments_to_search)
       if(put_on_segment(expected + s[0] * dual.radius * dual.normal, dual.normal, s[1] * dual.radius, center))
@@ -77,11 +73,6 @@ public:
   }
 
 private:
-  typedef typename Candidate::Cell_handle Cell_handle;
-  typedef typename Candidate::State::Index Index;
-  typedef typename Candidate::Triangulation Triangulation;
-  typedef typename Triangulation::Bare_point Bare_point;
-  typedef Eigen::Vector3d Vector;
 
   // The middle from where the surface is expected, and half the length, over the radius of the facet.
   // Both ends of a segment across a thin part are outside, hence those to one side only.
@@ -89,14 +80,14 @@ private:
                                                       { 0.5, 0.5 }, { -0.5, 0.5 }, { 0, 3 } };
 
   // Leaves what is known of the facet's centroid.
-  bool put_on_segment(Vector middle, const Vector& direction, double half_length, Surface_center& center) const
+  bool put_on_segment(Eigen::Vector3d middle, const Eigen::Vector3d& direction, double half_length, Surface_center& center) const
   {
-    Index index;
-    if(!domain_.intersect(middle, direction, half_length, index))
+    int patch;
+    if(!domain_.intersect(middle, direction, half_length, patch))
       return false;
     center.point = middle;
-    center.stored = Bare_point(middle[0], middle[1], middle[2]);
-    center.index = index;
+    center.patch = patch;
+    center.source = Mesh_table_3::no_facet;
     center.is_exact = true;
     return true;
   }
@@ -114,15 +105,15 @@ private:
   bool is_infinite(Cell_handle c) const { return candidate_.triangulation().is_infinite(c); }
 
   // Threads must not make cells remember theirs.
-  Vector dual_point(Cell_handle c) const
+  Eigen::Vector3d dual_point(Cell_handle c) const
   {
-    const Triangulation& tr = candidate_.triangulation();
+    const Working_triangulation_3& tr = candidate_.triangulation();
     return coordinates(tr.geom_traits().construct_weighted_circumcenter_3_object()(
       tr.point(c, 0), tr.point(c, 1), tr.point(c, 2), tr.point(c, 3)));
   }
 
-  Candidate& candidate_;
-  Domain& domain_;
+  Restricted_candidate_3& candidate_;
+  const Domain_view_3& domain_;
 };
 
 } // namespace internal

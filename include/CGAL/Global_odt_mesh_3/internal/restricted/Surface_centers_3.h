@@ -23,24 +23,20 @@ namespace internal {
 
 // Finds or, on the way, estimates the surface centers of a candidate: the points of the surface on the
 // dual lines of its boundary facets. Reports facets without a center.
-template <class Domain>
 class Surface_centers_3
 {
 public:
-  typedef Restricted_candidate_3<typename Domain::Triangulation> Candidate;
-  typedef Restricted_report_3<Candidate> Report;
-
-  Surface_centers_3(Candidate& candidate, Domain& domain)
+  Surface_centers_3(Restricted_candidate_3& candidate, const Domain_view_3& domain)
     : candidate_(candidate)
     , domain_(domain)
   {}
 
-  Report find_surface_centers()
+  Restricted_report_3 find_surface_centers()
   {
-    Report report(candidate_);
+    Restricted_report_3 report(candidate_);
     candidate_.boundary = Boundary_geometry_3(candidate_.boundary_complex, candidate_.sites);
     candidate_.centers.resize(candidate_.facets.size());
-    Surface_center_search_3<Domain> search(candidate_, domain_);
+    Surface_center_search_3 search(candidate_, domain_);
     std::vector<char> is_searched(candidate_.facets.size(), false);
     domain_.for_each(candidate_.facets.size(), [&](int n)
     {
@@ -71,10 +67,7 @@ public:
   }
 
 private:
-  typedef typename Candidate::State::Bare_point Bare_point;
-  typedef typename Candidate::State::Index Index;
-  typedef typename Candidate::Surface_center Surface_center;
-  typedef typename Candidate::Triple Triple;
+  typedef Restricted_candidate_3::Surface_center Surface_center;
 
   const Triple& vertices(std::size_t facet) const { return candidate_.boundary_complex->facets()[facet].vertices; }
 
@@ -83,12 +76,11 @@ private:
   {
     if(old >= 0 && candidate_.is_unchanged(t))
       return candidate_.state.centers[old];
-    const Eigen::Vector3d p = estimated_surface_center(t, candidate_.boundary, candidate_.sites);
-    return { p, Bare_point(p[0], p[1], p[2]), old >= 0 ? candidate_.state.centers[old].index : Index(), false };
+    return { estimated_surface_center(t, candidate_.boundary, candidate_.sites), Boundary_facet::no_patch };
   }
 
-  Candidate& candidate_;
-  Domain& domain_;
+  Restricted_candidate_3& candidate_;
+  const Domain_view_3& domain_;
 };
 
 } // namespace internal

@@ -19,8 +19,7 @@ namespace Global_odt_mesh_3 {
 namespace internal {
 
 // Moves a site for a vertex on a surface to that surface; false if there is no such point nearby.
-template <class Domain>
-bool put_on_surface(Domain& domain, const Boundary_geometry_3& boundary, int v, Site& s)
+inline bool put_on_surface(const Domain_view_3& domain, const Boundary_geometry_3& boundary, int v, Site& s)
 {
   constexpr double farthest_projection = 1;       // over the shortest edge
   const Umbrella_shape& shape = boundary.shape(v, 0);
@@ -33,17 +32,14 @@ bool put_on_surface(Domain& domain, const Boundary_geometry_3& boundary, int v, 
 
 // Keeps the vertices of a candidate that move on surfaces close to these: they are projected, unless that is where they
 // have been put, or follow tangential planes until these may have led too far off.
-template <class Domain>
 class Surface_projection_3
 {
 public:
-  typedef Restricted_candidate_3<typename Domain::Triangulation> Candidate;
-
-  Surface_projection_3(Candidate& candidate, Domain& domain, const Places_on_surface& places)
+  Surface_projection_3(Restricted_candidate_3& candidate, const Domain_view_3& domain, const Places_on_surface& places)
     : candidate_(candidate)
     , domain_(domain)
     , places_(places)
-    , projects_all_(candidate.is_thorough() || Domain::tells_distances)
+    , projects_all_(candidate.is_thorough() || domain.tells_distances())
   {}
 
   // Projects the vertices that are not on their surface, or those only that may have
@@ -132,8 +128,8 @@ private:
     return shape.bend * way / (shape.shortest_edge * shape.shortest_edge);
   }
 
-  Candidate& candidate_;
-  Domain& domain_;
+  Restricted_candidate_3& candidate_;
+  const Domain_view_3& domain_;
   const Places_on_surface& places_;
   bool projects_all_;
 };

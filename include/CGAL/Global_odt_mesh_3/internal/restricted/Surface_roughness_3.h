@@ -16,8 +16,7 @@ namespace Global_odt_mesh_3 {
 namespace internal {
 
 // Whether a bit along the tangential plane of a vertex the surface is far off.
-template <class State, class Domain>
-bool is_off_surface_after_step(const State& state, Domain& domain, int v)
+inline bool is_off_surface_after_step(const Restricted_state_3& state, const Domain_view_3& domain, int v)
 {
   constexpr double step_length = 0.2, most_tolerated = 0.05;      // over the shortest edge
   const Umbrella_shape& shape = state.boundary.shape(v, 0);
@@ -32,8 +31,7 @@ bool is_off_surface_after_step(const State& state, Domain& domain, int v)
 
 // Whether the surface is rough compared with the mesh, as that of an image is: so it is at many
 // of some vertices.
-template <class State, class Domain>
-bool is_surface_rough(const State& state, Domain& domain)
+inline bool is_surface_rough(const Restricted_state_3& state, const Domain_view_3& domain)
 {
   constexpr int probes = 200;
   constexpr double most_off = 0.1;

@@ -27,22 +27,20 @@ namespace Global_odt_mesh_3 {
 namespace internal {
 
 // The vertices at which the boundary of the candidate is not what it has to be.
-template <class Candidate>
-std::set<int> topology_changes(const Candidate& candidate)
+inline std::set<int> topology_changes(const Restricted_candidate_3& candidate)
 {
   std::set<int> result = topology_changes(candidate.state.boundary.complex(), *candidate.boundary_complex);
   for(const Boundary_facet& f : candidate.boundary_complex->facets())
-    if(f.patch == Candidate::unknown_patch)
+    if(f.patch == Restricted_candidate_3::unknown_patch)
       result.insert(f.vertices.begin(), f.vertices.end());
   return result;
 }
 
 // Whether a boundary that moves has the topology of that of the state. Where it has not, the vertices of
 // the facets that have come or gone go back.
-template <class Candidate>
-Restricted_report_3<Candidate> check_topology(const Candidate& candidate)
+inline Restricted_report_3 check_topology(const Restricted_candidate_3& candidate)
 {
-  Restricted_report_3<Candidate> report(candidate);
+  Restricted_report_3 report(candidate);
   const std::set<int> changed = topology_changes(candidate);
   if(changed.empty())
     return report;
@@ -60,12 +58,11 @@ Restricted_report_3<Candidate> check_topology(const Candidate& candidate)
 }
 
 // Those of the vertices around a boundary facet that lie in its surface Delaunay ball.
-template <class Candidate>
-std::vector<int> intruders(const Candidate& candidate, const std::array<int, 3>& t, const Eigen::Vector3d& center)
+inline std::vector<int> intruders(const Restricted_candidate_3& candidate, const std::array<int, 3>& t, const Eigen::Vector3d& center)
 {
   const Site& s = candidate.state.sites[t[0]];
   const double radius = squared_distance(s, center) - s.weight;
-  Vertex_rings_3<typename Candidate::Numbered_triangulation> region(*candidate.numbered, t);
+  Vertex_rings_3 region(*candidate.numbered, t);
   for(int ring = 0; ring < 2; ++ring)
     region.grow();
   std::vector<int> result;
@@ -77,10 +74,9 @@ std::vector<int> intruders(const Candidate& candidate, const std::array<int, 3>&
 
 // Whether a boundary at rest has the facets of the state. One that is missing has a vertex in its surface
 // Delaunay ball; another has other subdomains on its sides.
-template <class Candidate>
-Restricted_report_3<Candidate> check_facets_stay(const Candidate& candidate)
+inline Restricted_report_3 check_facets_stay(const Restricted_candidate_3& candidate)
 {
-  Restricted_report_3<Candidate> report(candidate);
+  Restricted_report_3 report(candidate);
   const std::vector<Boundary_facet>& facets = candidate.state.boundary.complex().facets();
   std::vector<char> is_found(facets.size(), false);
   for(std::size_t n = 0; n < candidate.old_facets.size(); ++n)

@@ -32,30 +32,20 @@ namespace internal {
 
 // A state whose vertices can be moved one by one, in the triangulation that it lends. Cells know their labels, but facets
 // are in the boundary alone.
-template <class Domain>
 struct Trial_complex_3
 {
-  typedef typename Domain::Triangulation Triangulation;
-  typedef Restricted_state_3<Triangulation> State;
-  typedef Restricted_candidate_3<Triangulation> Candidate;
-  typedef typename State::Vertex_numbering Vertex_numbering;
-  typedef Numbered_triangulation_3<Triangulation> Numbered_triangulation;
-  typedef typename State::Quadruple Quadruple;
-  typedef typename Triangulation::Vertex_handle Vertex_handle;
-  typedef typename Triangulation::Cell_handle Cell_handle;
-  typedef typename Triangulation::Weighted_point Weighted_point;
 
-  static constexpr int no_subdomain = State::no_subdomain;
+  static constexpr int no_subdomain = Restricted_state_3::no_subdomain;
 
-  const State& state;
-  const Vertex_numbering& numbering;
-  Domain& domain;
+  const Restricted_state_3& state;
+  const Vertex_numbering_3& numbering;
+  const Domain_view_3& domain;
   Thread_policy threads;
-  std::unique_ptr<Numbered_triangulation> numbered;
+  std::unique_ptr<Numbered_triangulation_3> numbered;
   std::vector<Site> sites;
   Exchangeable_boundary_3 boundary;
 
-  Trial_complex_3(State& from, Domain& d, const Thread_policy& policy)
+  Trial_complex_3(Restricted_state_3& from, const Domain_view_3& d, const Thread_policy& policy)
     : state(from)
     , numbering(*from.numbering)
     , domain(d)
@@ -68,15 +58,15 @@ struct Trial_complex_3
   Trial_complex_3(const Trial_complex_3&) = delete;
   Trial_complex_3& operator=(const Trial_complex_3&) = delete;
 
-  const Triangulation& triangulation() const { return numbered->triangulation(); }
+  const Working_triangulation_3& triangulation() const { return numbered->triangulation(); }
 
   // Of the vertices of a cell, -1 for the infinite one.
-  Quadruple numbers(Cell_handle c) const { return Numbered_triangulation::numbers(c); }
+  Quadruple numbers(Cell_handle c) const { return Numbered_triangulation_3::numbers(c); }
 
-  Weighted_point point(int v) const { return state.point(v, sites[v]); }
+  Weighted_point point(int v) const { return weighted_point(sites[v]); }
 
   // Hands over triangulation and boundary to a candidate with the sites.
-  void give(Candidate& candidate)
+  void give(Restricted_candidate_3& candidate)
   {
     const std::vector<Cell_handle>& cells = numbered->cells();
     std::vector<Found_facet> found = collect_in_chunks<Found_facet>(static_cast<int>(cells.size()), threads,
@@ -101,8 +91,6 @@ struct Trial_complex_3
   }
 
 private:
-  typedef typename Triangulation::Facet Facet;
-
   struct Found_facet
   {
     std::array<int, 3> key;         // its vertices, sorted

@@ -23,7 +23,6 @@ namespace internal {
 
 // Lengths of edges at a vertex of a complex, and the direction of its surface, on a patch. Sums are rounded the same way
 // whatever the order of cells and facets.
-template <class Complex>
 struct Trial_neighborhood_3
 {
   double mean_edge = 0;                                                       // of all
@@ -32,7 +31,7 @@ struct Trial_neighborhood_3
 
   Trial_neighborhood_3() {}
 
-  Trial_neighborhood_3(const Complex& complex, int v, int patch)
+  Trial_neighborhood_3(const Trial_complex_3& complex, int v, int patch)
   {
     const std::vector<Site>& sites = complex.sites;
     const auto distance = [&](int w) { return (position(sites[w]) - position(sites[v])).norm(); };

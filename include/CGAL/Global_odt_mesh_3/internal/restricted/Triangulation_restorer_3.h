@@ -28,24 +28,18 @@ namespace internal {
 
 // Gives a state that has lent its triangulation this one back, whatever has become of it, or another one. Symbolic perturbation makes
 // the regular triangulation of weighted points unique; its cells are labelled, and boundary facets found, by their vertices.
-template <class Domain>
 class Triangulation_restorer_3
 {
 public:
-  typedef typename Domain::Triangulation Triangulation;
-  typedef Restricted_state_3<Triangulation> State;
-  typedef Numbered_triangulation_3<Triangulation> Numbered_triangulation;
-
-  Triangulation_restorer_3(State& state, const Domain& domain)
+  explicit Triangulation_restorer_3(Restricted_state_3& state)
     : state_(state)
-    , domain_(domain)
   {}
 
   // Its vertices are at the sites.
-  void operator()(std::unique_ptr<Numbered_triangulation> lent, const std::vector<Site>& sites, const Thread_policy& threads)
+  void operator()(std::unique_ptr<Numbered_triangulation_3> lent, const std::vector<Site>& sites, const Thread_policy& threads)
   {
     state_.facets.resize(state_.centers.size());
-    state_.numbered = lent != nullptr ? std::move(lent) : std::make_unique<Numbered_triangulation>();
+    state_.numbered = lent != nullptr ? std::move(lent) : std::make_unique<Numbered_triangulation_3>();
     if(!move_vertices(sites))
       build(threads);
     CGAL_assertion(state_.numbered->is_complete());
@@ -54,22 +48,14 @@ public:
   }
 
 private:
-  typedef typename State::Vertex_numbering Vertex_numbering;
-  typedef typename Vertex_numbering::Vertex_handle Input_vertex;
-  typedef typename Triangulation::Cell_handle Cell_handle;
-  typedef typename Triangulation::Facet Facet;
-  typedef typename State::Triple Triple;
-  typedef typename State::Quadruple Quadruple;
-
   // The input is what it is, be it regular or not.
   void build(const Thread_policy& threads)
   {
-    const Vertex_numbering& numbering = *state_.numbering;
-    const auto number = [&numbering](Input_vertex v) { return numbering.input_number[v]; };
+    const Vertex_numbering_3& numbering = *state_.numbering;
     if(state_.is_input)
-      state_.numbered->copy(*numbering.input, state_.points(state_.sites), number, threads);
+      state_.numbered->copy(numbering.input->read(threads), numbering.input_numbers, threads);
     else
-      state_.numbered->build(state_.points(state_.sites), state_.sites);
+      state_.numbered->build(state_.sites);
   }
 
   // False if that is not the way.
@@ -84,7 +70,7 @@ private:
     if(!state_.numbered->is_worth_moving(moved.size()) || (state_.is_input && !moved.empty()))
       return false;
     for(int v : moved)
-      state_.numbered->move(v, state_.point(v, state_.sites[v]));
+      state_.numbered->move(v, state_.sites[v]);
     return state_.numbered->is_complete();
   }
 
@@ -98,7 +84,7 @@ private:
   {
     forget(c);
     c->forget_facets();
-    const Quadruple q = Numbered_triangulation::numbers(c);
+    const Quadruple q = Numbered_triangulation_3::numbers(c);
     c->set_label(label(q));
     for(int i = 0; i < 4; ++i)
       find_facet(Facet(c, i), q);
@@ -107,12 +93,12 @@ private:
   int label(const Quadruple& q) const
   {
     if(*std::min_element(q.begin(), q.end()) < 0)
-      return domain_.outside();
+      return Domain_view_3::outside;
     for(int v : q)
       if(!state_.numbering->is_on_boundary(v))
         return state_.numbering->subdomain[v];
     const int of_state = state_.label_of_boundary_cell(q);
-    CGAL_assertion(of_state != State::no_subdomain);
+    CGAL_assertion(of_state != Restricted_state_3::no_subdomain);
     return of_state;
   }
 
@@ -128,8 +114,7 @@ private:
       state_.facets[n] = f;
   }
 
-  State& state_;
-  const Domain& domain_;
+  Restricted_state_3& state_;
 };
 
 } // namespace internal

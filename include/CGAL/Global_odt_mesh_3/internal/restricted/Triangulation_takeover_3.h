@@ -37,23 +37,18 @@ namespace internal {
 // among the facets of that triangulation, and what is inside of it gives way. As the border of
 // a part of the triangulation bounds that part, cells that are positive cover all once; and where all
 // facets are locally regular, the whole is regular. So the result is what insertion of all gives.
-template <class Triangulation>
 class Triangulation_takeover_3
 {
 public:
-  typedef Numbered_triangulation_3<Triangulation> Numbered_triangulation;
-  typedef typename Triangulation::Weighted_point Weighted_point;
-
   // The flat mesh may be at other positions.
-  Triangulation_takeover_3(const Constrained_triangulation_3& mesh, const std::vector<Weighted_point>& points,
-                           const std::vector<Site>& sites, const Thread_policy& threads, Numbered_triangulation& numbered)
-    : points_(points)
-    , sites_(sites)
+  Triangulation_takeover_3(const Constrained_triangulation_3& mesh, const std::vector<Site>& sites,
+                           const Thread_policy& threads, Numbered_triangulation_3& numbered)
+    : sites_(sites)
     , threads_(threads)
     , numbered_(numbered)
     , tr_(numbered.triangulation())
-    , tests_(points, sites, tr_.geom_traits())
-    , taken_(mesh.topology, mesh.number_of_interior_vertices, static_cast<int>(points.size()), threads)
+    , tests_(sites, tr_.geom_traits())
+    , taken_(mesh.topology, mesh.number_of_interior_vertices, static_cast<int>(sites.size()), threads)
   {}
 
   // False if that does not pay or cannot be done, and then nothing is built that is of any use.
@@ -65,8 +60,8 @@ public:
     const std::vector<int> first = taken_.take_news();
     const auto insert_first = [&]
     {
-      numbered_.clear(points_.size());
-      numbered_.insert(first, points_, sites_);
+      numbered_.clear(sites_.size());
+      numbered_.insert(first, sites_);
     };
     threads_.run_both(insert_first, [this] { certify_cells(taken_, tests_, threads_); });
     for(int round = 0; round < most_rounds && pays(); ++round)
@@ -86,23 +81,20 @@ public:
   int number_of_inserted_vertices() const { return taken_.number_of_inserted_vertices(); }
 
 private:
-  typedef typename Triangulation::Vertex_handle Vertex_handle;
-  typedef typename Triangulation::Cell_handle Cell_handle;
-  typedef typename Triangulation::Facet Facet;
-  typedef typename Exact_regularity_3<Triangulation>::Cell Tested_cell;
+  typedef Exact_regularity_3::Cell Tested_cell;
 
   static constexpr int most_rounds = 5;
   static constexpr double most_inserted = 0.7;    // of the vertices
 
   bool pays() const
   {
-    return !taken_.cells().empty() && taken_.number_of_inserted_vertices() <= most_inserted * double(points_.size());
+    return !taken_.cells().empty() && taken_.number_of_inserted_vertices() <= most_inserted * double(sites_.size());
   }
 
   // False if vertices get hidden.
   bool insert_news()
   {
-    numbered_.insert(taken_.take_news(), points_, sites_);
+    numbered_.insert(taken_.take_news(), sites_);
     return tr_.dimension() == 3
            && tr_.number_of_vertices() == static_cast<std::size_t>(taken_.number_of_inserted_vertices());
   }
@@ -124,7 +116,7 @@ private:
       for(int i = 0; i < 4; ++i)
       {
         const std::array<int, 3>& f = facet_indices(i);
-        if(const int* const n = numbers.find(rotated(std::array<int, 3>{{ v[f[0]], v[f[1]], v[f[2]] }})))
+        if(const int* const n = numbers.find(rotated({{ v[f[0]], v[f[1]], v[f[2]] }})))
           inner_[*n] = Facet(cells[c], i);
       }
     });
@@ -184,7 +176,7 @@ private:
   // Whether all vertices of cells that give way are vertices of cells that are taken over.
   bool all_vertices_stay() const
   {
-    std::vector<char> stays(points_.size(), false);
+    std::vector<char> stays(sites_.size(), false);
     for(int c : taken_.cells())
       for(int v : taken_.flat().cell(c))
         stays[v] = true;
@@ -200,9 +192,9 @@ private:
   {
     std::vector<Cell_handle> all = numbered_.cells();
     all.erase(std::remove_if(all.begin(), all.end(), [](Cell_handle c) { return c->tds_data().is_in_conflict(); }), all.end());
-    for(std::size_t v = 0; v < points_.size(); ++v)
+    for(std::size_t v = 0; v < sites_.size(); ++v)
       if(taken_.is_left_out(static_cast<int>(v)))
-        numbered_.create_vertex(static_cast<int>(v), points_[v]);
+        numbered_.create_vertex(static_cast<int>(v), sites_[v]);
     const std::vector<Cell_handle> cells = create_cells();
     for(std::size_t n = 0; n < border_.size(); ++n)
     {
@@ -221,7 +213,7 @@ private:
   std::vector<Cell_handle> create_cells()
   {
     std::vector<Cell_handle> cells(taken_.flat().number_of_cell_slots());
-    std::vector<int> cell_of_vertex(points_.size(), -1);
+    std::vector<int> cell_of_vertex(sites_.size(), -1);
     for(int c : taken_.cells())
     {
       cells[c] = tr_.tds().create_cell();
@@ -238,7 +230,7 @@ private:
         cells[c]->set_neighbor(i, across.is_none() ? Cell_handle() : cells[across.cell()]);
       }
     });
-    for_each_in_chunks(static_cast<int>(points_.size()), threads_, [&](int v)
+    for_each_in_chunks(static_cast<int>(sites_.size()), threads_, [&](int v)
     {
       if(cell_of_vertex[v] >= 0)
         numbered_.vertex(v)->set_cell(cells[cell_of_vertex[v]]);
@@ -252,12 +244,11 @@ private:
     g.first->set_neighbor(g.second, f.first);
   }
 
-  const std::vector<Weighted_point>& points_;
   const std::vector<Site>& sites_;
   const Thread_policy threads_;
-  Numbered_triangulation& numbered_;
-  Triangulation& tr_;
-  Exact_regularity_3<Triangulation> tests_;
+  Numbered_triangulation_3& numbered_;
+  Working_triangulation_3& tr_;
+  Exact_regularity_3 tests_;
   Taken_cells_3 taken_;
   std::vector<Slot> border_;            // facets of cells that are taken over,
   std::vector<Facet> inner_;            // and where they are in the triangulation, on the side that gives way

@@ -15,13 +15,12 @@ namespace Global_odt_mesh_3 {
 namespace internal {
 
 // Some vertices of a triangulation, by their numbers, then their neighbors, and so on, ring by ring.
-template <class Numbered_triangulation>
 class Vertex_rings_3
 {
 public:
   // Numbers below zero, of the infinite vertex, do not matter.
   template <class Vertices>
-  Vertex_rings_3(const Numbered_triangulation& triangulation, const Vertices& vertices)
+  Vertex_rings_3(const Numbered_triangulation_3& triangulation, const Vertices& vertices)
     : triangulation_(triangulation)
   {
     for(int v : vertices)
@@ -50,7 +49,7 @@ private:
       vertices_.push_back(v);
   }
 
-  const Numbered_triangulation& triangulation_;
+  const Numbered_triangulation_3& triangulation_;
   std::vector<int> vertices_;
   std::size_t begin_ = 0;               // of the last ring
   std::unordered_set<int> known_;

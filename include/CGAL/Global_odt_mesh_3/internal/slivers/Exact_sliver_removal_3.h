@@ -10,6 +10,8 @@
 #include <CGAL/Global_odt_mesh_3/internal/geometry/Random_source.h>
 #include <CGAL/Global_odt_mesh_3/internal/geometry/Site.h>
 #include <CGAL/Global_odt_mesh_3/internal/geometry/Sliver_steps.h>
+#include <CGAL/Global_odt_mesh_3/internal/geometry/Vertex_tuples.h>
+#include <CGAL/Global_odt_mesh_3/internal/restricted/Restricted_trial_3.h>
 
 #include <Eigen/Core>
 
@@ -50,20 +52,17 @@ struct Exact_sliver_removal_parameters
 // facets are constrained, cannot. No trial is accepted that makes the smallest angle around it smaller, or more
 // cells fall below one of the steps before; so that a higher bound never leads to less.
 //
-// Trial is as Restricted_trial_3. A cell is helped by steps that promise more in first order; then by the vertices opposite
+// A cell is helped by steps that promise more in first order; then by the vertices opposite
 // to it in its neighbors, whose way into its circumsphere makes it go; then by random positions of its vertices and of
 // these. A cell that nothing helps is left alone until it changes.
-template <class Trial>
 class Exact_sliver_removal_3
 {
 public:
-  typedef std::array<int, 4> Quadruple;
-
   // The failures of cells, by their vertices.
   typedef std::map<Quadruple, int> Failures;
 
   // Cells that have failed often enough are left alone. The trial is to be moved by this object only.
-  Exact_sliver_removal_3(Trial& trial, Failures& failures, unsigned int seed,
+  Exact_sliver_removal_3(Restricted_trial_3& trial, Failures& failures, unsigned int seed,
                          const Exact_sliver_removal_parameters& parameters = Exact_sliver_removal_parameters())
     : trial_(trial)
     , failures_(failures)
@@ -302,7 +301,7 @@ private:
     }
   }
 
-  Trial& trial_;
+  Restricted_trial_3& trial_;
   Failures& failures_;
   Exact_sliver_removal_parameters parameters_;
   Random_source random_;

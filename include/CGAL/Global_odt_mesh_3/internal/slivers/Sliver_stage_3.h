@@ -7,6 +7,10 @@
 #define CGAL_GLOBAL_ODT_MESH_3_INTERNAL_SLIVERS_SLIVER_STAGE_3_H
 
 #include <CGAL/Global_odt_mesh_3/internal/geometry/Sliver_steps.h>
+#include <CGAL/Global_odt_mesh_3/internal/restricted/Angle_check_3.h>
+#include <CGAL/Global_odt_mesh_3/internal/restricted/Restricted_complex_3.h>
+#include <CGAL/Global_odt_mesh_3/internal/restricted/Restricted_state_3.h>
+#include <CGAL/Global_odt_mesh_3/internal/restricted/Restricted_trial_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/slivers/Cell_angles.h>
 #include <CGAL/Global_odt_mesh_3/internal/slivers/Exact_sliver_removal_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/slivers/Sliver_removal_3.h>
@@ -31,14 +35,14 @@ namespace internal {
 // Removal of slivers from a complex, step by step: those of the flat mesh first, where a try takes microseconds but
 // facets on surfaces are constrained, and then those of the exact complex that is made of it. What a step has reached
 // is not given up by the next; and as no step depends on the bound that is wanted, a higher one never leads to less.
-template <class Complex>
 class Sliver_stage_3
   : private Vertex_motion_3
 {
 public:
   // `bound` is the dihedral angle, in degrees, that cells should exceed, or 0 for as much as can be had. The mesh is
   // that of the complex, with positions that the complex need not have yet.
-  Sliver_stage_3(Complex& complex, Moving_triangulation_3& mesh, double bound, unsigned int seed, std::size_t most_tries)
+  Sliver_stage_3(Restricted_complex_3& complex, Moving_triangulation_3& mesh, double bound, unsigned int seed,
+                 std::size_t most_tries)
     : complex_(complex)
     , mesh_(mesh)
     , bound_(bound)
@@ -80,9 +84,6 @@ public:
   }
 
 private:
-  typedef typename Complex::State State;
-  typedef Exact_sliver_removal_3<typename Complex::Trial> Exact_removal;
-
   static constexpr int first_step = 1, most_repetitions = 2;
   static constexpr std::size_t tries_for_an_exact_one = 3;
   // What pays, so that all tries are in proportion to the cells that there are to remove.
@@ -108,10 +109,10 @@ private:
   {
     if(reached_.below[step] == 0)
       return true;
-    const typename Complex::Angle_check angles(mesh_, Sliver_steps::angles[step - 1], mesh_.threads());
+    const Angle_check_3 angles(mesh_, Sliver_steps::angles[step - 1], mesh_.threads());
     if(!remove_from_mesh(step, has_time))
       return climb_in_complex(step, has_time);
-    std::optional<State> replaced = complex_.advance(mesh_, angles);
+    std::optional<Restricted_state_3> replaced = complex_.advance(mesh_, angles);
     if(climb_in_complex(step, has_time))
       return true;
     if(replaced)
@@ -153,8 +154,8 @@ private:
   template <class Has_time>
   void remove_from_complex(int step, const Has_time& has_time)
   {
-    typename Complex::Trial trial = complex_.make_trial(mesh_.size_bound);
-    Exact_removal removal(trial, failures_, seed_++);
+    Restricted_trial_3 trial = complex_.make_trial(mesh_.size_bound);
+    Exact_sliver_removal_3 removal(trial, failures_, seed_++);
     const std::size_t most_tries = tries_left() / tries_for_an_exact_one;
     removal.climb(step, std::size_t(share_of_climb * double(most_tries)), has_time);
     const std::size_t left = most_tries - (std::min)(removal.number_of_tries(), most_tries);
@@ -218,13 +219,13 @@ private:
     return true;
   }
 
-  Complex& complex_;
+  Restricted_complex_3& complex_;
   Moving_triangulation_3& mesh_;
   double bound_;
   unsigned int seed_;
   std::size_t most_tries_, number_of_tries_ = 0;
   Cell_angles reached_;
-  typename Exact_removal::Failures failures_;
+  Exact_sliver_removal_3::Failures failures_;
 };
 
 } // namespace internal

@@ -18,7 +18,6 @@
 #include <cstddef>
 #include <functional>
 #include <tuple>
-#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -27,28 +26,33 @@ namespace Global_odt_mesh_3 {
 namespace internal {
 
 // A facet that must stay, as it was found in the triangulation.
-template <class Triangulation>
 struct Constrained_facet
 {
-  typename Triangulation::Facet facet;
-  std::array<int, 3> vertices;      // clockwise seen from facet.first
+  int cell, index;
+  Triple vertices;                  // clockwise seen from the cell
+};
+
+typedef std::vector<Constrained_facet> Constrained_facets;
+
+// The cell beyond a facet: whether it is inside, and its vertex opposite to the facet, or -1 if it is infinite.
+struct Cell_across
+{
+  bool is_inside;
+  int vertex;
 };
 
 // Loads cells of a triangulation into flat arrays.
-template <class Triangulation, class Number, class Label, class Is_marked>
+//
+// Cells are numbered by `Cells`, which knows is_infinite(n), is_inside(n), the numbers of its finite vertices(n), its label(n),
+// whether a facet is_marked(n, i), and what is across(n, i).
+template <class Cells>
 class Triangulation_flattener_3
 {
 public:
-  typedef std::vector<Constrained_facet<Triangulation> > Constrained_facets;
-
-  Triangulation_flattener_3(const Triangulation& tr, const std::vector<typename Triangulation::Cell_handle>& cells,
-                            const Number& number, const Label& label, const Is_marked& is_marked,
-                            const Thread_policy& threads)
-    : tr_(tr)
-    , cells_(cells)
-    , number_(number)
-    , label_(label)
-    , is_marked_(is_marked)
+  Triangulation_flattener_3(const Cells& cells, int number_of_cells, int number_of_vertices, const Thread_policy& threads)
+    : cells_(cells)
+    , number_of_cells_(number_of_cells)
+    , number_of_vertices_(number_of_vertices)
     , threads_(threads)
   {}
 
@@ -56,8 +60,7 @@ public:
   {
     flat = Flat_triangulation_3();
     const std::vector<int> marked_outside = read_cells();
-    const int number_of_vertices = static_cast<int>(tr_.number_of_vertices());
-    Canonical_order order(std::move(vertices_), number_of_vertices, threads_);
+    Canonical_order order(std::move(vertices_), number_of_vertices_, threads_);
     std::vector<int> neighbors(order.vertices().size());
     const std::vector<Border_facet> border = set_neighbors(order, neighbors);
     Constrained_facets facets;
@@ -65,26 +68,22 @@ public:
     for(const Border_facet& f : border)
     {
       const int n = static_cast<int>(facets.size());
-      facets.push_back(constrained_facet(cells_[f.cell], f.index));
+      facets.push_back(constrained_facet(f.cell, f.index));
       neighbors[f.slot.id()] = Slot::side(n, 0).id();
       if(!f.mate.is_none())
         neighbors[f.mate.id()] = Slot::side(n, 1).id();
     }
-    flat.assign(order.take_vertices(), std::move(neighbors), number_of_vertices, 2 * facets.size());
+    flat.assign(order.take_vertices(), std::move(neighbors), number_of_vertices_, 2 * facets.size());
     for(int n : marked_outside)
-      add_outside_facets(cells_[n], facets);
+      add_outside_facets(n, facets);
     return facets;
   }
 
 private:
-  typedef typename Triangulation::Cell_handle Cell_handle;
-  typedef typename Triangulation::Facet Facet;
-  typedef std::array<int, 4> Quadruple;
-
   // What the cell says of itself and of its facets, the bits of which are in the order of the cell's slots.
   struct Cell_facts
   {
-    typename std::decay<decltype(std::declval<Label>()(Cell_handle()))>::type label;
+    int label;
     int marks;
   };
 
@@ -100,35 +99,31 @@ private:
   // Gives the cells outside that have marked facets.
   std::vector<int> read_cells()
   {
-    vertices_.resize(cells_.size());
-    facts_.resize(cells_.size());
-    return collect_in_chunks(static_cast<int>(cells_.size()), threads_, [this](int n, std::vector<int>& marked_outside)
+    vertices_.resize(number_of_cells_);
+    facts_.resize(number_of_cells_);
+    return collect_in_chunks(number_of_cells_, threads_, [this](int n, std::vector<int>& marked_outside)
     {
-      const Cell_handle c = cells_[n];
-      if(is_inside(c))
+      if(cells_.is_inside(n))
         return read_cell(n);
       vertices_[n][0] = Flat_triangulation_3::no_vertex;
-      if(!tr_.is_infinite(c) && has_marks(c))
+      if(!cells_.is_infinite(n) && has_marks(n))
         marked_outside.push_back(n);
     });
   }
 
-  bool is_inside(Cell_handle c) const { return label_(c) != decltype(label_(c))() && !tr_.is_infinite(c); }
-
-  bool has_marks(Cell_handle c) const
+  bool has_marks(int n) const
   {
-    return is_marked_(c, 0) || is_marked_(c, 1) || is_marked_(c, 2) || is_marked_(c, 3);
+    return cells_.is_marked(n, 0) || cells_.is_marked(n, 1) || cells_.is_marked(n, 2) || cells_.is_marked(n, 3);
   }
 
   // CGAL orders the vertices of a cell as we do.
   void read_cell(int n)
   {
-    const Cell_handle c = cells_[n];
-    const Quadruple v = {{ number_(c->vertex(0)), number_(c->vertex(1)), number_(c->vertex(2)), number_(c->vertex(3)) }};
+    const Quadruple v = cells_.vertices(n);
     vertices_[n] = in_canonical_order(v);
-    facts_[n] = { label_(c), 0 };
+    facts_[n] = { cells_.label(n), 0 };
     for(int i = 0; i < 4; ++i)
-      if(is_marked_(c, i))
+      if(cells_.is_marked(n, i))
         facts_[n].marks |= 1 << (std::find(vertices_[n].begin(), vertices_[n].end(), v[i]) - vertices_[n].begin());
   }
 
@@ -166,52 +161,87 @@ private:
     if(!t.is_none() && order.number(t.cell()) < order.number(s.cell()))
       std::swap(s, t);
     const int n = order.number(s.cell());
-    int i = 0;
-    while(number_(cells_[n]->vertex(i)) != order.vertices()[s.id()])
-      ++i;
-    return { n, i, s, t };
+    const Quadruple v = cells_.vertices(n);
+    const auto i = std::find(v.begin(), v.end(), order.vertices()[s.id()]) - v.begin();
+    return { n, static_cast<int>(i), s, t };
   }
 
-  Constrained_facet<Triangulation> constrained_facet(Cell_handle c, int i) const
+  Constrained_facet constrained_facet(int n, int i) const
   {
-    const std::array<int, 3>& f = facet_indices(i);
-    return { Facet(c, i), {{ number_(c->vertex(f[0])), number_(c->vertex(f[1])), number_(c->vertex(f[2])) }} };
+    const Quadruple v = cells_.vertices(n);
+    const Triple& f = facet_indices(i);
+    return { n, i, {{ v[f[0]], v[f[1]], v[f[2]] }} };
   }
 
   // Facets of the complex without any cell of the complex occur where the surface folds.
-  void add_outside_facets(Cell_handle c, Constrained_facets& facets) const
+  void add_outside_facets(int n, Constrained_facets& facets) const
   {
     for(int i = 0; i < 4; ++i)
     {
-      const Cell_handle d = c->neighbor(i);
-      const bool second_visit = !tr_.is_infinite(d) && number_(tr_.mirror_vertex(c, i)) > number_(c->vertex(i));
-      if(!second_visit && !is_inside(d) && is_marked_(c, i))
-        facets.push_back(constrained_facet(c, i));
+      const Cell_across across = cells_.across(n, i);
+      const bool second_visit = across.vertex > cells_.vertices(n)[i];
+      if(!second_visit && !across.is_inside && cells_.is_marked(n, i))
+        facets.push_back(constrained_facet(n, i));
     }
   }
 
-  const Triangulation& tr_;
-  const std::vector<Cell_handle>& cells_;
-  const Number& number_;
-  const Label& label_;
-  const Is_marked& is_marked_;
+  const Cells& cells_;
+  const int number_of_cells_, number_of_vertices_;
   const Thread_policy threads_;
   std::vector<Quadruple> vertices_;     // of the cells inside
   std::vector<Cell_facts> facts_;
 };
 
-// Loads those of all cells of `tr` that have a label into flat arrays, in canonical order, vertices being named by `number`.
+// Loads those of all cells that are inside into flat arrays, in canonical order.
 // Facets between labels, or inside and outside, and those that are marked, from which side does not matter, become
 // constrained facets, with side 0 on the side of the facet's cell.
 // They are returned, followed by marked facets that have no cell inside.
-template <class Triangulation, class Number, class Label, class Is_marked>
-std::vector<Constrained_facet<Triangulation> >
-flatten_triangulation_3(const Triangulation& tr, const std::vector<typename Triangulation::Cell_handle>& cells,
-                        const Number& number, const Label& label, const Is_marked& is_marked,
-                        const Thread_policy& threads, Flat_triangulation_3& flat)
+template <class Cells>
+Constrained_facets flatten_cells(const Cells& cells, std::size_t number_of_cells, std::size_t number_of_vertices,
+                                 const Thread_policy& threads, Flat_triangulation_3& flat)
 {
-  return Triangulation_flattener_3<Triangulation, Number, Label, Is_marked>(tr, cells, number, label, is_marked,
-                                                                            threads)(flat);
+  return Triangulation_flattener_3<Cells>(cells, static_cast<int>(number_of_cells), static_cast<int>(number_of_vertices),
+                                          threads)(flat);
+}
+
+// Cells of a triangulation of CGAL's, for which functions tell numbers of vertices, labels, which are 0 outside, and marks.
+template <class Triangulation, class Number, class Label, class Is_marked>
+struct Cells_of_triangulation_3
+{
+  typedef typename Triangulation::Cell_handle Cell_handle;
+
+  const Triangulation& tr;
+  const std::vector<Cell_handle>& handles;
+  const Number& number;
+  const Label& label_of;
+  const Is_marked& is_facet_marked;
+
+  bool is_infinite(int n) const { return tr.is_infinite(handles[n]); }
+  bool is_inside(int n) const { return is_inside(handles[n]); }
+  bool is_inside(Cell_handle c) const { return label_of(c) != 0 && !tr.is_infinite(c); }
+  int label(int n) const { return label_of(handles[n]); }
+  bool is_marked(int n, int i) const { return is_facet_marked(handles[n], i); }
+
+  Quadruple vertices(int n) const
+  {
+    const Cell_handle c = handles[n];
+    return {{ number(c->vertex(0)), number(c->vertex(1)), number(c->vertex(2)), number(c->vertex(3)) }};
+  }
+
+  Cell_across across(int n, int i) const
+  {
+    const Cell_handle c = handles[n], d = c->neighbor(i);
+    return { is_inside(d), tr.is_infinite(d) ? -1 : number(tr.mirror_vertex(c, i)) };
+  }
+};
+
+template <class Triangulation, class Number, class Label, class Is_marked>
+Constrained_facets flatten_triangulation_3(const Triangulation& tr, const std::vector<typename Triangulation::Cell_handle>& cells,
+                                           const Number& number, const Label& label, const Is_marked& is_marked,
+                                           const Thread_policy& threads, Flat_triangulation_3& flat)
+{
+  const Cells_of_triangulation_3<Triangulation, Number, Label, Is_marked> numbered{ tr, cells, number, label, is_marked };
+  return flatten_cells(numbered, cells.size(), tr.number_of_vertices(), threads, flat);
 }
 
 } // namespace internal

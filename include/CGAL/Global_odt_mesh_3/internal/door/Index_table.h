@@ -3,10 +3,8 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef CGAL_GLOBAL_ODT_MESH_3_INTERNAL_GEOMETRY_INDEX_TABLE_H
-#define CGAL_GLOBAL_ODT_MESH_3_INTERNAL_GEOMETRY_INDEX_TABLE_H
-
-#include <CGAL/assertions.h>
+#ifndef CGAL_GLOBAL_ODT_MESH_3_INTERNAL_DOOR_INDEX_TABLE_H
+#define CGAL_GLOBAL_ODT_MESH_3_INTERNAL_DOOR_INDEX_TABLE_H
 
 #include <algorithm>
 #include <cstddef>
@@ -32,14 +30,11 @@ public:
     return static_cast<int>(last_);
   }
 
-  bool has(const T& value) const { return place(value) < values_.size(); }
-
-  // Of a value that has one.
-  int number_of_known(const T& value) const
+  // That of a value that has one, or else the other.
+  int number_or(const T& value, int other) const
   {
     const std::size_t n = place(value);
-    CGAL_assertion(n < values_.size());
-    return static_cast<int>(n);
+    return n < values_.size() ? static_cast<int>(n) : other;
   }
 
   const T& value(int number) const { return values_[number]; }
@@ -58,4 +53,4 @@ private:
 } // namespace Global_odt_mesh_3
 } // namespace CGAL
 
-#endif // CGAL_GLOBAL_ODT_MESH_3_INTERNAL_GEOMETRY_INDEX_TABLE_H
+#endif // CGAL_GLOBAL_ODT_MESH_3_INTERNAL_DOOR_INDEX_TABLE_H

@@ -3,8 +3,8 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef CGAL_GLOBAL_ODT_MESH_3_INTERNAL_NAMED_PARAMETERS_H
-#define CGAL_GLOBAL_ODT_MESH_3_INTERNAL_NAMED_PARAMETERS_H
+#ifndef CGAL_GLOBAL_ODT_MESH_3_INTERNAL_DOOR_NAMED_PARAMETERS_H
+#define CGAL_GLOBAL_ODT_MESH_3_INTERNAL_DOOR_NAMED_PARAMETERS_H
 
 #include <CGAL/Named_function_parameters.h>
 #include <CGAL/version.h>
@@ -338,4 +338,4 @@ auto named_arguments(const Arguments&... arguments)
 } // namespace Global_odt_mesh_3
 } // namespace CGAL
 
-#endif // CGAL_GLOBAL_ODT_MESH_3_INTERNAL_NAMED_PARAMETERS_H
+#endif // CGAL_GLOBAL_ODT_MESH_3_INTERNAL_DOOR_NAMED_PARAMETERS_H

@@ -3,11 +3,15 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef CGAL_GLOBAL_ODT_MESH_3_INTERNAL_RESTRICTED_RESTRICTED_TRIANGULATION_3_H
-#define CGAL_GLOBAL_ODT_MESH_3_INTERNAL_RESTRICTED_RESTRICTED_TRIANGULATION_3_H
+#ifndef CGAL_GLOBAL_ODT_MESH_3_INTERNAL_RESTRICTED_WORKING_TRIANGULATION_3_H
+#define CGAL_GLOBAL_ODT_MESH_3_INTERNAL_RESTRICTED_WORKING_TRIANGULATION_3_H
 
+#include <CGAL/Global_odt_mesh_3/internal/geometry/Site.h>
+
+#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Regular_triangulation_3.h>
 #include <CGAL/Regular_triangulation_vertex_base_3.h>
+#include <CGAL/Robust_weighted_circumcenter_filtered_traits_3.h>
 #include <CGAL/Triangulation_data_structure_3.h>
 #include <CGAL/Triangulation_ds_cell_base_3.h>
 #include <CGAL/tags.h>
@@ -18,8 +22,11 @@ namespace CGAL {
 namespace Global_odt_mesh_3 {
 namespace internal {
 
+// As Mesh_3 has them: points of doubles, exact predicates, and the same dual points.
+typedef Robust_weighted_circumcenter_filtered_traits_3<Exact_predicates_inexact_constructions_kernel> Working_traits;
+
 // A vertex that has a number, or -1 as the infinite one. Time stamps keep what CGAL does from depending on addresses.
-template <class Traits, class Base = CGAL::Regular_triangulation_vertex_base_3<Traits> >
+template <class Base = Regular_triangulation_vertex_base_3<Working_traits> >
 class Numbered_vertex_base_3 : public Base
 {
 public:
@@ -28,7 +35,7 @@ public:
   template <class Tds>
   struct Rebind_TDS
   {
-    typedef Numbered_vertex_base_3<Traits, typename Base::template Rebind_TDS<Tds>::Other> Other;
+    typedef Numbered_vertex_base_3<typename Base::template Rebind_TDS<Tds>::Other> Other;
   };
 
   using Base::Base;
@@ -46,21 +53,21 @@ private:
 
 // A cell that has a label, at first 0 for outside, knows which of its facets are in the complex, and has four bits for
 // what else is known of it. That is a quarter of what a cell of a c3t3 takes.
-template <class Traits, class Base = CGAL::Triangulation_ds_cell_base_3<> >
+template <class Base = Triangulation_ds_cell_base_3<> >
 class Labelled_cell_base_3 : public Base
 {
 public:
   typedef typename Base::Vertex_handle Vertex_handle;
   typedef typename Base::Cell_handle Cell_handle;
-  typedef Traits Geom_traits;
-  typedef typename Traits::Weighted_point_3 Point;
+  typedef Working_traits Geom_traits;
+  typedef Working_traits::Weighted_point_3 Point;
   typedef const Point* Point_iterator;
   typedef const Point* Point_const_iterator;
 
   template <class Tds>
   struct Rebind_TDS
   {
-    typedef Labelled_cell_base_3<Traits, typename Base::template Rebind_TDS<Tds>::Other> Other;
+    typedef Labelled_cell_base_3<typename Base::template Rebind_TDS<Tds>::Other> Other;
   };
 
   Labelled_cell_base_3() = default;
@@ -91,8 +98,7 @@ public:
   Point_iterator hidden_points_end() const { return nullptr; }
   void hide_point(const Point&) const {}
 
-  template <class Any_traits>
-  auto weighted_circumcenter(const Any_traits& traits) const
+  Working_traits::Point_3 weighted_circumcenter(const Working_traits& traits) const
   {
     return traits.construct_weighted_circumcenter_3_object()(this->vertex(0)->point(), this->vertex(1)->point(),
                                                              this->vertex(2)->point(), this->vertex(3)->point());
@@ -105,14 +111,14 @@ private:
 
 // CGAL fills small holes with the help of a table that outlives the call, and that would keep what it holds if memory
 // ran out on the way, to the harm of all triangulations that come later. Hence the memory for the cells is there before.
-template <class Vertex_base, class Cell_base>
-class Restricted_data_structure_3 : public CGAL::Triangulation_data_structure_3<Vertex_base, Cell_base>
+class Working_data_structure_3
+  : public Triangulation_data_structure_3<Numbered_vertex_base_3<>, Labelled_cell_base_3<> >
 {
-  typedef CGAL::Triangulation_data_structure_3<Vertex_base, Cell_base> Base;
+  typedef Triangulation_data_structure_3<Numbered_vertex_base_3<>, Labelled_cell_base_3<> > Base;
 
 public:
   template <class Cells, class Facets>
-  typename Base::Vertex_handle _insert_in_small_hole(const Cells& cells, const Facets& facets)
+  Vertex_handle _insert_in_small_hole(const Cells& cells, const Facets& facets)
   {
     this->cells().reserve(this->cells().size() + facets.size());
     return Base::_insert_in_small_hole(cells, facets);
@@ -120,21 +126,21 @@ public:
 };
 
 // The regular triangulation of the vertices of a complex, with what its restriction to the domain says of cells and
-// facets. Input is that of the c3t3.
-template <class Input>
-class Restricted_triangulation_3
-  : public CGAL::Regular_triangulation_3<
-      typename Input::Geom_traits,
-      Restricted_data_structure_3<
-        Numbered_vertex_base_3<typename Input::Geom_traits>,
-        Labelled_cell_base_3<typename Input::Geom_traits> > >
+// facets.
+typedef Regular_triangulation_3<Working_traits, Working_data_structure_3> Working_triangulation_3;
+
+typedef Working_triangulation_3::Vertex_handle Vertex_handle;
+typedef Working_triangulation_3::Cell_handle Cell_handle;
+typedef Working_triangulation_3::Facet Facet;
+typedef Working_triangulation_3::Weighted_point Weighted_point;
+
+inline Weighted_point weighted_point(const Site& s)
 {
-public:
-  typedef Input Input_triangulation;
-};
+  return Weighted_point(Working_triangulation_3::Bare_point(s.x, s.y, s.z), s.weight);
+}
 
 } // namespace internal
 } // namespace Global_odt_mesh_3
 } // namespace CGAL
 
-#endif // CGAL_GLOBAL_ODT_MESH_3_INTERNAL_RESTRICTED_RESTRICTED_TRIANGULATION_3_H
+#endif // CGAL_GLOBAL_ODT_MESH_3_INTERNAL_RESTRICTED_WORKING_TRIANGULATION_3_H

@@ -3,10 +3,10 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef CGAL_GLOBAL_ODT_MESH_3_INTERNAL_USER_FIELDS_3_H
-#define CGAL_GLOBAL_ODT_MESH_3_INTERNAL_USER_FIELDS_3_H
+#ifndef CGAL_GLOBAL_ODT_MESH_3_INTERNAL_DOOR_USER_FIELDS_3_H
+#define CGAL_GLOBAL_ODT_MESH_3_INTERNAL_DOOR_USER_FIELDS_3_H
 
-#include <CGAL/Global_odt_mesh_3/internal/Named_parameters.h>
+#include <CGAL/Global_odt_mesh_3/internal/door/Named_parameters.h>
 #include <CGAL/Global_odt_mesh_3/internal/Parameter_check.h>
 #include <CGAL/Global_odt_mesh_3/internal/density/Field_density_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/density/Quadratic_polynomial_3.h>
@@ -40,18 +40,19 @@ struct User_fields_3
   // Whether there is any.
   explicit operator bool() const { return sizing_field || density; }
 
-  // The density that they stand for, measured at the vertices, of which `vertex` gives in_dimension() and index().
-  // It refers to the fields.
-  template <class Vertices>
-  std::unique_ptr<Field_density_3> make_density(const std::vector<Site>& sites, const Vertices& vertex) const
+  // The same for a mesh of which `vertex(v)` is the one with that number.
+  template <class Vertex>
+  User_field_3 of_mesh(const Vertex& vertex) const
   {
     const auto point = [](const Site& s) { return Bare_point(s.x, s.y, s.z); };
+    User_field_3 field;
     if(sizing_field)
-      return std::make_unique<Field_density_3>(
-        Field_density_3::SIZE, [this, point, vertex](int v, const Site& s)
-        { return sizing_field(point(s), vertex(v)->in_dimension(), vertex(v)->index()); }, sites);
-    return std::make_unique<Field_density_3>(
-      Field_density_3::DENSITY, [this, point](int, const Site& s) { return density(point(s)); }, sites, quadratic_density);
+      field.field = [size = sizing_field, point, vertex](int v, const Site& s)
+                    { return size(point(s), vertex(v)->in_dimension(), vertex(v)->index()); };
+    if(density)
+      field = { Field_density_3::DENSITY, [density = density, point](int, const Site& s) { return density(point(s)); },
+                quadratic_density };
+    return field;
   }
 
   void check() const
@@ -97,4 +98,4 @@ private:
 } // namespace Global_odt_mesh_3
 } // namespace CGAL
 
-#endif // CGAL_GLOBAL_ODT_MESH_3_INTERNAL_USER_FIELDS_3_H
+#endif // CGAL_GLOBAL_ODT_MESH_3_INTERNAL_DOOR_USER_FIELDS_3_H

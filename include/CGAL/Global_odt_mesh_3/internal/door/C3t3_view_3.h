@@ -1,0 +1,247 @@
+// Copyright (c) 2026 The Global_odt_mesh_3 authors.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_GLOBAL_ODT_MESH_3_INTERNAL_DOOR_C3T3_VIEW_3_H
+#define CGAL_GLOBAL_ODT_MESH_3_INTERNAL_DOOR_C3T3_VIEW_3_H
+
+#include <CGAL/Global_odt_mesh_3/internal/door/Mesh_domain_view_3.h>
+#include <CGAL/Global_odt_mesh_3/internal/geometry/Angle_deficit_3.h>
+#include <CGAL/Global_odt_mesh_3/internal/geometry/Point_coordinates.h>
+#include <CGAL/Global_odt_mesh_3/internal/geometry/Site.h>
+#include <CGAL/Global_odt_mesh_3/internal/parallel/For_each_in_chunks.h>
+#include <CGAL/Global_odt_mesh_3/internal/parallel/Thread_policy.h>
+#include <CGAL/Global_odt_mesh_3/internal/restricted/Mesh_table_3.h>
+#include <CGAL/Global_odt_mesh_3/internal/restricted/Mesh_view_3.h>
+#include <CGAL/Global_odt_mesh_3/internal/surface/Boundary_complex_3.h>
+#include <CGAL/Global_odt_mesh_3/internal/triangulation/All_cells.h>
+
+#include <CGAL/Time_stamper.h>
+#include <CGAL/Unique_hash_map.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <type_traits>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Global_odt_mesh_3 {
+namespace internal {
+
+// Reads and writes a c3t3.
+//
+// Vertices stay, with all that the c3t3 says of them: they get their points. Cells are new, in the memory of the old ones.
+template <class C3t3, class Mesh_domain>
+class C3t3_view_3
+  : public Mesh_view_3
+{
+public:
+  typedef typename C3t3::Triangulation Triangulation;
+  typedef typename Triangulation::Vertex_handle Vertex_handle;
+
+  C3t3_view_3(C3t3& c3t3, Mesh_domain_view_3<Mesh_domain>& domain)
+    : c3t3_(c3t3)
+    , domain_(domain)
+  {
+    static_assert(std::is_same<typename Triangulation::Geom_traits::FT, double>::value,
+                  "as for Mesh_3, points are to have coordinates of type double");
+  }
+
+  // By their numbers in the table.
+  Vertex_handle vertex(int n) const { return vertices_[n]; }
+
+  Mesh_table_3 read(const Thread_policy& threads) override
+  {
+    Mesh_table_3 table;
+    vertices_.clear();
+    centers_.clear();
+    const Triangulation& tr = c3t3_.triangulation();
+    if(tr.dimension() != 3)
+      return table;
+    const std::vector<Cell_handle> cells = all_cells(tr);
+    read_vertices(table);
+    read_cells(cells, threads, table);
+    for(std::size_t n = 0; n < cells.size(); ++n)
+    {
+      table.cells[n].label = domain_.number_subdomain(cells[n]->subdomain_index());
+      for(int i = 0; i < 4; ++i)
+        if(cells[n]->is_facet_on_surface(i))
+        {
+          table.cells[n].facets |= 1 << i;
+          table.facets.push_back(read_facet(cells[n], static_cast<int>(n), i));
+        }
+    }
+    return table;
+  }
+
+  int patch(int vertex) const override { return domain_.patch_at(vertices_[vertex]->index()); }
+
+  bool is_cell(const Quadruple& v) const override
+  {
+    Cell_handle c;
+    return c3t3_.triangulation().is_cell(vertices_[v[0]], vertices_[v[1]], vertices_[v[2]], vertices_[v[3]], c);
+  }
+
+  std::size_t number_of_slivers(double bound) const override
+  {
+    const Angle_deficit_3 deficit(bound);
+    const auto site = [](const auto& v) { return weighted_site(v->point()); };
+    return std::count_if(c3t3_.cells_in_complex_begin(), c3t3_.cells_in_complex_end(), [&](const auto& c)
+    { return deficit({{ site(c.vertex(0)), site(c.vertex(1)), site(c.vertex(2)), site(c.vertex(3)) }}) > 0; });
+  }
+
+  // Whatever may throw, as it takes memory, comes before the first change.
+  void write(const Mesh_table_3& table, const Thread_policy&) override
+  {
+    const std::vector<Center> centers = centers_of(table);
+    Triangulation& tr = c3t3_.triangulation();
+    std::vector<Cell_handle> cells = all_cells(tr);
+    add_spare_cells(table.cells.size(), cells);
+
+    empty(cells);
+    renew_cells(table.cells.size(), cells);
+    connect_cells(table, vertices_, cells, Thread_policy(), tr);
+    for(std::size_t v = 0; v < vertices_.size(); ++v)
+      write_vertex(vertices_[v], table.sites[v], table.mean_circumradii[v]);
+    for(std::size_t n = 0; n < cells.size(); ++n)
+      if(table.cells[n].label != Domain_view_3::outside)
+        c3t3_.add_to_complex(cells[n], domain_.subdomain(table.cells[n].label));
+    for(std::size_t n = 0; n < centers.size(); ++n)
+      write_facet(Facet(cells[table.facets[n].cell], table.facets[n].index), table.facets[n].patch, centers[n]);
+  }
+
+private:
+  typedef typename Triangulation::Cell_handle Cell_handle;
+  typedef typename Triangulation::Facet Facet;
+  typedef typename Triangulation::Bare_point Bare_point;
+  typedef typename Mesh_domain_view_3<Mesh_domain>::Index Index;
+  // As a cell has it of a facet.
+  typedef std::pair<Bare_point, Index> Center;
+
+  static Bare_point point(const Eigen::Vector3d& p) { return Bare_point(p[0], p[1], p[2]); }
+
+  void read_vertices(Mesh_table_3& table)
+  {
+    for(auto v = c3t3_.triangulation().finite_vertices_begin(); v != c3t3_.triangulation().finite_vertices_end(); ++v)
+    {
+      vertices_.push_back(v);
+      table.sites.push_back(weighted_site(v->point()));
+      table.dimensions.push_back(v->in_dimension());
+    }
+  }
+
+  void read_cells(const std::vector<Cell_handle>& cells, const Thread_policy& threads, Mesh_table_3& table) const
+  {
+    typedef CGAL::Hash_handles_with_or_without_timestamps Hash;
+    CGAL::Unique_hash_map<Vertex_handle, int, Hash> vertex_number(int(Mesh_table_3::infinite), vertices_.size());
+    for(std::size_t v = 0; v < vertices_.size(); ++v)
+      vertex_number[vertices_[v]] = static_cast<int>(v);
+    CGAL::Unique_hash_map<Cell_handle, int, Hash> cell_number(-1, cells.size());
+    for(std::size_t n = 0; n < cells.size(); ++n)
+      cell_number[cells[n]] = static_cast<int>(n);
+    table.cells.resize(cells.size());
+    for_each_in_chunks(static_cast<int>(cells.size()), threads,
+                       [&, &v = std::as_const(vertex_number), &c = std::as_const(cell_number)](int n)
+    {
+      for(int i = 0; i < 4; ++i)
+      {
+        table.cells[n].vertices[i] = v[cells[n]->vertex(i)];
+        table.cells[n].neighbors[i] = c[cells[n]->neighbor(i)];
+      }
+    });
+  }
+
+  Mesh_table_3::Facet read_facet(Cell_handle c, int n, int i)
+  {
+    const int patch = domain_.number_patch(c->surface_patch_index(i));
+    const Center center(c->get_facet_surface_center(i), c->get_facet_surface_center_index(i));
+    const bool is_center = center.second == domain_.index(patch);
+    centers_.push_back(center);
+    return { n, i, patch, coordinates(center.first), is_center ? patch : int(Boundary_facet::no_patch),
+             static_cast<int>(centers_.size()) - 1 };
+  }
+
+  std::vector<Center> centers_of(const Mesh_table_3& table) const
+  {
+    std::vector<Center> centers;
+    for(const Mesh_table_3::Facet& f : table.facets)
+      centers.push_back(f.source != Mesh_table_3::no_facet ? centers_[f.source]
+                                                           : Center(point(f.center), domain_.index(f.patch_of_center)));
+    return centers;
+  }
+
+  // Until there are so many. One at least, as the first one may take memory for the container.
+  void add_spare_cells(std::size_t number, std::vector<Cell_handle>& cells)
+  {
+    auto& tds = c3t3_.triangulation().tds();
+    const std::size_t before = cells.size();
+    cells.reserve((std::max)(number, before + 1));
+    try
+    {
+      do
+        cells.push_back(tds.create_cell());
+      while(cells.size() < number);
+    }
+    catch(...)
+    {
+      for(std::size_t n = before; n < cells.size(); ++n)
+        tds.cells().erase(cells[n]);
+      throw;
+    }
+  }
+
+  // Takes all cells and facets out of the complex.
+  void empty(const std::vector<Cell_handle>& cells)
+  {
+    c3t3_.clear_manifold_info();
+    for(Cell_handle c : cells)
+    {
+      c3t3_.remove_from_complex(c);
+      for(int i = 0; i < 4; ++i)
+        if(c->is_facet_on_surface(i))
+          c3t3_.remove_from_complex(c, i);
+    }
+  }
+
+  // Erased in the opposite order, they come back in the same one.
+  void renew_cells(std::size_t number, std::vector<Cell_handle>& cells)
+  {
+    auto& tds = c3t3_.triangulation().tds();
+    std::for_each(cells.rbegin(), cells.rend(), [&tds](Cell_handle c) { tds.cells().erase(c); });
+    cells.resize(number);
+    for(Cell_handle& c : cells)
+      c = tds.create_cell();
+  }
+
+  // One that has not moved keeps its point. The radius is what CGAL's optimizers leave there.
+  static void write_vertex(Vertex_handle v, const Site& s, double mean_circumradius)
+  {
+    if(!same_place(s, weighted_site(v->point())))
+      v->set_point(typename Triangulation::Weighted_point(Bare_point(s.x, s.y, s.z)));
+    if(mean_circumradius > 0)
+      v->set_meshing_info(mean_circumradius);
+  }
+
+  void write_facet(const Facet& f, int patch, const Center& center)
+  {
+    c3t3_.add_to_complex(f, domain_.patch(patch));
+    for(const Facet& g : { f, c3t3_.triangulation().mirror_facet(f) })
+    {
+      g.first->set_facet_surface_center(g.second, center.first);
+      g.first->set_facet_surface_center_index(g.second, center.second);
+    }
+  }
+
+  C3t3& c3t3_;
+  Mesh_domain_view_3<Mesh_domain>& domain_;
+  std::vector<Vertex_handle> vertices_;
+  std::vector<Center> centers_;               // by the numbers of facets in the table
+};
+
+} // namespace internal
+} // namespace Global_odt_mesh_3
+} // namespace CGAL
+
+#endif // CGAL_GLOBAL_ODT_MESH_3_INTERNAL_DOOR_C3T3_VIEW_3_H

@@ -1,0 +1,135 @@
+// Copyright (c) 2026 The Global_odt_mesh_3 authors.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_GLOBAL_ODT_MESH_3_INTERNAL_DOOR_MESH_DOMAIN_VIEW_3_H
+#define CGAL_GLOBAL_ODT_MESH_3_INTERNAL_DOOR_MESH_DOMAIN_VIEW_3_H
+
+#include <CGAL/Global_odt_mesh_3/internal/door/Index_table.h>
+#include <CGAL/Global_odt_mesh_3/internal/geometry/Point_coordinates.h>
+#include <CGAL/Global_odt_mesh_3/internal/parallel/Thread_policy.h>
+#include <CGAL/Global_odt_mesh_3/internal/restricted/Domain_view_3.h>
+
+#include <CGAL/Kernel_traits.h>
+#include <CGAL/Mesh_3/config.h>
+
+#include <tuple>
+#include <type_traits>
+#include <utility>
+
+namespace CGAL {
+namespace Global_odt_mesh_3 {
+namespace internal {
+
+// Polyhedral domains offer the AABB tree of their facets.
+template <class Mesh_domain, class = void>
+struct Has_aabb_tree : std::false_type {};
+
+template <class Mesh_domain>
+struct Has_aabb_tree<Mesh_domain,
+                     std::void_t<typename Mesh_domain::AABB_tree,
+                                 decltype(std::declval<const Mesh_domain&>().aabb_tree()),
+                                 decltype(std::declval<const Mesh_domain&>().make_surface_index(
+                                   std::declval<typename Mesh_domain::AABB_tree::Primitive_id>()))> >
+  : std::true_type {};
+
+// Domains need not have all members of the concept MeshDomain_3.
+template <class Mesh_domain>
+class Mesh_domain_view_3
+  : public Domain_view_3
+{
+public:
+  typedef typename Mesh_domain::Index Index;
+  typedef typename Mesh_domain::Subdomain_index Subdomain_index;
+  typedef typename Mesh_domain::Surface_patch_index Surface_patch_index;
+
+  // Threads may ask the domain at the same time if they are given.
+  explicit Mesh_domain_view_3(const Mesh_domain& domain, const Thread_policy& threads = Thread_policy())
+    : Domain_view_3(Has_aabb_tree<Mesh_domain>::value, threads)
+    , domain_(domain)
+  {
+    subdomains_.number(Subdomain_index());            // outside
+  }
+
+  // Those of a mesh get numbers; not while threads ask.
+  int number_subdomain(const Subdomain_index& subdomain) { return subdomains_.number(subdomain); }
+  int number_patch(const Surface_patch_index& patch) { return patches_.number(patch); }
+
+  const Subdomain_index& subdomain(int label) const { return subdomains_.value(label); }
+  const Surface_patch_index& patch(int number) const { return patches_.value(number); }
+
+  // Of points on the patch.
+  Index index(int patch_number) const { return domain_.index_from_surface_patch_index(patch(patch_number)); }
+
+  // The patch of a point with that index, on a surface.
+  int patch_at(const Index& index) const { return patches_.number_or(domain_.surface_patch_index(index), other_patch); }
+
+private:
+  typedef typename Mesh_domain::Point_3 Point_3;
+  typedef typename Kernel_traits<Point_3>::Kernel::Segment_3 Segment_3;
+
+  static Point_3 point(const Vector& p) { return Point_3(p[0], p[1], p[2]); }
+
+  int find_label(const Vector& p) const override
+  {
+    const auto s = domain_.is_in_domain_object()(point(p));
+    return s ? subdomains_.number_or(Subdomain_index(*s), other_subdomain) : outside;
+  }
+
+  bool find_intersection(const Vector& from, const Vector& to, Vector& p, int& patch) const override
+  {
+    const Segment_3 s(point(from), point(to));
+    if(!may_intersect(s))
+      return false;
+    const typename Mesh_domain::Intersection i = domain_.construct_intersection_object()(s);
+    if(std::get<2>(i) < 2)
+      return false;
+    p = coordinates(std::get<0>(i));
+    patch = patch_at(std::get<1>(i));
+    return true;
+  }
+
+  // Where Mesh_3 still asks the predicate first, domains rely on that.
+  bool may_intersect([[maybe_unused]] const Segment_3& s) const
+  {
+#ifdef CGAL_MESH_3_NO_LONGER_CALLS_DO_INTERSECT_3
+    return true;
+#else
+    return bool(domain_.do_intersect_surface_object()(s));
+#endif
+  }
+
+  Vector closest_point(const Vector& p) const override
+  {
+    if constexpr (Has_aabb_tree<Mesh_domain>::value)
+      return coordinates(domain_.aabb_tree().closest_point(point(p)));
+    else
+      return p;
+  }
+
+  Vector closest_point(const Vector& p, int& patch) const override
+  {
+    if constexpr (Has_aabb_tree<Mesh_domain>::value)
+    {
+      const auto closest = domain_.aabb_tree().closest_point_and_primitive(point(p));
+      patch = patches_.number_or(domain_.make_surface_index(closest.second), other_patch);
+      return coordinates(closest.first);
+    }
+    else
+    {
+      patch = other_patch;
+      return p;
+    }
+  }
+
+  const Mesh_domain& domain_;
+  Index_table<Subdomain_index> subdomains_;
+  Index_table<Surface_patch_index> patches_;
+};
+
+} // namespace internal
+} // namespace Global_odt_mesh_3
+} // namespace CGAL
+
+#endif // CGAL_GLOBAL_ODT_MESH_3_INTERNAL_DOOR_MESH_DOMAIN_VIEW_3_H

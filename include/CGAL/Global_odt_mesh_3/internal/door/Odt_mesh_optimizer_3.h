@@ -1,0 +1,95 @@
+// Copyright (c) 2026 The Global_odt_mesh_3 authors.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_GLOBAL_ODT_MESH_3_INTERNAL_DOOR_ODT_MESH_OPTIMIZER_3_H
+#define CGAL_GLOBAL_ODT_MESH_3_INTERNAL_DOOR_ODT_MESH_OPTIMIZER_3_H
+
+#include <CGAL/Global_odt_mesh_3/internal/Mesh_optimizer_3.h>
+#include <CGAL/Global_odt_mesh_3/internal/Odt_parameters.h>
+#include <CGAL/Global_odt_mesh_3/internal/Optimization_visitor.h>
+#include <CGAL/Global_odt_mesh_3/internal/Round_plan.h>
+#include <CGAL/Global_odt_mesh_3/internal/density/Field_density_3.h>
+#include <CGAL/Global_odt_mesh_3/internal/door/C3t3_view_3.h>
+#include <CGAL/Global_odt_mesh_3/internal/door/Mesh_domain_view_3.h>
+#include <CGAL/Global_odt_mesh_3/internal/door/User_fields_3.h>
+#include <CGAL/Global_odt_mesh_3/internal/parallel/Thread_policy.h>
+#include <CGAL/Global_odt_mesh_3/internal/restricted/Domain_view_3.h>
+
+#include <CGAL/Mesh_optimization_return_code.h>
+
+#include <cstddef>
+#include <type_traits>
+#include <utility>
+
+namespace CGAL {
+namespace Global_odt_mesh_3 {
+namespace internal {
+
+template <class Visitor, class = void>
+struct Wants_slivers : std::false_type {};
+
+template <class Visitor>
+struct Wants_slivers<Visitor, std::void_t<decltype(std::declval<Visitor&>().after_sliver_removal(std::size_t()))> >
+  : std::true_type {};
+
+template <class Visitor>
+class User_visitor
+  : public Optimization_visitor
+{
+public:
+  explicit User_visitor(Visitor& visitor) : visitor_(visitor) {}
+
+  void after_compute_moves() override { visitor_.after_compute_moves(); }
+  void after_move_points() override { visitor_.after_move_points(); }
+  void end_of_iteration(int n) override { visitor_.end_of_iteration(n); }
+  void after_rebuild_restricted_delaunay() override { visitor_.after_rebuild_restricted_delaunay(); }
+
+  void after_sliver_removal([[maybe_unused]] std::size_t slivers) override
+  {
+    if constexpr (Wants_slivers<Visitor>::value)
+      visitor_.after_sliver_removal(slivers);
+  }
+
+private:
+  Visitor& visitor_;
+};
+
+// Optimizes a c3t3: what the user has given becomes what the optimizer knows.
+template <class C3t3, class Mesh_domain, class Visitor>
+class Odt_mesh_optimizer_3
+{
+public:
+  // Refers to its arguments but the fields.
+  Odt_mesh_optimizer_3(C3t3& c3t3, const Mesh_domain& domain, Odt_task task, const Odt_parameters& parameters,
+                       Visitor& visitor, const User_fields_3<C3t3>& fields = User_fields_3<C3t3>())
+    : fields_(fields)
+    , domain_(domain, parameters.domain_is_thread_safe ? threads() : Thread_policy())
+    , mesh_(c3t3, domain_)
+    , field_(fields_.of_mesh([this](int v) { return mesh_.vertex(v); }))
+    , visitor_(visitor)
+    , optimizer_(mesh_, domain_, task, parameters, field_, visitor_, threads())
+  {}
+
+  Mesh_optimization_return_code operator()() { return optimizer_(); }
+
+  const Mesh_optimizer_3& optimizer() const { return optimizer_; }
+  const Oracle_statistics& oracle_statistics() const { return domain_.statistics(); }
+
+private:
+  static Thread_policy threads() { return Thread_policy::for_tag<typename C3t3::Triangulation::Concurrency_tag>(); }
+
+  const User_fields_3<C3t3> fields_;
+  Mesh_domain_view_3<Mesh_domain> domain_;
+  C3t3_view_3<C3t3, Mesh_domain> mesh_;
+  const User_field_3 field_;
+  User_visitor<Visitor> visitor_;
+  Mesh_optimizer_3 optimizer_;
+};
+
+} // namespace internal
+} // namespace Global_odt_mesh_3
+} // namespace CGAL
+
+#endif // CGAL_GLOBAL_ODT_MESH_3_INTERNAL_DOOR_ODT_MESH_OPTIMIZER_3_H

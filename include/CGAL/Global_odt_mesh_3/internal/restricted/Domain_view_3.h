@@ -1,0 +1,188 @@
+// Copyright (c) 2026 The Global_odt_mesh_3 authors.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_GLOBAL_ODT_MESH_3_INTERNAL_RESTRICTED_DOMAIN_VIEW_3_H
+#define CGAL_GLOBAL_ODT_MESH_3_INTERNAL_RESTRICTED_DOMAIN_VIEW_3_H
+
+#include <CGAL/Global_odt_mesh_3/internal/parallel/Collect_in_chunks.h>
+#include <CGAL/Global_odt_mesh_3/internal/parallel/For_each_in_chunks.h>
+#include <CGAL/Global_odt_mesh_3/internal/parallel/Shared_counter.h>
+#include <CGAL/Global_odt_mesh_3/internal/parallel/Thread_policy.h>
+
+#include <Eigen/Core>
+
+#ifdef CGAL_GLOBAL_ODT_MESH_3_PROFILING
+#  include <chrono>
+#endif
+#include <cstddef>
+#include <limits>
+#include <vector>
+
+namespace CGAL {
+namespace Global_odt_mesh_3 {
+namespace internal {
+
+// How often the domain was asked.
+struct Oracle_statistics
+{
+  Shared_counter locations;         // is_in_domain
+  Shared_counter intersections;     // construct_intersection
+  Shared_counter projections;       // closest points from the AABB tree
+  Shared_counter failures;          // intersections and projections that found nothing of use
+  Shared_counter nanoseconds;       // spent in the domain, if CGAL_GLOBAL_ODT_MESH_3_PROFILING is defined
+};
+
+// Adds the time of its life to the statistics.
+class Oracle_stopwatch
+{
+#ifdef CGAL_GLOBAL_ODT_MESH_3_PROFILING
+public:
+  explicit Oracle_stopwatch(Oracle_statistics& s) : statistics_(s), begin_(std::chrono::steady_clock::now()) {}
+  ~Oracle_stopwatch()
+  {
+    statistics_.nanoseconds += std::chrono::nanoseconds(std::chrono::steady_clock::now() - begin_).count();
+  }
+
+private:
+  Oracle_statistics& statistics_;
+  std::chrono::steady_clock::time_point begin_;
+#else
+public:
+  explicit Oracle_stopwatch(Oracle_statistics&) {}
+#endif
+};
+
+// The domain of the user, whatever its type, with numbers for subdomains (labels) and surface patches: those that the mesh
+// has, and one for all others, in which no cell and on which no facet of a valid mesh can be.
+//
+// Several threads may ask at once if the domain permits that.
+class Domain_view_3
+{
+public:
+  typedef Eigen::Vector3d Vector;
+
+  static constexpr int outside = 0;
+  static constexpr int other_subdomain = (std::numeric_limits<int>::max)(), other_patch = other_subdomain;
+
+  virtual ~Domain_view_3() {}
+
+  // Whether closest points are cheap: where there is an AABB tree, it projects.
+  bool tells_distances() const { return has_tree_; }
+
+  // Those that may ask the domain.
+  const Thread_policy& threads() const { return threads_; }
+
+  const Oracle_statistics& statistics() const { return statistics_; }
+
+  // Calls f(n) for the numbers n below `size`, on threads if these may ask the domain.
+  template <class F>
+  void for_each(std::size_t size, const F& f) const
+  {
+    for_each_in_chunks(static_cast<int>(size), threads_, f, least_questions);
+  }
+
+  // In the same way, collects what f(n, found) appends, in the order of the numbers.
+  template <class T, class F>
+  std::vector<T> collect(std::size_t size, const F& f) const
+  {
+    return collect_in_chunks<T>(static_cast<int>(size), threads_, f, least_questions);
+  }
+
+  // Of the subdomain in which the point lies.
+  int label(const Vector& p) const
+  {
+    ++statistics_.locations;
+    const Oracle_stopwatch stopwatch(statistics_);
+    return find_label(p);
+  }
+
+  // Moves `p` to the surface patch, by the closest point or along the normal, at
+  // most as far as `reach`; false if there is no such point.
+  bool project(Vector& p, const Vector& normal, double reach, int patch) const
+  {
+    return has_tree_ ? project_by_tree(p, reach, patch) : project_along(p, normal, reach, patch);
+  }
+
+  // How far `p` is from the surface, if that is easily found out, or else 0.
+  double distance_to_surface(const Vector& p) const
+  {
+    if(!has_tree_)
+      return 0;
+    ++statistics_.projections;
+    const Oracle_stopwatch stopwatch(statistics_);
+    return (p - closest_point(p)).norm();
+  }
+
+  // Moves `p` to where the segment of that half length and direction around it
+  // meets the surface, and tells on which patch.
+  bool intersect(Vector& p, const Vector& direction, double half_length, int& patch) const
+  {
+    ++statistics_.intersections;
+    const Oracle_stopwatch stopwatch(statistics_);
+    const Vector from = p - half_length * direction, to = p + half_length * direction;
+    // That of cospherical cells is a point, which domains do not expect.
+    if((to - from).norm() > 0 && find_intersection(from, to, p, patch))
+      return true;
+    ++statistics_.failures;
+    return false;
+  }
+
+protected:
+  Domain_view_3(bool has_tree, const Thread_policy& threads)
+    : has_tree_(has_tree)
+    , threads_(threads)
+  {}
+
+private:
+  static constexpr int least_questions = 64;      // that are worth the trouble of a thread
+
+  virtual int find_label(const Vector& p) const = 0;
+  virtual bool find_intersection(const Vector& from, const Vector& to, Vector& p, int& patch) const = 0;
+  // Where there is a tree.
+  virtual Vector closest_point(const Vector& p) const = 0;
+  virtual Vector closest_point(const Vector& p, int& patch) const = 0;
+
+  bool project_by_tree(Vector& p, double reach, int patch) const
+  {
+    ++statistics_.projections;
+    const Oracle_stopwatch stopwatch(statistics_);
+    int found;
+    const Vector q = closest_point(p, found);
+    if((p - q).norm() <= reach && found == patch)
+    {
+      p = q;
+      return true;
+    }
+    ++statistics_.failures;
+    return false;
+  }
+
+  // Short segments are cut faster, and rarely at another sheet of the surface.
+  bool project_along(Vector& p, const Vector& normal, double reach, int patch) const
+  {
+    for(double h : { reach / 4, reach })
+    {
+      Vector q = p;
+      int found;
+      if(!intersect(q, normal, h, found))
+        continue;
+      if(found != patch)
+        break;
+      p = q;
+      return true;
+    }
+    return false;
+  }
+
+  bool has_tree_;
+  Thread_policy threads_;
+  mutable Oracle_statistics statistics_;
+};
+
+} // namespace internal
+} // namespace Global_odt_mesh_3
+} // namespace CGAL
+
+#endif // CGAL_GLOBAL_ODT_MESH_3_INTERNAL_RESTRICTED_DOMAIN_VIEW_3_H
