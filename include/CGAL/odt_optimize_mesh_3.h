@@ -20,104 +20,16 @@ same name of the package 3D Mesh Generation does not define it.
 
 #include <CGAL/disable_warnings.h>
 
-#ifdef CGAL_LINKED_WITH_TBB
-// Mesh_global_optimizer.h of CGAL 6.0 needs it and does not include it.
-#  include <tbb/enumerable_thread_specific.h>
-#endif
-
-#include <CGAL/Global_odt_mesh_3/internal/door/Named_parameters.h>
-#include <CGAL/Global_odt_mesh_3/internal/door/Odt_mesh_optimizer_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/Odt_parameters.h>
-#include <CGAL/Global_odt_mesh_3/internal/Parameter_check.h>
-#include <CGAL/Global_odt_mesh_3/internal/door/User_fields_3.h>
-#include <CGAL/Global_odt_mesh_3/internal/triangulation/Flat_triangulation_3.h>
-#include <CGAL/Mesh_3/Mesh_global_optimizer.h>
-#include <CGAL/Mesh_3/Mesh_sizing_field.h>
-#include <CGAL/Mesh_3/Null_global_optimizer_visitor.h>
-#include <CGAL/Mesh_3/Odt_move.h>
-#include <CGAL/Mesh_3/internal/check_weights.h>
+#include <CGAL/Global_odt_mesh_3/internal/Round_plan.h>
+#include <CGAL/Global_odt_mesh_3/internal/door/Named_parameters.h>
+#include <CGAL/Global_odt_mesh_3/internal/door/Optimize_mesh_3.h>
+#include <CGAL/Global_odt_mesh_3/internal/door/Read_parameters.h>
 #include <CGAL/Mesh_optimization_return_code.h>
-#include <CGAL/tags.h>
 
-#include <algorithm>
 #include <cstddef>
-#include <functional>
-#include <limits>
-#include <type_traits>
 
 namespace CGAL {
-
-namespace Global_odt_mesh_3 {
-namespace internal {
-
-// Periodic triangulations are left to the optimizer of Mesh_3.
-template <class C3T3, class MeshDomain>
-Mesh_optimization_return_code
-optimize_periodic(C3T3& c3t3, const MeshDomain& domain, const Odt_parameters& p)
-{
-  typedef Mesh_3::Mesh_sizing_field<typename C3T3::Triangulation> Sizing;
-  typedef Mesh_3::Odt_move<C3T3, Sizing> Move;
-  Mesh_3::Mesh_global_optimizer<C3T3, MeshDomain, Move>
-    optimizer(c3t3, domain, p.freeze_bound, p.do_freeze, p.convergence);
-  optimizer.set_time_limit(p.time_limit);
-  constexpr std::size_t most = (std::numeric_limits<int>::max)();
-  return optimizer(p.max_iteration_number == 0 ? 1000 : int((std::min)(p.max_iteration_number, most)));
-}
-
-template <class C3T3>
-constexpr bool is_periodic = std::is_same<typename C3T3::Triangulation::Periodic_tag, Tag_true>::value;
-
-// What odt_optimize_mesh_3() reads; the optimizer of Mesh_3 knows the first five.
-template <class C3T3>
-using Optimization_parameters = std::conditional_t<
-  is_periodic<C3T3>,
-  Parameter_list<tags::time_limit, tags::max_iteration_number, tags::convergence, tags::freeze_bound, tags::do_freeze>,
-  Parameter_list<tags::time_limit, tags::max_iteration_number, tags::convergence, tags::freeze_bound, tags::do_freeze,
-                 tags::sliver_bound, internal_np::do_remove_slivers_t, tags::sizing_field, internal_np::density_t,
-                 internal_np::quadrature_t, internal_np::annealing_schedule_t, internal_np::number_of_rounds_t,
-                 internal_np::optimize_boundary_t, internal_np::surface_weight_t, internal_np::domain_is_thread_safe_t,
-                 internal_np::random_seed_t, internal_np::callback_t, internal_np::visitor_t> >;
-
-template <class T>
-T& unwrap(T& t) { return t; }
-
-template <class T>
-T& unwrap(std::reference_wrapper<T>& t) { return t.get(); }
-
-// The visitor among the arguments, or else one that does nothing.
-template <class C3T3, class Arguments>
-auto find_visitor(const Arguments& arguments)
-{
-  if constexpr (Arguments::template has<internal_np::visitor_t>)
-    return arguments.template get<internal_np::visitor_t>();
-  else
-    return Mesh_3::Null_global_optimizer_visitor<C3T3>();
-}
-
-template <class C3T3, class MeshDomain, class Arguments>
-Mesh_optimization_return_code
-optimize(C3T3& c3t3, const MeshDomain& domain, Odt_task task, const Odt_parameters& p, const Arguments& arguments)
-{
-  User_fields_3<C3T3> fields;
-  fields.read(arguments);
-  p.check();
-  fields.check();
-  CGAL_GLOBAL_ODT_MESH_3_CHECK_PARAMETER(!Mesh_3::internal::has_non_protecting_weights(c3t3.triangulation(), domain),
-                                         "c3t3 must not have weights on vertices off the features");
-  CGAL_GLOBAL_ODT_MESH_3_CHECK_PARAMETER(c3t3.triangulation().number_of_cells() <= Flat_triangulation_3::most_cells,
-                                         "c3t3 must not have more than 268,435,456 cells");
-  if constexpr (is_periodic<C3T3>)
-    return optimize_periodic(c3t3, domain, p);
-  else
-  {
-    auto visitor = find_visitor<C3T3>(arguments);
-    typedef std::decay_t<decltype(unwrap(visitor))> Visitor;
-    return Odt_mesh_optimizer_3<C3T3, MeshDomain, Visitor>(c3t3, domain, task, p, unwrap(visitor), fields)();
-  }
-}
-
-} // namespace internal
-} // namespace Global_odt_mesh_3
 
 /*!
 \ingroup PkgGlobalOdtMesh3Functions
@@ -359,9 +271,7 @@ odt_optimize_mesh_3(C3T3& c3t3, const MeshDomain& domain, const NamedParameters&
 {
   namespace odt = Global_odt_mesh_3::internal;
   const auto arguments = odt::named_arguments<odt::Optimization_parameters<C3T3> >(np...);
-  odt::Odt_parameters parameters;
-  parameters.read(arguments);
-  return odt::optimize(c3t3, domain, odt::Odt_task::OPTIMIZE, parameters, arguments);
+  return odt::optimize(c3t3, domain, odt::Odt_task::OPTIMIZE, odt::read_parameters(arguments), arguments);
 }
 
 #ifndef DOXYGEN_RUNNING

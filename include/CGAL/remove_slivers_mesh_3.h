@@ -12,9 +12,11 @@
 
 #include <CGAL/disable_warnings.h>
 
+#include <CGAL/Global_odt_mesh_3/internal/Round_plan.h>
 #include <CGAL/Global_odt_mesh_3/internal/door/Named_parameters.h>
-#include <CGAL/Global_odt_mesh_3/internal/Odt_parameters.h>
-#include <CGAL/odt_optimize_mesh_3.h>
+#include <CGAL/Global_odt_mesh_3/internal/door/Optimize_mesh_3.h>
+#include <CGAL/Global_odt_mesh_3/internal/door/Read_parameters.h>
+#include <CGAL/Mesh_optimization_return_code.h>
 
 namespace CGAL {
 namespace Global_odt_mesh_3 {
@@ -107,9 +109,7 @@ remove_slivers_mesh_3(C3T3& c3t3, const MeshDomain& domain, const NamedParameter
   namespace odt = Global_odt_mesh_3::internal;
   static_assert(!odt::is_periodic<C3T3>, "remove_slivers_mesh_3() does not know periodic triangulations");
   const auto arguments = odt::named_arguments<odt::Sliver_removal_arguments>(np...);
-  odt::Odt_parameters parameters;
-  parameters.read(arguments);
-  return odt::optimize(c3t3, domain, odt::Odt_task::REMOVE_SLIVERS, parameters, arguments);
+  return odt::optimize(c3t3, domain, odt::Odt_task::REMOVE_SLIVERS, odt::read_parameters(arguments), arguments);
 }
 
 } // namespace CGAL

@@ -7,11 +7,12 @@ set -euo pipefail
 cd "$1"
 status=0
 
-# Beside each other: geometry and parallel, slivers and restricted.
+# Beside each other: geometry and parallel. Only the door, which comes last, knows the types of the user.
 rank() {
   case $1 in
     geometry | parallel) echo 0 ;; density) echo 1 ;; energy) echo 2 ;; triangulation) echo 3 ;; sizing) echo 4 ;;
-    optimization) echo 5 ;; surface) echo 6 ;; blocks) echo 7 ;; slivers | restricted) echo 8 ;; .) echo 9 ;; *) echo unknown ;;
+    optimization) echo 5 ;; surface) echo 6 ;; blocks) echo 7 ;; restricted) echo 8 ;; slivers) echo 9 ;; .) echo 10 ;; door) echo 11 ;;
+    *) echo unknown ;;
   esac
 }
 

@@ -9,13 +9,14 @@
 
 #include "mesh_contract.h"
 #include "mesh_domains.h"
+#include "opened_complex.h"
 
-#include <CGAL/Global_odt_mesh_3/internal/restricted/C3t3_reader_3.h>
-#include <CGAL/Global_odt_mesh_3/internal/restricted/Domain_oracle_3.h>
+#include <CGAL/Global_odt_mesh_3/internal/door/Mesh_domain_view_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/restricted/Restricted_complex_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/restricted/Surface_center_search_3.h>
 
 #include <CGAL/Bbox_3.h>
+#include <CGAL/Kernel_traits.h>
 #include <CGAL/Mesh_quality_report_3.h>
 #include <CGAL/Random.h>
 #include <CGAL/make_mesh_3.h>
@@ -408,22 +409,17 @@ namespace odt = CGAL::Global_odt_mesh_3::internal;
 
 // A complex, and a candidate of which no vertex has moved.
 struct Candidate_at_rest
+  : odt::Opened_complex<Ellipsoid_c3t3, Ellipsoid_domain>
 {
-  typedef odt::Restricted_complex_3<Ellipsoid_triangulation, Ellipsoid_domain> Complex;
-  typedef odt::Restricted_candidate_3<Complex::Triangulation> Candidate;
+  std::unique_ptr<odt::Restricted_candidate_3> candidate;
 
-  Complex complex;
-  std::unique_ptr<Candidate> candidate;
-
-  Candidate_at_rest(const Ellipsoid_domain& domain, const Ellipsoid_c3t3& input)
-    : complex(domain, odt::Boundary_motion::BY_NORMALS)
+  Candidate_at_rest(const Ellipsoid_domain& of, const Ellipsoid_c3t3& from)
+    : Opened_complex(from, of, odt::Boundary_motion::BY_NORMALS)
   {
-    odt::Moving_triangulation_3 mesh;
-    complex.start(odt::C3t3_reader_3<Ellipsoid_c3t3, Complex::Domain>(input, complex.domain()).read(mesh, true));
     complex.provide_triangulation();
-    const auto& state = complex.state();
-    candidate = std::make_unique<Candidate>(state, state.sites, complex.motion(), true, odt::Thread_policy());
-    candidate->numbered = std::make_unique<odt::Numbered_triangulation_3<Complex::Triangulation> >();
+    const odt::Restricted_state_3& state = complex.state();
+    candidate = std::make_unique<odt::Restricted_candidate_3>(state, state.sites, complex.motion(), true, odt::Thread_policy());
+    candidate->numbered = std::make_unique<odt::Numbered_triangulation_3>();
     candidate->build(nullptr);
   }
 };
@@ -432,13 +428,12 @@ struct Candidate_at_rest
 // the candidate is beyond repair only when that has been done to all around.
 static void homes_are_given_up(const Ellipsoid_domain& domain, const Ellipsoid_c3t3& input)
 {
-  typedef Candidate_at_rest::Candidate Candidate;
   Candidate_at_rest at_rest(domain, input);
-  Candidate& candidate = *at_rest.candidate;
+  odt::Restricted_candidate_3& candidate = *at_rest.candidate;
   const std::array<int, 3> facet = candidate.state.boundary.complex().facets().front().vertices;
   const auto reported = [&]
   {
-    odt::Restricted_report_3<Candidate> report(candidate);
+    odt::Restricted_report_3 report(candidate);
     report.send_back(facet);
     check::that(!report.is_clean() && report.pushes().empty(), "nothing is wrong");
     check::that(report.is_beyond_repair() == report.offending_vertices().empty(), "vertices go back that need not");
@@ -474,11 +469,10 @@ static void homes_are_given_up(const Ellipsoid_domain& domain, const Ellipsoid_c
 // A facet for which no surface center is found has none, also when it is asked for again, until its vertices move.
 static void missed_surface_centers(const Ellipsoid_domain& domain, const Ellipsoid_c3t3& input)
 {
-  typedef odt::Surface_center_search_3<Candidate_at_rest::Complex::Domain> Search;
   Candidate_at_rest at_rest(domain, input);
-  Search::Candidate& candidate = *at_rest.candidate;
+  odt::Restricted_candidate_3& candidate = *at_rest.candidate;
   const auto& state = at_rest.complex.state();
-  Search search(candidate, at_rest.complex.domain());
+  odt::Surface_center_search_3 search(candidate, at_rest.domain);
   // One between finite cells.
   const auto& tr = state.triangulation();
   const auto is_inside = [&](const auto& f) { return !tr.is_infinite(f.first) && !tr.is_infinite(f.first->neighbor(f.second)); };
@@ -491,7 +485,7 @@ static void missed_surface_centers(const Ellipsoid_domain& domain, const Ellipso
     domain.questions.misses_of_dozen = misses;
     for(int n = 0; n < 2; ++n)
     {
-      Search::Candidate::Surface_center center = state.centers[facet];
+      odt::Restricted_candidate_3::Surface_center center = state.centers[facet];
       center.is_exact = true;
       const bool is_found = search.find_center(state.facets[facet], vertices, center);
       check::that(!is_found && !center.is_exact, "a surface center that was missed is found");
@@ -500,7 +494,7 @@ static void missed_surface_centers(const Ellipsoid_domain& domain, const Ellipso
                 "the domain is not asked once for a surface center");
   }
   candidate.known_centers.clear();
-  Search::Candidate::Surface_center center = state.centers[facet];
+  odt::Restricted_candidate_3::Surface_center center = state.centers[facet];
   check::that(search.find_center(state.facets[facet], vertices, center) && center.is_exact,
               "a surface center is not found");
   domain.questions = Questions();
@@ -551,32 +545,37 @@ template <class Domain>
 static void projection(const char* name, const Domain& domain, const Point_3& from, const Point_3& expected,
                        double tolerance)
 {
-  typedef CGAL::Global_odt_mesh_3::internal::Domain_oracle_3<Domain> Oracle;
-  typedef typename Oracle::Vector Vector;
-  Oracle oracle(domain);
+  typedef Eigen::Vector3d Vector;
+  odt::Mesh_domain_view_3<Domain> view(domain);
   const double distance = std::sqrt(CGAL::squared_distance(from, expected));
   const Vector start(from.x(), from.y(), from.z());
   const Vector normal = (start - Vector(expected.x(), expected.y(), expected.z())) / distance;
   Vector p = start;
-  typename Domain::Index index;
-  check::that(oracle.intersect(p, normal, 2 * distance, index), name, ": no surface found");
-  const auto patch = oracle.surface_patch(index);
-  const auto project = [&](double reach, const typename Domain::Surface_patch_index& onto)
+  int found;
+  check::that(view.intersect(p, normal, 2 * distance, found), name, ": no surface found");
+  check::that(found == odt::Domain_view_3::other_patch, name, ": a patch that no mesh has is known");
+  typedef typename CGAL::Kernel_traits<Point_3>::Kernel::Segment_3 Segment_3;
+  const Vector beyond = start - 2 * distance * normal;
+  const auto intersection = domain.construct_intersection_object()(Segment_3(from, Point_3(beyond[0], beyond[1], beyond[2])));
+  const int patch = view.number_patch(domain.surface_patch_index(std::get<1>(intersection)));
+  p = start;
+  check::that(view.intersect(p, normal, 2 * distance, found) && found == patch, name, ": another patch");
+  const auto project = [&](double reach, int onto)
   {
     p = start;
-    return oracle.project(p, normal, reach, onto);
+    return view.project(p, normal, reach, onto);
   };
   check::that(project(2 * distance, patch), name, ": not projected");
   check::that(CGAL::squared_distance(Point_3(p[0], p[1], p[2]), expected) <= tolerance * tolerance, name,
               ": projected to ", p[0], ' ', p[1], ' ', p[2]);
   check::that(!project(0.9 * distance, patch) && p == start, name, ": projected out of reach");
-  check::that(!project(2 * distance, typename Domain::Surface_patch_index()) && p == start, name,
+  check::that(!project(2 * distance, view.number_patch(typename Domain::Surface_patch_index())) && p == start, name,
               ": projected onto another patch");
-  check::that(oracle.statistics().failures > 0, name, ": failures are not counted");
+  check::that(view.statistics().failures > 0, name, ": failures are not counted");
   // Between the dual points of cospherical cells, there is no segment that a domain could be asked for.
   const Vector on_surface(expected.x(), expected.y(), expected.z());
   p = on_surface;
-  check::that(!oracle.intersect(p, normal, 0, index) && p == on_surface, name, ": a point is taken for a segment");
+  check::that(!view.intersect(p, normal, 0, found) && p == on_surface, name, ": a point is taken for a segment");
 }
 
 static void projection()
@@ -593,9 +592,9 @@ static void projection()
   const Ellipsoid_domain ellipsoid;
   projection("ellipsoid", ellipsoid, Point_3(0.5, 0, 0), Point_3(0.35, 0, 0), 1e-12);
   ellipsoid.questions.misses_of_dozen = 12;
-  CGAL::Global_odt_mesh_3::internal::Domain_oracle_3<Ellipsoid_domain> oracle(ellipsoid);
+  odt::Mesh_domain_view_3<Ellipsoid_domain> view(ellipsoid);
   Eigen::Vector3d p(0.5, 0, 0);
-  check::that(!oracle.project(p, Eigen::Vector3d(1, 0, 0), 0.3, { 1 }) && p[0] == 0.5, "projected although all intersections are missed");
+  check::that(!view.project(p, Eigen::Vector3d(1, 0, 0), 0.3, view.number_patch({ 1 })) && p[0] == 0.5, "projected although all intersections are missed");
 }
 
 // The smallest angle of all facets of the boundary, and the mean over them of their smallest.

@@ -8,16 +8,15 @@
 
 #include "check.h"
 #include "mesh_domains.h"
+#include "opened_complex.h"
 
 #include <CGAL/Global_odt_mesh_3/internal/Iteration_control.h>
 #include <CGAL/Global_odt_mesh_3/internal/geometry/Random_source.h>
 #include <CGAL/Global_odt_mesh_3/internal/geometry/Sliver_steps.h>
 #include <CGAL/Global_odt_mesh_3/internal/geometry/Vertex_tuples.h>
-#include <CGAL/Global_odt_mesh_3/internal/restricted/C3t3_reader_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/restricted/Restricted_complex_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/slivers/Exact_sliver_removal_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/triangulation/Slot.h>
-#include <CGAL/Mesh_3/Null_global_optimizer_visitor.h>
 #include <CGAL/odt_optimize_mesh_3.h>
 
 #include <algorithm>
@@ -52,10 +51,9 @@ void operator delete(void* p, std::size_t) noexcept { std::free(p); }
 using namespace CGAL::Global_odt_mesh_3::internal;
 using domains::Labeled_c3t3;
 using domains::Labeled_domain;
-using domains::Labeled_triangulation;
 using domains::Point_3;
 
-typedef Restricted_complex_3<Labeled_triangulation, Labeled_domain> Complex;
+typedef Opened_complex<Labeled_c3t3, Labeled_domain> Opened;
 
 // A ball with a smaller one inside, whose label function can be made to fail.
 struct Fallible_ball
@@ -86,7 +84,7 @@ struct Fallible_ball
 };
 
 // The vertices, sorted, and the subdomain of each cell, and the number of its facets on surfaces.
-static std::vector<std::array<int, 6> > labelled_cells(const Complex::State& state)
+static std::vector<std::array<int, 6> > labelled_cells(const Restricted_state_3& state)
 {
   std::vector<std::array<int, 6> > cells;
   for(auto h : state.triangulation().all_cell_handles())
@@ -106,7 +104,7 @@ static std::vector<std::array<int, 6> > labelled_cells(const Complex::State& sta
 }
 
 // All that a state says, in numbers.
-static std::vector<double> contents(const Complex::State& state)
+static std::vector<double> contents(const Restricted_state_3& state)
 {
   std::vector<double> c = { double(state.is_input) };
   for(const Site& s : state.sites)
@@ -139,7 +137,7 @@ static std::vector<double> contents(const Complex::State& state)
 }
 
 // Positions a bit away from those of the state; tangential on surfaces.
-static std::vector<Site> displaced(const Complex::State& state, double amount, unsigned int seed)
+static std::vector<Site> displaced(const Restricted_state_3& state, double amount, unsigned int seed)
 {
   Random_source random(seed);
   std::vector<Site> sites = state.sites;
@@ -156,13 +154,11 @@ static std::vector<Site> displaced(const Complex::State& state, double amount, u
   return sites;
 }
 
-static std::unique_ptr<Complex> load(const Labeled_c3t3& c3t3, const Labeled_domain& domain, Boundary_motion motion)
+static std::unique_ptr<Opened> load(const Labeled_c3t3& c3t3, const Labeled_domain& domain, Boundary_motion motion)
 {
-  auto complex = std::make_unique<Complex>(domain, motion);
-  Moving_triangulation_3 mesh;
-  complex->start(C3t3_reader_3<Labeled_c3t3, Complex::Domain>(c3t3, complex->domain()).read(mesh, true));
-  complex->provide_triangulation();
-  return complex;
+  auto opened = std::make_unique<Opened>(c3t3, domain, motion);
+  opened->complex.provide_triangulation();
+  return opened;
 }
 
 // A state is what it was before a call of advance() that fails or throws, and the next call leads where it
@@ -174,34 +170,34 @@ static void failures_leave_no_trace(Fallible_ball& ball, const Labeled_domain& d
   for(Boundary_motion motion : { Boundary_motion::BY_NORMALS, Boundary_motion::BY_DOMAIN })
   {
     ball.fail(Fallible_ball::NONE, 0);
-    const std::unique_ptr<Complex> complex = load(c3t3, domain, motion), undisturbed = load(c3t3, domain, motion);
-    for(Complex* c : { complex.get(), undisturbed.get() })
+    const std::unique_ptr<Opened> opened = load(c3t3, domain, motion), undisturbed = load(c3t3, domain, motion);
+    for(Restricted_complex_3* c : { &opened->complex, &undisturbed->complex })
       check::that(c->advance(displaced(c->state(), 0.02, seed), false).has_value(), "a small displacement leads to no valid complex");
     int off = 0;
-    for(const auto& p : complex->state().surface_positions)
+    for(const auto& p : opened->complex.state().surface_positions)
       off += !p.is_on_surface;
     if(motion == Boundary_motion::BY_NORMALS)
       check::that(off > 0, "no vertex follows its tangential plane: the test is too weak");
-    const std::vector<double> before = contents(complex->state());
-    const std::vector<Site> target = displaced(complex->state(), 0.02, seed + 1);
+    const std::vector<double> before = contents(opened->complex.state());
+    const std::vector<Site> target = displaced(opened->complex.state(), 0.02, seed + 1);
     for(long after : { 0, 20, 100, 500, 1500, 3000 })
     {
       bool is_done = false, has_thrown = false;
       ball.fail(Fallible_ball::THROW, after);
-      try { is_done = complex->advance(target, true).has_value(); }
+      try { is_done = opened->complex.advance(target, true).has_value(); }
       catch(const std::runtime_error&) { has_thrown = true; }
       check::that(has_thrown && !is_done, "the domain was not asked ", after, " times: the test is too weak");
-      check::that(contents(complex->state()) == before, "an exception has changed the state");
+      check::that(contents(opened->complex.state()) == before, "an exception has changed the state");
     }
     ball.fail(Fallible_ball::SAY_OUTSIDE, 0);
-    check::that(!complex->advance(target, true).has_value(), "a complex was made of a domain that is empty");
-    check::that(contents(complex->state()) == before, "a failure has changed the state");
+    check::that(!opened->complex.advance(target, true).has_value(), "a complex was made of a domain that is empty");
+    check::that(contents(opened->complex.state()) == before, "a failure has changed the state");
 
     ball.fail(Fallible_ball::NONE, 0);
-    for(Complex* c : { complex.get(), undisturbed.get() })
+    for(Restricted_complex_3* c : { &opened->complex, &undisturbed->complex })
       check::that(c->advance(target, true).has_value(), "a small displacement leads to no valid final complex");
-    check::that(contents(complex->state()) == contents(undisturbed->state()), "failures have changed what follows");
-    for(const auto& p : complex->state().surface_positions)
+    check::that(contents(opened->complex.state()) == contents(undisturbed->complex.state()), "failures have changed what follows");
+    for(const auto& p : opened->complex.state().surface_positions)
       check::that(p.is_on_surface, "a vertex is off the surface in the end");
   }
 }
@@ -211,11 +207,11 @@ static void failures_leave_no_trace(Fallible_ball& ball, const Labeled_domain& d
 static void misleading_planes()
 {
   const Labeled_domain domain = domains::three_subdomains();
-  const std::unique_ptr<Complex> complex = load(domains::mesh(domain, 0.2), domain, Boundary_motion::BY_NORMALS);
-  const std::vector<Site> target = displaced(complex->state(), 1e-7, 1);
-  check::that(complex->advance(target, false).has_value(), "a tiny displacement leads to no valid complex");
-  for(int v = 0; v < complex->state().numbering->number_of_interior_vertices; ++v)
-    check::that(same_place(complex->state().sites[v], target[v]), "vertex ", v, " has gone back without need");
+  const std::unique_ptr<Opened> opened = load(domains::mesh(domain, 0.2), domain, Boundary_motion::BY_NORMALS);
+  const std::vector<Site> target = displaced(opened->complex.state(), 1e-7, 1);
+  check::that(opened->complex.advance(target, false).has_value(), "a tiny displacement leads to no valid complex");
+  for(int v = 0; v < opened->complex.state().numbering->number_of_interior_vertices; ++v)
+    check::that(same_place(opened->complex.state().sites[v], target[v]), "vertex ", v, " has gone back without need");
 }
 
 // A state that has been replaced can be returned to, and one whose trials are not adopted is as it was: the
@@ -223,34 +219,33 @@ static void misleading_planes()
 static void triangulations_are_restored(Fallible_ball& ball, const Labeled_domain& domain, const Labeled_c3t3& c3t3)
 {
   ball.fail(Fallible_ball::NONE, 0);
-  const std::unique_ptr<Complex> complex = load(c3t3, domain, Boundary_motion::BY_NORMALS);
-  const std::vector<double> input = contents(complex->state());
-  std::optional<Complex::State> replaced = complex->advance(displaced(complex->state(), 0.02, 5), true);
+  const std::unique_ptr<Opened> opened = load(c3t3, domain, Boundary_motion::BY_NORMALS);
+  const std::vector<double> input = contents(opened->complex.state());
+  std::optional<Restricted_state_3> replaced = opened->complex.advance(displaced(opened->complex.state(), 0.02, 5), true);
   check::that(replaced.has_value(), "a small displacement leads to no valid complex");
-  const std::vector<double> first = contents(complex->state());
+  const std::vector<double> first = contents(opened->complex.state());
   for(bool all : { false, true })
   {
-    std::vector<Site> target = displaced(complex->state(), 0.01, 6);
+    std::vector<Site> target = displaced(opened->complex.state(), 0.01, 6);
     const std::size_t few = 10;
     if(!all)
-      std::copy(complex->state().sites.begin() + few, complex->state().sites.end(), target.begin() + few);
-    std::optional<Complex::State> before = complex->advance(target, true);
-    check::that(before.has_value() && contents(complex->state()) != first, "a small displacement leads to no other complex");
-    complex->return_to(std::move(*before));
-    check::that(contents(complex->state()) == first, "a complex that is returned to is another");
+      std::copy(opened->complex.state().sites.begin() + few, opened->complex.state().sites.end(), target.begin() + few);
+    std::optional<Restricted_state_3> before = opened->complex.advance(target, true);
+    check::that(before.has_value() && contents(opened->complex.state()) != first, "a small displacement leads to no other complex");
+    opened->complex.return_to(std::move(*before));
+    check::that(contents(opened->complex.state()) == first, "a complex that is returned to is another");
   }
 
-  auto trial = complex->make_trial();
-  typedef Exact_sliver_removal_3<Complex::Trial> Removal;
-  Removal::Failures failures;
-  Removal removal(trial, failures, 1);
+  auto trial = opened->complex.make_trial();
+  Exact_sliver_removal_3::Failures failures;
+  Exact_sliver_removal_3 removal(trial, failures, 1);
   removal.climb(Sliver_steps::last(30), 100000, [] { return true; });
   check::that(removal.number_of_moves() > 5, "there are no slivers: the test is too weak");
   ball.fail(Fallible_ball::SAY_OUTSIDE, 0);
-  check::that(!complex->adopt(trial), "a complex was made of a domain that is empty");
-  check::that(contents(complex->state()) == first, "trials that are not adopted change the complex");
-  complex->return_to(std::move(*replaced));
-  check::that(contents(complex->state()) == input, "the input is not what is returned to");
+  check::that(!opened->complex.adopt(trial), "a complex was made of a domain that is empty");
+  check::that(contents(opened->complex.state()) == first, "trials that are not adopted change the complex");
+  opened->complex.return_to(std::move(*replaced));
+  check::that(contents(opened->complex.state()) == input, "the input is not what is returned to");
 }
 
 // The same for the whole call.
@@ -280,14 +275,13 @@ static void exceptions_leave_the_mesh(Fallible_ball& ball, const Labeled_domain&
 // over already, nothing is left of it, so that noise that is to fade away in it has faded away.
 static void shares_of_time()
 {
-  typedef CGAL::Mesh_3::Null_global_optimizer_visitor<Labeled_c3t3> Visitor;
-  Visitor visitor;
+  Optimization_visitor visitor;
   Odt_parameters parameters;
-  const Iteration_control<Visitor> unlimited(parameters, visitor);
+  const Iteration_control unlimited(parameters, visitor);
   check::that(unlimited.progress_between(0.2, 0.65) == 0, "time passes without a limit");
   Odt_parameters long_time;
   long_time.time_limit = 1e9;
-  const Iteration_control<Visitor> limited(long_time, visitor);
+  const Iteration_control limited(long_time, visitor);
   check::that(limited.progress_between(0, 0.65) < 1e-3, "time passes too fast");
   for(double begin : { 0.65, 0.7, 1.2 })
     check::that(limited.progress_between(begin, 0.65) == 1, "a share of the time that has passed is not used up");
@@ -354,14 +348,13 @@ static void memory_runs_out(const Labeled_c3t3& input, const Labeled_domain& dom
 // fills holes with the help of a table that outlives the call.
 static void memory_runs_out_in_a_triangulation()
 {
-  typedef Complex::Triangulation Triangulation;
   const unsigned int seed = 9;
   std::cout << "seed of points: " << seed << std::endl;
   Random_source random(seed);
-  std::vector<Triangulation::Weighted_point> points;
+  std::vector<Weighted_point> points;
   for(int n = 0; n < 100; ++n)
     points.emplace_back(Point_3(random.uniform(), random.uniform(), random.uniform()), 0);
-  const auto build = [&points](Triangulation& tr)
+  const auto build = [&points](Working_triangulation_3& tr)
   {
     for(const auto& p : points)
       tr.insert(p);
@@ -372,7 +365,7 @@ static void memory_runs_out_in_a_triangulation()
   long last = 0;
   for(; !is_enough; ++last)
   {
-    Triangulation lacking, later;
+    Working_triangulation_3 lacking, later;
     allocations_left = last;
     try
     {

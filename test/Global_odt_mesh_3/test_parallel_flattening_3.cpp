@@ -34,9 +34,6 @@ typedef CGAL::Regular_triangulation_3<Kernel> Triangulation;
 typedef Triangulation::Cell_handle Cell_handle;
 typedef Triangulation::Vertex_handle Vertex_handle;
 typedef Triangulation::Facet Facet;
-typedef std::array<int, 3> Triple;
-typedef std::array<int, 4> Quadruple;
-typedef std::vector<Constrained_facet<Triangulation> > Facets;
 
 // A random triangulation with regions, and with marked facets inside, between and outside of them.
 struct Labelled_triangulation
@@ -88,7 +85,7 @@ struct Labelled_triangulation
 
   bool is_constrained(Cell_handle c, int i) const { return label(c) != label(c->neighbor(i)) || is_marked(c, i); }
 
-  Facets flatten(const std::vector<Cell_handle>& cells, const Thread_policy& threads, Flat_triangulation_3& flat) const
+  Constrained_facets flatten(const std::vector<Cell_handle>& cells, const Thread_policy& threads, Flat_triangulation_3& flat) const
   {
     return flatten_triangulation_3(tr, cells, [this](Vertex_handle v) { return number(v); },
                                    [this](Cell_handle c) { return label(c); },
@@ -97,7 +94,7 @@ struct Labelled_triangulation
 };
 
 // Cells and neighbors are CGAL's, and facets are constrained if they are to be.
-static void same_as_cgal(const Labelled_triangulation& t, const Flat_triangulation_3& flat, const Facets& facets)
+static void same_as_cgal(const Labelled_triangulation& t, const std::vector<Cell_handle>& cells, const Flat_triangulation_3& flat, const Constrained_facets& facets)
 {
   check::that(flat.is_valid(), "the flat triangulation is not valid");
   std::map<Quadruple, Cell_handle> inside;
@@ -116,9 +113,9 @@ static void same_as_cgal(const Labelled_triangulation& t, const Flat_triangulati
       check::that(across.is_side() == t.is_constrained(c, i), "a facet is constrained that should not be, or the reverse");
       if(across.is_side())
       {
-        const Constrained_facet<Triangulation>& f = facets[across.constrained_facet()];
+        const Constrained_facet& f = facets[across.constrained_facet()];
         const Facet here = across.side() == 0 ? Facet(c, i) : t.tr.mirror_facet(Facet(c, i));
-        check::that(f.facet == here && f.vertices == t.vertices(here), "a constrained facet is on the wrong side");
+        check::that(Facet(cells[f.cell], f.index) == here && f.vertices == t.vertices(here), "a constrained facet is on the wrong side");
         ++constrained;
         marked_inside += t.label(c) == t.label(c->neighbor(i));
         continue;
@@ -132,7 +129,7 @@ static void same_as_cgal(const Labelled_triangulation& t, const Flat_triangulati
 }
 
 // Marked facets without a cell inside follow, each once.
-static void facets_outside(const Labelled_triangulation& t, const Flat_triangulation_3& flat, const Facets& facets)
+static void facets_outside(const Labelled_triangulation& t, const std::vector<Cell_handle>& cells, const Flat_triangulation_3& flat, const Constrained_facets& facets)
 {
   std::set<Triple> expected, found;
   for(const Facet& f : t.tr.finite_facets())
@@ -140,7 +137,8 @@ static void facets_outside(const Labelled_triangulation& t, const Flat_triangula
       expected.insert(sorted(t.vertices(f)));
   for(std::size_t n = flat.number_of_constrained_facets(); n < facets.size(); ++n)
   {
-    check::that(!t.tr.is_infinite(facets[n].facet.first) && facets[n].vertices == t.vertices(facets[n].facet),
+    const Facet f(cells[facets[n].cell], facets[n].index);
+    check::that(!t.tr.is_infinite(f.first) && facets[n].vertices == t.vertices(f),
                 "a facet outside is not as its cell sees it");
     check::that(found.insert(sorted(facets[n].vertices)).second, "a facet outside occurs twice");
   }
@@ -148,7 +146,7 @@ static void facets_outside(const Labelled_triangulation& t, const Flat_triangula
 }
 
 // The arrays, and the constrained facets.
-static std::vector<int> contents(const Flat_triangulation_3& flat, const Facets& facets)
+static std::vector<int> contents(const Flat_triangulation_3& flat, const Constrained_facets& facets)
 {
   std::vector<int> all(flat.cell_vertices(), flat.cell_vertices() + flat.number_of_slots());
   all.insert(all.end(), flat.neighbors(), flat.neighbors() + flat.number_of_slots());
@@ -156,7 +154,7 @@ static std::vector<int> contents(const Flat_triangulation_3& flat, const Facets&
     all.push_back(flat.incident_cell(v));
   for(int n = 0; n < flat.number_of_constrained_facets(); ++n)
     all.insert(all.end(), { flat.constrained_slot(n, 0).id(), flat.constrained_slot(n, 1).id() });
-  for(const Constrained_facet<Triangulation>& f : facets)
+  for(const Constrained_facet& f : facets)
     all.insert(all.end(), f.vertices.begin(), f.vertices.end());
   return all;
 }
@@ -167,28 +165,28 @@ int main()
   std::vector<Cell_handle> cells = all_cells(t.tr);
   check::that(cells.size() == t.tr.number_of_cells(), "not all cells are listed");
   Flat_triangulation_3 flat;
-  const Facets facets = t.flatten(cells, Thread_policy(), flat);
+  const Constrained_facets facets = t.flatten(cells, Thread_policy(), flat);
   std::cout << flat.number_of_cells() << " cells inside, " << facets.size() << " facets" << std::endl;
-  same_as_cgal(t, flat, facets);
-  facets_outside(t, flat, facets);
+  same_as_cgal(t, cells, flat, facets);
+  facets_outside(t, cells, flat, facets);
   const std::vector<int> expected = contents(flat, facets);
   for(std::size_t number : { 1, 2, 3, 8 })
   {
     tbb::global_control control(tbb::global_control::max_allowed_parallelism, number);
     Flat_triangulation_3 again;
-    const Facets facets_again = t.flatten(cells, Thread_policy::for_tag<CGAL::Parallel_tag>(), again);
+    const Constrained_facets facets_again = t.flatten(cells, Thread_policy::for_tag<CGAL::Parallel_tag>(), again);
     check::that(contents(again, facets_again) == expected, number, " threads lead elsewhere than none");
   }
   // Where cells are in the triangulation decides about the facets' order and sides alone.
   std::reverse(cells.begin(), cells.end());
   Flat_triangulation_3 reversed;
-  const Facets reversed_facets = t.flatten(cells, Thread_policy(), reversed);
-  same_as_cgal(t, reversed, reversed_facets);
-  facets_outside(t, reversed, reversed_facets);
+  const Constrained_facets reversed_facets = t.flatten(cells, Thread_policy(), reversed);
+  same_as_cgal(t, cells, reversed, reversed_facets);
+  facets_outside(t, cells, reversed, reversed_facets);
   check::that(std::equal(expected.begin(), expected.begin() + flat.number_of_slots(), reversed.cell_vertices()),
               "the order of cells depends on that in the triangulation");
   // Arrays that are there already are replaced.
-  const Facets replacing = t.flatten(all_cells(t.tr), Thread_policy(), reversed);
+  const Constrained_facets replacing = t.flatten(all_cells(t.tr), Thread_policy(), reversed);
   check::that(contents(reversed, replacing) == expected, "something is left of what the arrays were");
   return check::result();
 }

@@ -6,10 +6,9 @@
 #include "check.h"
 #include "mesh_contract.h"
 #include "mesh_domains.h"
+#include "opened_complex.h"
 
 #include <CGAL/Global_odt_mesh_3/internal/geometry/Random_source.h>
-#include <CGAL/Global_odt_mesh_3/internal/restricted/C3t3_reader_3.h>
-#include <CGAL/Global_odt_mesh_3/internal/restricted/C3t3_writer_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/restricted/Restricted_complex_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/slivers/Exact_sliver_removal_3.h>
 
@@ -36,10 +35,9 @@ struct Contents
   std::set<std::pair<std::array<int, 3>, std::array<int, 3> > > facets;
   std::vector<double> coordinates;
 
-  template <class Trial>
-  explicit Contents(const Trial& trial)
+  explicit Contents(const Restricted_trial_3& trial)
   {
-    const auto& complex = trial.complex();
+    const Trial_complex_3& complex = trial.complex();
     for(auto c : complex.triangulation().all_cell_handles())
       cells.insert({ sorted(complex.numbers(c)), c->label() });
     for(const Exchangeable_boundary_3::Facet& f : complex.boundary.facets())
@@ -54,37 +52,11 @@ struct Contents
   }
 };
 
-template <class C3t3, class Domain>
-struct Setting
-{
-  typedef Restricted_complex_3<typename C3t3::Triangulation, Domain> Complex;
-  typedef typename Complex::Trial Trial;
-
-  C3t3 c3t3;
-  Complex complex;
-
-  Setting(const C3t3& input, const Domain& domain, Boundary_motion motion)
-    : c3t3(input)
-    , complex(domain, motion)
-  {
-    Moving_triangulation_3 mesh;
-    complex.start(C3t3_reader_3<C3t3, typename Complex::Domain>(c3t3, complex.domain())
-                    .read(mesh, motion != Boundary_motion::NONE));
-  }
-
-  // To be called once.
-  const C3t3& write()
-  {
-    C3t3_writer_3<C3t3, typename Complex::Domain>(complex.take_state(), complex.domain()).write(c3t3);
-    return c3t3;
-  }
-};
-
 // A trial that is rejected leaves everything as it was; what it has said before, it says again.
 template <class C3t3, class Domain>
 void rejected_trials(const std::string& name, const C3t3& c3t3, const Domain& domain, bool moves_surfaces)
 {
-  Setting<C3t3, Domain> setting(c3t3, domain, Boundary_motion::BY_NORMALS);
+  Opened_complex<C3t3, Domain> setting(c3t3, domain, Boundary_motion::BY_NORMALS);
   auto trial = setting.complex.make_trial();
   const int step = Sliver_steps::last(40);
   trial.set_goal(Sliver_steps::angles[step], step);
@@ -130,12 +102,11 @@ void removal(const std::string& name, const C3t3& c3t3, const Domain& domain, Bo
   std::vector<C3t3> results;
   for(int run = 0; run < 2; ++run)
   {
-    Setting<C3t3, Domain> setting(c3t3, domain, motion);
+    Opened_complex<C3t3, Domain> setting(c3t3, domain, motion);
     auto trial = setting.complex.make_trial();
     const std::size_t before = trial.slivers(bound).size();
-    typedef Exact_sliver_removal_3<decltype(trial)> Removal;
-    typename Removal::Failures failures;
-    Removal removal(trial, failures, 1);
+    Exact_sliver_removal_3::Failures failures;
+    Exact_sliver_removal_3 removal(trial, failures, 1);
     removal.climb(step, 1000000, [] { return true; });
     const std::size_t after = trial.slivers(bound).size();
     std::cout << name << ": " << before << " -> " << after << " cells below " << bound << " degrees by "
@@ -161,11 +132,10 @@ void removal(const std::string& name, const C3t3& c3t3, const Domain& domain, Bo
 template <class C3t3, class Domain>
 void smallest_angle(const std::string& name, const C3t3& c3t3, const Domain& domain, double wanted)
 {
-  Setting<C3t3, Domain> setting(c3t3, domain, Boundary_motion::BY_NORMALS);
+  Opened_complex<C3t3, Domain> setting(c3t3, domain, Boundary_motion::BY_NORMALS);
   auto trial = setting.complex.make_trial();
-  typedef Exact_sliver_removal_3<decltype(trial)> Removal;
-  typename Removal::Failures failures;
-  Removal removal(trial, failures, 1);
+  Exact_sliver_removal_3::Failures failures;
+  Exact_sliver_removal_3 removal(trial, failures, 1);
   const int step = Sliver_steps::last(30);
   std::vector<std::size_t> before;
   for(int s = 0; s < step; ++s)
@@ -189,7 +159,7 @@ static void junction_moves()
   const Labeled_domain domain = domains::labeled([](const domains::Point_3& p)
     { return domains::squared(p) >= 1 ? 0 : p.x() > 0.01 ? 1 : p.y() > 0.02 ? 2 : 3; });
   const Labeled_c3t3 c3t3 = domains::mesh(domain, 0.25);
-  Setting<Labeled_c3t3, Labeled_domain> setting(c3t3, domain, Boundary_motion::BY_NORMALS);
+  Opened_complex<Labeled_c3t3, Labeled_domain> setting(c3t3, domain, Boundary_motion::BY_NORMALS);
   auto trial = setting.complex.make_trial();
   const double bound = 50;
   trial.set_goal(bound, 0);
@@ -231,7 +201,7 @@ static void kept_places()
 {
   const Labeled_domain domain = domains::sphere();
   const Labeled_c3t3 c3t3 = domains::mesh(domain, 0.2);
-  Setting<Labeled_c3t3, Labeled_domain> setting(c3t3, domain, Boundary_motion::BY_NORMALS);
+  Opened_complex<Labeled_c3t3, Labeled_domain> setting(c3t3, domain, Boundary_motion::BY_NORMALS);
   const auto numbering = setting.complex.state().numbering;
   std::vector<Site> target = setting.complex.state().sites;
   Random_source random(7);
@@ -262,18 +232,17 @@ static void kept_places()
 template <class C3t3, class Domain>
 void limits(const C3t3& c3t3, const Domain& domain)
 {
-  Setting<C3t3, Domain> setting(c3t3, domain, Boundary_motion::BY_NORMALS);
+  Opened_complex<C3t3, Domain> setting(c3t3, domain, Boundary_motion::BY_NORMALS);
   auto trial = setting.complex.make_trial();
   const Contents before(trial);
-  typedef Exact_sliver_removal_3<decltype(trial)> Removal;
-  typename Removal::Failures failures;
-  Removal without_tries(trial, failures, 1), without_time(trial, failures, 1);
+  Exact_sliver_removal_3::Failures failures;
+  Exact_sliver_removal_3 without_tries(trial, failures, 1), without_time(trial, failures, 1);
   const int step = Sliver_steps::last(30);
   without_tries.climb(step, 0, [] { return true; });
   without_time.climb(step, 1000000, [] { return false; });
   check::that(without_tries.number_of_moves() == 0 && without_time.number_of_moves() == 0 && Contents(trial) == before,
               "something is done without tries or without time");
-  Removal few(trial, failures, 1);
+  Exact_sliver_removal_3 few(trial, failures, 1);
   few.climb(Sliver_steps::number - 1, 2000, [] { return true; });
   const Exact_sliver_removal_parameters p;
   check::that(few.number_of_tries() <= 2000 + 10 * (p.tries_of_lift + p.tries_per_vertex), few.number_of_tries(), " tries");

@@ -6,16 +6,16 @@
 #include "check.h"
 #include "load_triangulation_3.h"
 #include "mesh_domains.h"
+#include "opened_complex.h"
 
 #include <CGAL/Global_odt_mesh_3/internal/geometry/Random_source.h>
 #include <CGAL/Global_odt_mesh_3/internal/geometry/Regularity_filter_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/geometry/Tuple_table.h>
 #include <CGAL/Global_odt_mesh_3/internal/geometry/Vertex_tuples.h>
-#include <CGAL/Global_odt_mesh_3/internal/restricted/C3t3_reader_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/restricted/Cell_certificate_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/restricted/Exact_regularity_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/restricted/Restricted_complex_3.h>
-#include <CGAL/Global_odt_mesh_3/internal/restricted/Restricted_triangulation_3.h>
+#include <CGAL/Global_odt_mesh_3/internal/restricted/Working_triangulation_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/restricted/Taken_cells_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/restricted/Triangulation_takeover_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/triangulation/Flips_3.h>
@@ -76,50 +76,37 @@ static void tuple_table()
 }
 
 // The cells by the numbers of their vertices, -1 for the infinite one.
-template <class Triangulation>
-static std::set<std::array<int, 4> > cells(const Numbered_triangulation_3<Triangulation>& numbered)
+static std::set<Quadruple> cells(const Numbered_triangulation_3& numbered)
 {
-  const Triangulation& tr = numbered.triangulation();
-  std::set<std::array<int, 4> > all;
-  for(auto c : tr.all_cell_handles())
-  {
-    std::array<int, 4> q;
-    for(int i = 0; i < 4; ++i)
-      q[i] = tr.is_infinite(c->vertex(i)) ? -1 : numbered.number(c->vertex(i));
-    all.insert(sorted(q));
-  }
+  const Working_triangulation_3& tr = numbered.triangulation();
+  std::set<Quadruple> all;
+  for(Cell_handle c : tr.all_cell_handles())
+    all.insert(sorted(numbered.numbers(c)));
   check::that(all.size() == tr.number_of_cells(), "two cells have the same vertices");
   return all;
 }
 
-// Whether nothing is left of marks that were made on the way, and each number has its vertex at its point.
-template <class Triangulation, class Points>
-static bool is_tidy(const Numbered_triangulation_3<Triangulation>& numbered, const Points& points)
+// Whether nothing is left of marks that were made on the way, and each number has its vertex at its site.
+static bool is_tidy(const Numbered_triangulation_3& numbered, const std::vector<Site>& sites)
 {
-  const Triangulation& tr = numbered.triangulation();
-  for(auto c : tr.all_cell_handles())
+  const Working_triangulation_3& tr = numbered.triangulation();
+  for(Cell_handle c : tr.all_cell_handles())
     for(int i = 0; i < 4; ++i)
       if(c->is_marked(i) || c->tds_data().is_in_conflict())
         return false;
-  for(int v = 0; v < static_cast<int>(points.size()); ++v)
-    if(!numbered.is_visible(v) || tr.point(numbered.vertex(v)) != points[v])
+  for(int v = 0; v < static_cast<int>(sites.size()); ++v)
+    if(!numbered.is_visible(v) || tr.point(numbered.vertex(v)) != weighted_point(sites[v]))
       return false;
   return numbered.is_complete();
 }
 
 // What is taken over from the mesh for positions that may be others is what insertion gives; how many vertices
 // were inserted for it, or -1 if it was not taken over.
-template <class Input>
-int take_over(const std::string& name, const Moving_triangulation_3& mesh, const std::vector<Site>& sites, Outcome expected)
+static int take_over(const std::string& name, const Moving_triangulation_3& mesh, const std::vector<Site>& sites, Outcome expected)
 {
-  typedef Restricted_triangulation_3<Input> Triangulation;
-  typedef typename Triangulation::Weighted_point Weighted_point;
-  std::vector<Weighted_point> points;
-  for(const Site& s : sites)
-    points.emplace_back(typename Triangulation::Bare_point(s.x, s.y, s.z), s.weight);
-  Numbered_triangulation_3<Triangulation> inserted, taken;
-  inserted.build(points, sites);
-  Triangulation_takeover_3<Triangulation> takeover(mesh, points, sites, Thread_policy::for_tag<CGAL::Parallel_tag>(), taken);
+  Numbered_triangulation_3 inserted, taken;
+  inserted.build(sites);
+  Triangulation_takeover_3 takeover(mesh, sites, Thread_policy::for_tag<CGAL::Parallel_tag>(), taken);
   const bool is_taken = takeover.run();
   std::cout << name << ": " << (is_taken ? "" : "not ") << "taken over, " << takeover.number_of_inserted_vertices()
             << " of " << sites.size() << " vertices inserted" << std::endl;
@@ -129,11 +116,11 @@ int take_over(const std::string& name, const Moving_triangulation_3& mesh, const
   check::that(inserted.is_complete(), name, ": hidden vertices are overlooked");
   check::that(cells(taken) == cells(inserted), name, ": not the cells that insertion gives");
   check::that(taken.triangulation().is_valid(), name, ": the triangulation is not valid");
-  check::that(is_tidy(taken, points), name, ": marks are left, or vertices are not what they were");
+  check::that(is_tidy(taken, sites), name, ": marks are left, or vertices are not what they were");
   // Vertices can be moved afterwards.
-  for(int v = 0; v < static_cast<int>(points.size()); v += 97)
+  for(int v = 0; v < static_cast<int>(sites.size()); v += 97)
     for(auto* numbered : { &taken, &inserted })
-      numbered->move(v, points[v]);
+      numbered->move(v, sites[v]);
   check::that(cells(taken) == cells(inserted) && taken.triangulation().is_valid(), name, ": vertices cannot be moved");
   return takeover.number_of_inserted_vertices();
 }
@@ -190,40 +177,23 @@ static int flip_at_random(Moving_triangulation_3& mesh, double share, unsigned i
   return flips;
 }
 
-template <class C3t3, class Domain>
-struct Setting
-{
-  typedef typename C3t3::Triangulation Triangulation;
-  typedef Restricted_complex_3<Triangulation, Domain> Complex;
-
-  Complex complex;
-  Moving_triangulation_3 mesh;
-
-  Setting(const C3t3& c3t3, const Domain& domain)
-    : complex(domain, Boundary_motion::BY_NORMALS)
-  {
-    complex.start(C3t3_reader_3<C3t3, typename Complex::Domain>(c3t3, complex.domain()).read(mesh, true));
-  }
-};
-
 // A mesh of a domain after small and large motions, with a surface that moves, so that facets of it change, with wrong
 // flips, and with vertices that have left their stars: all of it is taken over, with more insertions.
 template <class C3t3, class Domain>
 void domain_meshes(const std::string& name, const C3t3& c3t3, const Domain& domain, Outcome expected)
 {
-  typedef typename C3t3::Triangulation Triangulation;
-  const Setting<C3t3, Domain> setting(c3t3, domain);
+  const Opened_complex<C3t3, Domain> setting(c3t3, domain, Boundary_motion::BY_NORMALS);
   Moving_triangulation_3 mesh = setting.mesh;
-  take_over<Triangulation>(name + ", as read", mesh, mesh.sites, expected);
+  take_over(name + ", as read", mesh, mesh.sites, expected);
   move(mesh, 0.2, 1);
-  const int fewest = take_over<Triangulation>(name + ", moved", mesh, mesh.sites, expected);
+  const int fewest = take_over(name + ", moved", mesh, mesh.sites, expected);
   for(double length : { 0.01, 0.1, 0.3 })
-    take_over<Triangulation>(name + ", surface moved by " + std::to_string(length), mesh,
+    take_over(name + ", surface moved by " + std::to_string(length), mesh,
                              with_moved_surface(mesh, length, 2), length < 0.2 ? expected : ANY);
   {
     Moving_triangulation_3 flipped = mesh;
     check::that(flip_at_random(flipped, 0.001, 3) > 0, name, ": nothing is flipped");
-    const int n = take_over<Triangulation>(name + ", with wrong flips", flipped, flipped.sites, expected);
+    const int n = take_over(name + ", with wrong flips", flipped, flipped.sites, expected);
     check::that(n < 0 || n > fewest, name, ": no wrong flip is noticed");
   }
   {
@@ -233,17 +203,17 @@ void domain_meshes(const std::string& name, const C3t3& c3t3, const Domain& doma
     Random_source random(4);
     for(int v = 0; v < mesh.number_of_interior_vertices; v += 300)
       sites[v] = site_at(position(sites[v]) + 0.7 * edges[v] * random.direction(), sites[v].weight);
-    take_over<Triangulation>(name + ", with inverted cells", mesh, sites, expected);
+    take_over(name + ", with inverted cells", mesh, sites, expected);
   }
   flip_at_random(mesh, 1, 5);
-  take_over<Triangulation>(name + ", with many wrong flips", mesh, mesh.sites, ANY);
+  take_over(name + ", with many wrong flips", mesh, mesh.sites, ANY);
 }
 
 // A complex gets where it gets by insertion of all vertices.
 template <class C3t3, class Domain>
 void complexes(const std::string& name, const C3t3& c3t3, const Domain& domain, bool is_final)
 {
-  Setting<C3t3, Domain> with(c3t3, domain), without(c3t3, domain);
+  Opened_complex<C3t3, Domain> with(c3t3, domain, Boundary_motion::BY_NORMALS), without(c3t3, domain, Boundary_motion::BY_NORMALS);
   for(unsigned int n = 0; n < 3; ++n)
   {
     move(with.mesh, 0.1, 10 + n);
@@ -289,7 +259,7 @@ static void lattices()
           tr.insert(Labeled_triangulation::Weighted_point(Labeled_triangulation::Bare_point(p.x(), p.y(), p.z()), 0));
         }
     const Moving_triangulation_3 mesh = load_triangulation_3(tr);
-    take_over<Labeled_triangulation>("lattice of which " + std::to_string(left_in_place) + " is in place", mesh, mesh.sites,
+    take_over("lattice of which " + std::to_string(left_in_place) + " is in place", mesh, mesh.sites,
                                      left_in_place == 1 ? NOT_TAKEN_OVER : left_in_place > 0.3 ? ANY : TAKEN_OVER);
   }
 }
@@ -312,19 +282,19 @@ static void hidden_vertices()
 {
   const Moving_triangulation_3 mesh = random_points();
   const int inside = mesh.number_of_interior_vertices / 2, fixed = mesh.number_of_interior_vertices;
-  take_over<Labeled_triangulation>("random points", mesh, mesh.sites, TAKEN_OVER);
+  take_over("random points", mesh, mesh.sites, TAKEN_OVER);
   for(int v : { inside, fixed })
   {
     std::vector<Site> sites = mesh.sites;
     sites[v].weight = 0.03;
-    take_over<Labeled_triangulation>("random points, one with a large weight", mesh, sites, NOT_TAKEN_OVER);
+    take_over("random points, one with a large weight", mesh, sites, NOT_TAKEN_OVER);
     sites[v].weight = -0.1;
-    take_over<Labeled_triangulation>("random points, one with a negative weight", mesh, sites,
+    take_over("random points, one with a negative weight", mesh, sites,
                                      v == inside ? NOT_TAKEN_OVER : ANY);
   }
   std::vector<Site> sites = mesh.sites;
   sites[inside] = sites[inside + 1];
-  take_over<Labeled_triangulation>("random points, two in one place", mesh, sites, NOT_TAKEN_OVER);
+  take_over("random points, two in one place", mesh, sites, NOT_TAKEN_OVER);
 }
 
 // Weights that change some cells: the others are taken over.
@@ -335,7 +305,7 @@ static void weighted_vertices()
   Random_source random(8);
   for(int v = 0; v < mesh.number_of_movable_vertices; v += 40)
     sites[v].weight = 1e-4 * random.uniform();
-  take_over<Labeled_triangulation>("random points with weights", mesh, sites, TAKEN_OVER);
+  take_over("random points with weights", mesh, sites, TAKEN_OVER);
 }
 
 // Random points in a tetrahedron of this size around the origin, whose vertices are fixed.
@@ -404,27 +374,20 @@ static Moving_triangulation_3 with_cells_twice(const Moving_triangulation_3& mes
 static void wrong_covers()
 {
   const Moving_triangulation_3 large = tetrahedron(1, 13), small = tetrahedron(0.001, 14);
-  take_over<Labeled_triangulation>("tetrahedron", large, large.sites, TAKEN_OVER);
-  take_over<Labeled_triangulation>("small tetrahedron", small, small.sites, TAKEN_OVER);
+  take_over("tetrahedron", large, large.sites, TAKEN_OVER);
+  take_over("small tetrahedron", small, small.sites, TAKEN_OVER);
   const Moving_triangulation_3 both = side_by_side(large, small);
-  take_over<Labeled_triangulation>("one tetrahedron inside the other", both, both.sites, NOT_TAKEN_OVER);
-  take_over<Labeled_triangulation>("each cell twice", with_cells_twice(large), large.sites, NOT_TAKEN_OVER);
+  take_over("one tetrahedron inside the other", both, both.sites, NOT_TAKEN_OVER);
+  take_over("each cell twice", with_cells_twice(large), large.sites, NOT_TAKEN_OVER);
   std::vector<Site> sites = large.sites;
   sites.push_back(Site{ 0.01, 0.02, 0.03, 0 });
-  take_over<Labeled_triangulation>("a vertex without cells", large, sites, NOT_TAKEN_OVER);
+  take_over("a vertex without cells", large, sites, NOT_TAKEN_OVER);
 }
 
 // A cell is taken over if it is positive, also without any neighbor that would tell.
 static void single_cells()
 {
-  typedef Labeled_triangulation::Weighted_point Weighted_point;
-  std::vector<Site> sites;
-  std::vector<Weighted_point> points;
-  for(const std::array<double, 3>& p : { std::array<double, 3>{{ 0, 0, 0 }}, {{ 1, 0, 0 }}, {{ 0, 1, 0 }}, {{ 0, 0, 1 }} })
-  {
-    sites.push_back(Site{ p[0], p[1], p[2], 0 });
-    points.emplace_back(Labeled_triangulation::Bare_point(p[0], p[1], p[2]), 0);
-  }
+  const std::vector<Site> sites = { { 0, 0, 0, 0 }, { 1, 0, 0, 0 }, { 0, 1, 0, 0 }, { 0, 0, 1, 0 } };
   for(bool is_positive : { true, false })
   {
     Flat_triangulation_3 flat;
@@ -432,10 +395,10 @@ static void single_cells()
     flat.add_cell(0, 1, is_positive ? 2 : 3, is_positive ? 3 : 2);
     for(int i = 0; i < 4; ++i)
       flat.set_neighbors(Slot(0, i), Slot::side(i, 0));
-    const Labeled_triangulation::Geom_traits traits;
+    const Working_traits traits;
     Taken_cells_3 taken(flat, 4, 4, Thread_policy());
     check::that(taken.is_taken(0), "the cell is not even looked at");
-    certify_cells(taken, Exact_regularity_3<Labeled_triangulation>(points, sites, traits), Thread_policy());
+    certify_cells(taken, Exact_regularity_3(sites, traits), Thread_policy());
     check::that(taken.is_taken(0) == is_positive, is_positive ? "a good cell is rejected" : "an inverted cell is taken");
   }
 }
@@ -479,27 +442,22 @@ static void filter()
 // is seen again.
 static void hiding_vertices()
 {
-  typedef Labeled_triangulation::Weighted_point Weighted_point;
-  const auto at = [](const Site& s) { return Weighted_point(Labeled_triangulation::Bare_point(s.x, s.y, s.z), s.weight); };
   // A ball, a vertex within it, which an octahedron leaves visible, and one that comes to hide it.
   std::vector<Site> sites = { { 0, 0, 0, 1 }, { 0.9, 0, 0, 0 }, { 2, 0.1, 0.1, 0 }, { 3, 0, 0, 0 }, { -3, 0, 0, 0 }, { 0, 3, 0, 0 },
                               { 0, -3, 0, 0 }, { 0, 0, 3, 0 }, { 0, 0, -3, 0 } };
-  std::vector<Weighted_point> points;
-  for(const Site& s : sites)
-    points.push_back(at(s));
-  Numbered_triangulation_3<Restricted_triangulation_3<Labeled_triangulation> > numbered;
-  numbered.build(points, sites);
+  Numbered_triangulation_3 numbered;
+  numbered.build(sites);
   check::that(numbered.is_complete(), "a visible vertex is not there");
-  numbered.move(2, at({ 1.1, 0, 0, 0 }));
+  numbered.move(2, { 1.1, 0, 0, 0 });
   check::that(!numbered.is_complete() && !numbered.is_visible(1) && numbered.is_visible(2), "a hidden vertex is not noticed");
-  numbered.move(1, at({ 0, 2, 0, 0 }));
+  numbered.move(1, { 0, 2, 0, 0 });
   check::that(numbered.is_complete() && numbered.triangulation().is_valid(), "a hidden vertex cannot be moved");
-  numbered.move(1, at({ 0, 3, 0, 0 }));
+  numbered.move(1, { 0, 3, 0, 0 });
   check::that(!numbered.is_complete() && !numbered.is_visible(1) && numbered.is_visible(5), "a taken place is not noticed");
-  numbered.move(2, points[2]);
-  numbered.move(1, points[1]);
-  for(int v = 0; v < static_cast<int>(points.size()); ++v)
-    check::that(numbered.is_visible(v) && numbered.triangulation().point(numbered.vertex(v)) == points[v],
+  numbered.move(2, sites[2]);
+  numbered.move(1, sites[1]);
+  for(int v = 0; v < static_cast<int>(sites.size()); ++v)
+    check::that(numbered.is_visible(v) && numbered.triangulation().point(numbered.vertex(v)) == weighted_point(sites[v]),
                 "vertex ", v, " is not where it was");
   check::that(numbered.triangulation().is_valid(), "the triangulation is not valid after all vertices are back");
 }
@@ -542,8 +500,8 @@ int main()
   {
     // Nearly all vertices are on the surface.
     const Labeled_domain domain = domains::thin_plate();
-    const Setting<Labeled_c3t3, Labeled_domain> plate(domains::mesh(domain, 0.15), domain);
-    take_over<Labeled_triangulation>("thin plate", plate.mesh, plate.mesh.sites, NOT_TAKEN_OVER);
+    const Opened_complex<Labeled_c3t3, Labeled_domain> plate(domains::mesh(domain, 0.15), domain, Boundary_motion::BY_NORMALS);
+    take_over("thin plate", plate.mesh, plate.mesh.sites, NOT_TAKEN_OVER);
   }
   {
     Polyhedral_domain domain(domains::notched_box());

@@ -6,18 +6,15 @@
 #ifndef CGAL_GLOBAL_ODT_MESH_3_INTERNAL_ODT_PARAMETERS_H
 #define CGAL_GLOBAL_ODT_MESH_3_INTERNAL_ODT_PARAMETERS_H
 
-#include <CGAL/Global_odt_mesh_3/internal/door/Named_parameters.h>
 #include <CGAL/Global_odt_mesh_3/internal/Parameter_check.h>
 #include <CGAL/Global_odt_mesh_3/internal/density/Quadrature_choice.h>
 #include <CGAL/Global_odt_mesh_3/internal/optimization/Annealing_schedule.h>
 
 #include <CGAL/Mesh_3/parameters_defaults.h>
-#include <CGAL/Named_function_parameters.h>
 
 #include <cmath>
 #include <cstddef>
 #include <functional>
-#include <limits>
 #include <variant>
 
 namespace CGAL {
@@ -45,26 +42,6 @@ struct Odt_parameters
   unsigned int random_seed = 0;
   std::function<bool(double)> callback;
 
-  template <class Arguments>
-  void read(const Arguments& arguments)
-  {
-    arguments.template read<tags::time_limit>(time_limit);
-    read_count<tags::max_iteration_number>(arguments, max_iteration_number, "max_iteration_number must be a number, not negative");
-    arguments.template read<tags::convergence>(convergence);
-    arguments.template read<tags::freeze_bound>(freeze_bound);
-    arguments.template read<tags::do_freeze>(do_freeze);
-    arguments.template read<internal_np::optimize_boundary_t>(optimize_boundary);
-    arguments.template read<internal_np::quadrature_t>(quadrature);
-    arguments.template read<internal_np::annealing_schedule_t>(annealing_schedule);
-    read_count<internal_np::number_of_rounds_t>(arguments, number_of_rounds, "number_of_rounds must be a number, not negative");
-    arguments.template read<internal_np::surface_weight_t>(surface_weight);
-    arguments.template read<tags::sliver_bound>(sliver_bound);
-    arguments.template read<internal_np::do_remove_slivers_t>(do_remove_slivers);
-    arguments.template read<internal_np::domain_is_thread_safe_t>(domain_is_thread_safe);
-    arguments.template read<internal_np::random_seed_t>(random_seed);
-    arguments.template read<internal_np::callback_t>(callback);
-  }
-
   void check() const
   {
     CGAL_GLOBAL_ODT_MESH_3_CHECK_PARAMETER(time_limit >= 0, "time_limit must be a number of seconds, not negative");
@@ -76,19 +53,6 @@ struct Odt_parameters
                                            "surface_weight must be finite, not negative");
     CGAL_GLOBAL_ODT_MESH_3_CHECK_PARAMETER(sliver_bound >= 0 && sliver_bound <= 70.5,
                                            "sliver_bound must be in [0, 70.5] degrees");
-  }
-
-private:
-  // Negative numbers would become large ones.
-  template <class Tag, class Arguments>
-  static void read_count(const Arguments& arguments, std::size_t& count, const char* message)
-  {
-    if constexpr (Arguments::template has<Tag>)
-    {
-      const double number = static_cast<double>(arguments.template get<Tag>());
-      CGAL_GLOBAL_ODT_MESH_3_CHECK_PARAMETER(number >= 0 && number <= double((std::numeric_limits<std::size_t>::max)()), message);
-      arguments.template read<Tag>(count);
-    }
   }
 };
 

@@ -14,6 +14,7 @@
 #include <CGAL/Global_odt_mesh_3/internal/door/C3t3_view_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/door/Mesh_domain_view_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/door/User_fields_3.h>
+#include <CGAL/Global_odt_mesh_3/internal/parallel/Stage_clock.h>
 #include <CGAL/Global_odt_mesh_3/internal/parallel/Thread_policy.h>
 #include <CGAL/Global_odt_mesh_3/internal/restricted/Domain_view_3.h>
 
@@ -74,7 +75,8 @@ public:
 
   Mesh_optimization_return_code operator()() { return optimizer_(); }
 
-  const Mesh_optimizer_3& optimizer() const { return optimizer_; }
+  Stage_clock& clock() { return optimizer_.clock(); }
+  std::size_t number_of_surface_vertices() const { return optimizer_.number_of_surface_vertices(); }
   const Oracle_statistics& oracle_statistics() const { return domain_.statistics(); }
 
 private:

@@ -1,0 +1,60 @@
+// Copyright (c) 2026 The Global_odt_mesh_3 authors.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_GLOBAL_ODT_MESH_3_INTERNAL_DOOR_READ_PARAMETERS_H
+#define CGAL_GLOBAL_ODT_MESH_3_INTERNAL_DOOR_READ_PARAMETERS_H
+
+#include <CGAL/Global_odt_mesh_3/internal/Odt_parameters.h>
+#include <CGAL/Global_odt_mesh_3/internal/Parameter_check.h>
+#include <CGAL/Global_odt_mesh_3/internal/door/Named_parameters.h>
+
+#include <CGAL/Named_function_parameters.h>
+
+#include <cstddef>
+#include <limits>
+
+namespace CGAL {
+namespace Global_odt_mesh_3 {
+namespace internal {
+
+// Negative numbers would become large ones.
+template <class Tag, class Arguments>
+void read_count(const Arguments& arguments, std::size_t& count, const char* message)
+{
+  if constexpr (Arguments::template has<Tag>)
+  {
+    const double number = static_cast<double>(arguments.template get<Tag>());
+    CGAL_GLOBAL_ODT_MESH_3_CHECK_PARAMETER(number >= 0 && number <= double((std::numeric_limits<std::size_t>::max)()), message);
+    arguments.template read<Tag>(count);
+  }
+}
+
+template <class Arguments>
+Odt_parameters read_parameters(const Arguments& arguments)
+{
+  Odt_parameters p;
+  arguments.template read<tags::time_limit>(p.time_limit);
+  read_count<tags::max_iteration_number>(arguments, p.max_iteration_number, "max_iteration_number must be a number, not negative");
+  arguments.template read<tags::convergence>(p.convergence);
+  arguments.template read<tags::freeze_bound>(p.freeze_bound);
+  arguments.template read<tags::do_freeze>(p.do_freeze);
+  arguments.template read<internal_np::optimize_boundary_t>(p.optimize_boundary);
+  arguments.template read<internal_np::quadrature_t>(p.quadrature);
+  arguments.template read<internal_np::annealing_schedule_t>(p.annealing_schedule);
+  read_count<internal_np::number_of_rounds_t>(arguments, p.number_of_rounds, "number_of_rounds must be a number, not negative");
+  arguments.template read<internal_np::surface_weight_t>(p.surface_weight);
+  arguments.template read<tags::sliver_bound>(p.sliver_bound);
+  arguments.template read<internal_np::do_remove_slivers_t>(p.do_remove_slivers);
+  arguments.template read<internal_np::domain_is_thread_safe_t>(p.domain_is_thread_safe);
+  arguments.template read<internal_np::random_seed_t>(p.random_seed);
+  arguments.template read<internal_np::callback_t>(p.callback);
+  return p;
+}
+
+} // namespace internal
+} // namespace Global_odt_mesh_3
+} // namespace CGAL
+
+#endif // CGAL_GLOBAL_ODT_MESH_3_INTERNAL_DOOR_READ_PARAMETERS_H
