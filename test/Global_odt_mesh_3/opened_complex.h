@@ -39,7 +39,7 @@ struct Opened_complex
   // To be called once.
   const C3t3& write()
   {
-    input.write(State_tabulation_3(complex.take_state(), Thread_policy())(), Thread_policy());
+    input.write(State_tabulation_3(complex.state(), complex.triangulation(), Thread_policy())(), Thread_policy());
     return c3t3;
   }
 };

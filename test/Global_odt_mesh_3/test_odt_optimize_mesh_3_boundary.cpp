@@ -411,15 +411,15 @@ namespace odt = CGAL::Global_odt_mesh_3::internal;
 struct Candidate_at_rest
   : odt::Opened_complex<Ellipsoid_c3t3, Ellipsoid_domain>
 {
+  odt::Numbered_triangulation_3 triangulation;
   std::unique_ptr<odt::Restricted_candidate_3> candidate;
 
   Candidate_at_rest(const Ellipsoid_domain& of, const Ellipsoid_c3t3& from)
     : Opened_complex(from, of, odt::Boundary_motion::BY_NORMALS)
   {
-    complex.provide_triangulation();
     const odt::Restricted_state_3& state = complex.state();
-    candidate = std::make_unique<odt::Restricted_candidate_3>(state, state.sites, complex.motion(), true, odt::Thread_policy());
-    candidate->numbered = std::make_unique<odt::Numbered_triangulation_3>();
+    candidate = std::make_unique<odt::Restricted_candidate_3>(state, triangulation, state.sites, complex.motion(), true,
+                                                              odt::Thread_policy());
     candidate->build(nullptr);
   }
 };
@@ -471,13 +471,15 @@ static void missed_surface_centers(const Ellipsoid_domain& domain, const Ellipso
 {
   Candidate_at_rest at_rest(domain, input);
   odt::Restricted_candidate_3& candidate = *at_rest.candidate;
-  const auto& state = at_rest.complex.state();
+  const odt::Restricted_state_3& state = at_rest.complex.state();
   odt::Surface_center_search_3 search(candidate, at_rest.domain);
   // One between finite cells.
-  const auto& tr = state.triangulation();
+  const odt::Numbered_triangulation_3& numbered = at_rest.complex.triangulation();
+  const auto& tr = numbered.triangulation();
+  const std::vector<odt::Facet> facets = odt::find_boundary_facets(state, numbered, odt::Thread_policy());
   const auto is_inside = [&](const auto& f) { return !tr.is_infinite(f.first) && !tr.is_infinite(f.first->neighbor(f.second)); };
-  const std::size_t facet = std::find_if(state.facets.begin(), state.facets.end(), is_inside) - state.facets.begin();
-  check::that(facet < state.facets.size(), "there is no facet between finite cells");
+  const std::size_t facet = std::find_if(facets.begin(), facets.end(), is_inside) - facets.begin();
+  check::that(facet < facets.size(), "there is no facet between finite cells");
   const auto& vertices = state.boundary.complex().facets()[facet].vertices;
   for(long misses : { 12, 0 })
   {
@@ -487,7 +489,7 @@ static void missed_surface_centers(const Ellipsoid_domain& domain, const Ellipso
     {
       odt::Restricted_candidate_3::Surface_center center = state.centers[facet];
       center.is_exact = true;
-      const bool is_found = search.find_center(state.facets[facet], vertices, center);
+      const bool is_found = search.find_center(facets[facet], vertices, center);
       check::that(!is_found && !center.is_exact, "a surface center that was missed is found");
     }
     check::that((domain.questions.asked[Questions::CONSTRUCT_INTERSECTION] > 0) == (misses > 0),
@@ -495,7 +497,7 @@ static void missed_surface_centers(const Ellipsoid_domain& domain, const Ellipso
   }
   candidate.known_centers.clear();
   odt::Restricted_candidate_3::Surface_center center = state.centers[facet];
-  check::that(search.find_center(state.facets[facet], vertices, center) && center.is_exact,
+  check::that(search.find_center(facets[facet], vertices, center) && center.is_exact,
               "a surface center is not found");
   domain.questions = Questions();
 }

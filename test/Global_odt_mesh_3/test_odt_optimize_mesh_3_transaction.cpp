@@ -84,16 +84,16 @@ struct Fallible_ball
 };
 
 // The vertices, sorted, and the subdomain of each cell, and the number of its facets on surfaces.
-static std::vector<std::array<int, 6> > labelled_cells(const Restricted_state_3& state)
+static std::vector<std::array<int, 6> > labelled_cells(const Working_triangulation_3& tr)
 {
   std::vector<std::array<int, 6> > cells;
-  for(auto h : state.triangulation().all_cell_handles())
+  for(auto h : tr.all_cell_handles())
   {
     std::array<int, 4> q;
     int on_surface = 0;
     for(int i = 0; i < 4; ++i)
     {
-      q[i] = state.triangulation().is_infinite(h->vertex(i)) ? -1 : h->vertex(i)->number();
+      q[i] = tr.is_infinite(h->vertex(i)) ? -1 : h->vertex(i)->number();
       on_surface += h->is_facet_in_complex(i);
     }
     q = sorted(q);
@@ -103,9 +103,11 @@ static std::vector<std::array<int, 6> > labelled_cells(const Restricted_state_3&
   return cells;
 }
 
-// All that a state says, in numbers.
-static std::vector<double> contents(const Restricted_state_3& state)
+// All that a state and its triangulation say, in numbers.
+static std::vector<double> contents(Restricted_complex_3& complex)
 {
+  const Restricted_state_3& state = complex.state();
+  const Numbered_triangulation_3& numbered = complex.triangulation();
   std::vector<double> c = { double(state.is_input) };
   for(const Site& s : state.sites)
     c.insert(c.end(), { s.x, s.y, s.z, s.weight });
@@ -118,13 +120,13 @@ static std::vector<double> contents(const Restricted_state_3& state)
                         double(f.labels[1]), double(f.patch) });
   for(int v = 0; v < state.numbering->number_of_movable_vertices; ++v)
   {
-    const Point_3& p = state.triangulation().point(state.numbered->vertex(v)).point();
+    const Point_3& p = numbered.triangulation().point(numbered.vertex(v)).point();
     c.insert(c.end(), { p.x(), p.y(), p.z() });
   }
-  for(const auto& cell : labelled_cells(state))
+  for(const auto& cell : labelled_cells(numbered.triangulation()))
     c.insert(c.end(), cell.begin(), cell.end());
-  for(const auto& f : state.facets)
-    for(const auto& g : { f, state.triangulation().mirror_facet(f) })
+  for(const Facet& f : find_boundary_facets(state, numbered, Thread_policy()))
+    for(const Facet& g : { f, numbered.triangulation().mirror_facet(f) })
     {
       std::array<int, 3> vertices;
       for(int i = 0; i < 3; ++i)
@@ -156,9 +158,7 @@ static std::vector<Site> displaced(const Restricted_state_3& state, double amoun
 
 static std::unique_ptr<Opened> load(const Labeled_c3t3& c3t3, const Labeled_domain& domain, Boundary_motion motion)
 {
-  auto opened = std::make_unique<Opened>(c3t3, domain, motion);
-  opened->complex.provide_triangulation();
-  return opened;
+  return std::make_unique<Opened>(c3t3, domain, motion);
 }
 
 // A state is what it was before a call of advance() that fails or throws, and the next call leads where it
@@ -178,7 +178,7 @@ static void failures_leave_no_trace(Fallible_ball& ball, const Labeled_domain& d
       off += !p.is_on_surface;
     if(motion == Boundary_motion::BY_NORMALS)
       check::that(off > 0, "no vertex follows its tangential plane: the test is too weak");
-    const std::vector<double> before = contents(opened->complex.state());
+    const std::vector<double> before = contents(opened->complex);
     const std::vector<Site> target = displaced(opened->complex.state(), 0.02, seed + 1);
     for(long after : { 0, 20, 100, 500, 1500, 3000 })
     {
@@ -187,16 +187,16 @@ static void failures_leave_no_trace(Fallible_ball& ball, const Labeled_domain& d
       try { is_done = opened->complex.advance(target, true).has_value(); }
       catch(const std::runtime_error&) { has_thrown = true; }
       check::that(has_thrown && !is_done, "the domain was not asked ", after, " times: the test is too weak");
-      check::that(contents(opened->complex.state()) == before, "an exception has changed the state");
+      check::that(contents(opened->complex) == before, "an exception has changed the state");
     }
     ball.fail(Fallible_ball::SAY_OUTSIDE, 0);
     check::that(!opened->complex.advance(target, true).has_value(), "a complex was made of a domain that is empty");
-    check::that(contents(opened->complex.state()) == before, "a failure has changed the state");
+    check::that(contents(opened->complex) == before, "a failure has changed the state");
 
     ball.fail(Fallible_ball::NONE, 0);
     for(Restricted_complex_3* c : { &opened->complex, &undisturbed->complex })
       check::that(c->advance(target, true).has_value(), "a small displacement leads to no valid final complex");
-    check::that(contents(opened->complex.state()) == contents(undisturbed->complex.state()), "failures have changed what follows");
+    check::that(contents(opened->complex) == contents(undisturbed->complex), "failures have changed what follows");
     for(const auto& p : opened->complex.state().surface_positions)
       check::that(p.is_on_surface, "a vertex is off the surface in the end");
   }
@@ -220,10 +220,10 @@ static void triangulations_are_restored(Fallible_ball& ball, const Labeled_domai
 {
   ball.fail(Fallible_ball::NONE, 0);
   const std::unique_ptr<Opened> opened = load(c3t3, domain, Boundary_motion::BY_NORMALS);
-  const std::vector<double> input = contents(opened->complex.state());
+  const std::vector<double> input = contents(opened->complex);
   std::optional<Restricted_state_3> replaced = opened->complex.advance(displaced(opened->complex.state(), 0.02, 5), true);
   check::that(replaced.has_value(), "a small displacement leads to no valid complex");
-  const std::vector<double> first = contents(opened->complex.state());
+  const std::vector<double> first = contents(opened->complex);
   for(bool all : { false, true })
   {
     std::vector<Site> target = displaced(opened->complex.state(), 0.01, 6);
@@ -231,9 +231,9 @@ static void triangulations_are_restored(Fallible_ball& ball, const Labeled_domai
     if(!all)
       std::copy(opened->complex.state().sites.begin() + few, opened->complex.state().sites.end(), target.begin() + few);
     std::optional<Restricted_state_3> before = opened->complex.advance(target, true);
-    check::that(before.has_value() && contents(opened->complex.state()) != first, "a small displacement leads to no other complex");
+    check::that(before.has_value() && contents(opened->complex) != first, "a small displacement leads to no other complex");
     opened->complex.return_to(std::move(*before));
-    check::that(contents(opened->complex.state()) == first, "a complex that is returned to is another");
+    check::that(contents(opened->complex) == first, "a complex that is returned to is another");
   }
 
   auto trial = opened->complex.make_trial();
@@ -243,9 +243,9 @@ static void triangulations_are_restored(Fallible_ball& ball, const Labeled_domai
   check::that(removal.number_of_moves() > 5, "there are no slivers: the test is too weak");
   ball.fail(Fallible_ball::SAY_OUTSIDE, 0);
   check::that(!opened->complex.adopt(trial), "a complex was made of a domain that is empty");
-  check::that(contents(opened->complex.state()) == first, "trials that are not adopted change the complex");
+  check::that(contents(opened->complex) == first, "trials that are not adopted change the complex");
   opened->complex.return_to(std::move(*replaced));
-  check::that(contents(opened->complex.state()) == input, "the input is not what is returned to");
+  check::that(contents(opened->complex) == input, "the input is not what is returned to");
 }
 
 // The same for the whole call.

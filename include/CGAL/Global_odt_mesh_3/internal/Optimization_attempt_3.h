@@ -94,7 +94,11 @@ public:
     rounds_.reset();
     mesh_ = Moving_triangulation_3();
     if(!complex_.state().is_input)
-      input_.write(State_tabulation_3(complex_.take_state(), threads_)(), threads_);
+    {
+      const Mesh_table_3 table = State_tabulation_3(complex_.state(), complex_.triangulation(), threads_)();
+      complex_.release_triangulation();
+      input_.write(table, threads_);
+    }
   }
 
   // If so many cells are left below the bound.

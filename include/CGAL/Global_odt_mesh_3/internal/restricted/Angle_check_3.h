@@ -46,7 +46,7 @@ public:
   // Sends back vertices of cells that are worse.
   void check(const Restricted_candidate_3& candidate, Restricted_report_3& report) const
   {
-    const std::vector<Cell_handle>& cells = candidate.numbered->cells();
+    const std::vector<Cell_handle>& cells = candidate.numbered.cells();
     const auto find_worse_cells = [&](int n, std::vector<int>& found)
     {
       if(cells[n]->label() != Domain_view_3::outside && is_worse(candidate.numbers(cells[n]), candidate.sites))

@@ -43,8 +43,8 @@ public:
                                                                     [&](int n, std::vector<Found_facet>& some)
     {
       for(int i = 0; i < 4; ++i)
-        if(const Facet f(cells[n], i); may_be_on_boundary(f) && candidate.numbered->is_first_side(f))
-          some.emplace_back(sorted(candidate.numbered->vertices(f)), f);
+        if(const Facet f(cells[n], i); may_be_on_boundary(f) && candidate.numbered.is_first_side(f))
+          some.emplace_back(sorted(candidate.numbered.vertices(f)), f);
     });
     candidate.threads.sort(found.begin(), found.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
     for(const auto& f : found)
@@ -64,7 +64,7 @@ public:
       const bool is_separating = separates(f);
       if(!is_separating && !has_others)
         return;
-      const Triple t = candidate_.numbered->vertices(f);
+      const Triple t = candidate_.numbered.vertices(f);
       const int old = candidate_.state.facet_number(t);
       if(!is_separating && (old < 0 || old_facets[old].labels[0] != old_facets[old].labels[1]))
         return;

@@ -129,7 +129,7 @@ private:
     const auto precedes = [](const Boundary_facet& f, const Triple& t) { return sorted(f.vertices) < t; };
     for(int i = 0; i < 4; ++i)
     {
-      const Triple t = sorted(candidate_.numbered->vertices(Facet(c, i)));
+      const Triple t = sorted(candidate_.numbered.vertices(Facet(c, i)));
       const auto f = std::lower_bound(before.facets().begin(), before.facets().end(), t, precedes);
       if(f != before.facets().end() && sorted(f->vertices) == t)
         candidate_.peeled_facets.emplace(t, f->patch);

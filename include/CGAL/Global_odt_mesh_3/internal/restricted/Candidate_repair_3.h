@@ -44,7 +44,7 @@ public:
     const std::set<int> offending = offending_vertices(report, attempt);
     for(const auto& p : report.pushes())
       push(p.first, p.second, offending.count(p.first) > 0);
-    const bool rebuilds = !candidate_.numbered->is_worth_moving(offending.size());
+    const bool rebuilds = !candidate_.numbered.is_worth_moving(offending.size());
     for(int v : offending)
     {
       if(!candidate_.numbering.is_movable(v) || candidate_.is_home(v))
@@ -74,7 +74,7 @@ private:
   // Those of the report, and around them.
   std::set<int> offending_vertices(const Restricted_report_3& report, int attempt) const
   {
-    Vertex_rings_3 region(*candidate_.numbered, report.offending_vertices());
+    Vertex_rings_3 region(candidate_.numbered, report.offending_vertices());
     for(int ring = patient_attempts; ring <= attempt; ring += attempts_per_ring)
       region.grow();
     return std::set<int>(region.vertices().begin(), region.vertices().end());

@@ -46,7 +46,7 @@ public:
   Restricted_report_3 label_cells()
   {
     Restricted_report_3 report(candidate_);
-    const std::vector<Cell_handle>& cells = candidate_.numbered->cells();
+    const std::vector<Cell_handle>& cells = candidate_.numbered.cells();
     const auto find_cells_in_question = [&](int n, std::vector<int>& found)
     {
       const bool is_labelled = knows(cells[n], IS_SETTLED) || label_by_vertices(cells[n]);
@@ -177,7 +177,7 @@ private:
   // Those among the cells with these numbers.
   void collect_cells_at_boundary(const std::vector<int>& numbers)
   {
-    const std::vector<Cell_handle>& cells = candidate_.numbered->cells();
+    const std::vector<Cell_handle>& cells = candidate_.numbered.cells();
     candidate_.cells_at_boundary = collect_in_chunks<Cell_handle>(static_cast<int>(numbers.size()), candidate_.threads,
                                                                   [&](int n, std::vector<Cell_handle>& found)
     {

@@ -75,7 +75,7 @@ public:
       if(label_beyond(c.first, c.second) != no_subdomain)
         for(int i = 0; i < 4; ++i)
           if(c.first->neighbor(i)->label() != c.first->label())
-            candidate_.spared_facets.insert(sorted(candidate_.numbered->vertices(Facet(c.first, i))));
+            candidate_.spared_facets.insert(sorted(candidate_.numbered.vertices(Facet(c.first, i))));
   }
 
 private:
@@ -83,9 +83,9 @@ private:
 
   bool has_surface_center(Facet f)
   {
-    if(!candidate_.numbered->is_first_side(f))
+    if(!candidate_.numbered.is_first_side(f))
       f = candidate_.triangulation().mirror_facet(f);
-    const std::array<int, 3> t = candidate_.numbered->vertices(f);
+    const std::array<int, 3> t = candidate_.numbered.vertices(f);
     Restricted_candidate_3::Surface_center center;
     center.point = estimated_surface_center(t, candidate_.measured_boundary, candidate_.sites);
     return centers_.find_center(f, t, center);

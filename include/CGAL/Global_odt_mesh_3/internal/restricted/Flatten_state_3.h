@@ -29,10 +29,10 @@ inline void load_positions(const Restricted_state_3& state, const Constrained_fa
                      [&](int n) { mesh.surface_heights[n] = state.height(facets[n].vertices); });
 }
 
-// Loads the state into a mesh: all cells that are in the complex, in canonical order; the boundary facets are constrained.
-inline void flatten_state_3(const Restricted_state_3& state, const Thread_policy& threads, Moving_triangulation_3& mesh)
+// Loads the state, whose triangulation is given, into a mesh: all cells that are in the complex, in canonical order; the boundary facets are constrained.
+inline void flatten_state_3(const Restricted_state_3& state, const Numbered_triangulation_3& numbered, const Thread_policy& threads,
+                            Moving_triangulation_3& mesh)
 {
-  const Numbered_triangulation_3& numbered = *state.numbered;
   const auto number = [](Vertex_handle v) { return Numbered_triangulation_3::number(v); };
   const auto label = [](Cell_handle c) { return c->label(); };
   const auto is_in_complex = [](Cell_handle c, int i) { return c->is_facet_in_complex(i); };

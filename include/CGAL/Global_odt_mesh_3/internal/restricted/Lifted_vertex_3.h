@@ -60,15 +60,15 @@ public:
     vertex_ = v;
     from_ = complex_.sites[v];
     std::vector<Cell_handle> star;
-    triangulation().incident_cells(complex_.numbered->vertex(v), std::back_inserter(star));
+    triangulation().incident_cells(complex_.numbered.vertex(v), std::back_inserter(star));
     std::vector<Facet> around;
     star_.clear();
     for(Cell_handle c : star)
     {
       star_.push_back(Cell{ complex_.numbers(c), c->label() });
-      around.push_back(triangulation().mirror_facet({ c, c->index(complex_.numbered->vertex(v)) }));
+      around.push_back(triangulation().mirror_facet({ c, c->index(complex_.numbered.vertex(v)) }));
     }
-    complex_.numbered->remove(v);
+    complex_.numbered.remove(v);
     find_hole(around);
   }
 
@@ -239,14 +239,14 @@ private:
     for(const Hole_cell& h : hole_)
       h.handle->unmark(IN_HOLE);
     const int v = std::exchange(vertex_, -1);
-    complex_.numbered->insert_near(v, complex_.sites[v], start);
-    CGAL_assertion(complex_.numbered->is_visible(v));
+    complex_.numbered.insert_near(v, complex_.sites[v], start);
+    CGAL_assertion(complex_.numbered.is_visible(v));
     std::vector<std::pair<Quadruple, int> > labels;
     for(const Cell& c : cells)
       labels.emplace_back(sorted(c.vertices), c.label);
     std::sort(labels.begin(), labels.end());
     std::vector<Cell_handle> star;
-    triangulation().incident_cells(complex_.numbered->vertex(v), std::back_inserter(star));
+    triangulation().incident_cells(complex_.numbered.vertex(v), std::back_inserter(star));
     for(Cell_handle c : star)
     {
       const Quadruple q = sorted(complex_.numbers(c));

@@ -6,11 +6,14 @@
 #ifndef CGAL_GLOBAL_ODT_MESH_3_INTERNAL_RESTRICTED_NUMBERED_TRIANGULATION_3_H
 #define CGAL_GLOBAL_ODT_MESH_3_INTERNAL_RESTRICTED_NUMBERED_TRIANGULATION_3_H
 
+#include <CGAL/Global_odt_mesh_3/internal/geometry/Point_coordinates.h>
+#include <CGAL/Global_odt_mesh_3/internal/geometry/Site.h>
 #include <CGAL/Global_odt_mesh_3/internal/geometry/Spatial_order.h>
 #include <CGAL/Global_odt_mesh_3/internal/geometry/Vertex_tuples.h>
 #include <CGAL/Global_odt_mesh_3/internal/parallel/Thread_policy.h>
 #include <CGAL/Global_odt_mesh_3/internal/restricted/Mesh_table_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/restricted/Working_triangulation_3.h>
+#include <CGAL/Global_odt_mesh_3/internal/surface/Boundary_complex_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/triangulation/All_cells.h>
 #include <CGAL/Global_odt_mesh_3/internal/triangulation/Slot.h>
 
@@ -92,6 +95,14 @@ public:
     vertices_.assign(number_of_vertices, Vertex_handle());
   }
 
+  // The same, and its memory is free.
+  void release()
+  {
+    clear(0);
+    vertices_.shrink_to_fit();
+    cells_.shrink_to_fit();
+  }
+
   // Weighted points come first, so that those that they would hide are noticed
   // when they are inserted.
   void insert(const std::vector<int>& numbers, const std::vector<Site>& sites)
@@ -141,6 +152,25 @@ public:
     insert(v, s, hint);
   }
 
+  // Whether each vertex is at its site.
+  bool is_at(const std::vector<Site>& sites) const
+  {
+    return sites.size() == vertices_.size() && is_complete() && elsewhere(sites).empty();
+  }
+
+  // Goes to these sites by moving vertices; false if that is not the way, and then nothing is built that is of any use.
+  bool go_to(const std::vector<Site>& sites)
+  {
+    if(sites.size() != vertices_.size() || !is_complete())
+      return false;
+    const std::vector<int> moved = elsewhere(sites);
+    if(!is_worth_moving(moved.size()))
+      return false;
+    for(int v : moved)
+      move(v, sites[v]);
+    return is_complete();
+  }
+
   // Takes the vertex out of the triangulation.
   void remove(int v)
   {
@@ -185,6 +215,16 @@ public:
   }
 
 private:
+  // The vertices that are not at these sites.
+  std::vector<int> elsewhere(const std::vector<Site>& sites) const
+  {
+    std::vector<int> found;
+    for(int v = 0; v < static_cast<int>(sites.size()); ++v)
+      if(!same_place(sites[v], weighted_site(vertices_[v]->point())))
+        found.push_back(v);
+    return found;
+  }
+
   void insert(int v, const Site& s, Cell_handle& hint)
   {
     const Weighted_point p = weighted_point(s);
@@ -222,6 +262,14 @@ private:
   std::vector<Vertex_handle> vertices_;
   mutable std::vector<Cell_handle> cells_;      // or none
 };
+
+// Tells the cells of a boundary facet, which do not know it, whether it is in the complex.
+inline void mark_facet(const Boundary_facet& of_boundary, const Facet& facet, const Numbered_triangulation_3& numbered)
+{
+  if(of_boundary.patch != Boundary_facet::no_patch)
+    for(const Facet& f : { facet, numbered.triangulation().mirror_facet(facet) })
+      f.first->set_facet_in_complex(f.second);
+}
 
 } // namespace internal
 } // namespace Global_odt_mesh_3

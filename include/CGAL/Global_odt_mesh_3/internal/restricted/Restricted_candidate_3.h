@@ -51,7 +51,7 @@ struct Restricted_candidate_3
   const bool is_final;                        // or else one on the way, of which less is asked
   const Thread_policy threads;
 
-  std::unique_ptr<Numbered_triangulation_3> numbered;   // perhaps that of the state, as long as it is lent
+  Numbered_triangulation_3& numbered;         // of the candidate's vertices once it has been built
   std::vector<Site> sites;
   // Where vertices go back to: as in the state, or put on the surface since, or as in the input.
   std::vector<Site> homes;
@@ -75,13 +75,14 @@ struct Restricted_candidate_3
   std::set<Triple> spared_facets, far_facets; // of flat boundary cells: all, and those too far from the surface
   std::map<int, int> vertices_sent_back, pushed_vertices;     // and how often
 
-  Restricted_candidate_3(const Restricted_state_3& from, const std::vector<Site>& target, Boundary_motion how, bool is_last,
-                         const Thread_policy& policy)
+  Restricted_candidate_3(const Restricted_state_3& from, Numbered_triangulation_3& triangulation, const std::vector<Site>& target,
+                         Boundary_motion how, bool is_last, const Thread_policy& policy)
     : state(from)
     , numbering(*from.numbering)
     , motion(how)
     , is_final(is_last)
     , threads(policy)
+    , numbered(triangulation)
     , sites(target)
     , homes(from.sites)
     , surface_positions(from.surface_positions)
@@ -111,19 +112,19 @@ struct Restricted_candidate_3
   // From the cells of a mesh that has been at about the positions, if there is one and that can be done; whether it was.
   bool build(const Moving_triangulation_3* mesh)
   {
-    if(mesh != nullptr && Triangulation_takeover_3(*mesh, sites, threads, *numbered).run())
+    if(mesh != nullptr && Triangulation_takeover_3(*mesh, sites, threads, numbered).run())
       return true;
-    numbered->build(sites);
+    numbered.build(sites);
     return false;
   }
 
   // Moves the vertex in the triangulation to where its site is.
-  void move(int v) { numbered->move(v, sites[v]); }
+  void move(int v) { numbered.move(v, sites[v]); }
 
-  const Working_triangulation_3& triangulation() const { return numbered->triangulation(); }
+  const Working_triangulation_3& triangulation() const { return numbered.triangulation(); }
 
   // Of the vertices of a cell, -1 for the infinite one.
-  Quadruple numbers(Cell_handle c) const { return numbered->numbers(c); }
+  Quadruple numbers(Cell_handle c) const { return numbered.numbers(c); }
 
   Surface_position& surface_position(int v)
   {
@@ -156,7 +157,7 @@ struct Restricted_candidate_3
   // From now on, home is where the vertex was in the input.
   void give_up_home(int v) { set_home(v, numbering.input_sites[v]); }
 
-  // The candidate becomes a state.
+  // The candidate becomes a state, which the cells of the triangulation know.
   Restricted_state_3 finish()
   {
     CGAL_assertion(centers.size() == facets.size() && boundary.complex().facets().size() == facets.size());
@@ -168,17 +169,16 @@ struct Restricted_candidate_3
     next.boundary_cells.reserve(boundary_cells.size());
     for(const auto& c : boundary_cells)
       next.boundary_cells.insert(sorted(numbers(c.first)), c.second);
-    const std::vector<Cell_handle>& cells = numbered->cells();
+    const std::vector<Cell_handle>& cells = numbered.cells();
     for_each_in_chunks(static_cast<int>(cells.size()), threads, [&cells](int n) { forget(cells[n]); });
-    next.numbered = std::move(numbered);
     next.boundary = std::move(boundary);
-    next.facets = std::move(facets);
     next.centers = std::move(centers);
     next.peeled_cells = std::move(peeled_cells);
     next.peeled_facets = std::move(peeled_facets);
     next.far_facets = std::move(far_facets);
     next.number_facets();
-    next.mark_facets();
+    for(std::size_t n = 0; n < facets.size(); ++n)
+      mark_facet(next.boundary.complex().facets()[n], facets[n], numbered);
     next.surface_positions = std::move(surface_positions);
     for(int v = numbering.number_of_interior_vertices; v < numbering.number_of_movable_vertices; ++v)
     {

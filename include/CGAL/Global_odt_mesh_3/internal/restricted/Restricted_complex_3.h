@@ -31,13 +31,12 @@
 #include <CGAL/Global_odt_mesh_3/internal/restricted/Surface_centers_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/restricted/Surface_projection_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/restricted/Topology_check_3.h>
-#include <CGAL/Global_odt_mesh_3/internal/restricted/Triangulation_restorer_3.h>
+#include <CGAL/Global_odt_mesh_3/internal/restricted/Restore_triangulation_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/triangulation/Moving_triangulation_3.h>
 
 #include <Eigen/Core>
 
 #include <cstddef>
-#include <memory>
 #include <optional>
 #include <utility>
 #include <vector>
@@ -82,32 +81,32 @@ public:
   }
 
   const Restricted_state_3& state() const { return state_; }
-  // The last one, of which nothing is left here.
-  Restricted_state_3 take_state()
-  {
-    provide_triangulation();
-    return std::move(state_);
-  }
   const Domain_view_3& domain() const { return domain_; }
   Boundary_motion motion() const { return motion_; }
   bool is_surface_rough() const { return motion_ == Boundary_motion::BY_DOMAIN; }
 
-  // Makes the triangulation of the state if there is none.
-  void provide_triangulation()
+  // That of the state, which is made if there is none.
+  Numbered_triangulation_3& triangulation()
   {
-    if(state_.numbered == nullptr)
-      restore(state_, nullptr, state_.sites);
+    if(!is_of_state_)
+      restore_triangulation(state_, threads_, triangulation_);
+    is_of_state_ = true;
+    return triangulation_;
   }
 
   // Until somebody asks for the triangulation, there is none.
-  void release_triangulation() { state_.numbered.reset(); }
+  void release_triangulation()
+  {
+    is_of_state_ = false;
+    triangulation_.release();
+  }
 
   // Loads the state into a mesh.
   void flatten(Moving_triangulation_3& mesh)
   {
-    provide_triangulation();
+    const Numbered_triangulation_3& numbered = triangulation();
     const Stage_clock::In_stage in_stage(threads_.clock(), Stage_clock::FLATTEN);
-    flatten_state_3(state_, threads_, mesh);
+    flatten_state_3(state_, numbered, threads_, mesh);
   }
 
   // Moves a site for a vertex on a surface to that surface; false if that cannot be done.
@@ -119,40 +118,25 @@ public:
   // Whether that is close enough to the surface for the centroid of a boundary facet.
   bool is_close_to_surface(const Eigen::Vector3d& point) const { return fidelity_.is_close(point); }
 
-  // Trials of single vertices. The state is incomplete until it adopts them.
+  // Trials of single vertices, which have the triangulation until the state adopts them.
   Restricted_trial_3 make_trial(const Circumradius_bound_3& size_bound = Circumradius_bound_3())
   {
-    provide_triangulation();
-    return Restricted_trial_3(state_, domain_, fidelity_, shapes_, motion_ != Boundary_motion::NONE, size_bound, threads_);
+    Numbered_triangulation_3& numbered = edited_triangulation();
+    return Restricted_trial_3(state_, numbered, domain_, fidelity_, shapes_, motion_ != Boundary_motion::NONE, size_bound, threads_);
   }
 
-  // Goes to where trials of this state have led, of which nothing is left there. False if that cannot be done: then the
-  // state is as it was.
-  bool adopt(Restricted_trial_3& trial)
+  // Goes to where trials of this state have led. False if that cannot be done: then the state is as it was.
+  bool adopt(const Restricted_trial_3& trial)
   {
-    auto& trials = trial.complex();
+    const Trial_complex_3& trials = trial.complex();
     if(state_.has_positions(trials.sites))
-    {
-      restore(state_, std::move(trials.numbered), trials.sites);
       return true;
-    }
-    Restricted_candidate_3 candidate(state_, trials.sites, motion_, true, threads_);
-    try
-    {
-      trials.give(candidate);
-      if(complete_trials(candidate))
-      {
-        state_ = candidate.finish();
-        return true;
-      }
-    }
-    catch(...)
-    {
-      restore(state_, std::move(candidate.numbered != nullptr ? candidate.numbered : trials.numbered), trials.sites);
-      throw;
-    }
-    restore(state_, std::move(candidate.numbered), trials.sites);
-    return false;
+    Restricted_candidate_3 candidate(state_, triangulation_, trials.sites, motion_, true, threads_);
+    trials.give(candidate);
+    if(!complete_trials(candidate))
+      return false;
+    replace_state(candidate);
+    return true;
   }
 
   // How often candidates have been checked.
@@ -161,8 +145,8 @@ public:
   // How often most of a candidate's cells were those of a mesh.
   std::size_t number_of_takeovers() const { return number_of_takeovers_; }
 
-  // Goes to new positions of the movable vertices, as far as possible, and gives the state that is replaced, without its
-  // triangulation, or nothing if nothing could be done.
+  // Goes to new positions of the movable vertices, as far as possible, and gives the state that is replaced,
+  // or nothing if nothing could be done.
   // In a final state, all vertices are on their surfaces and all boundary facets have surface centers.
   std::optional<Restricted_state_3> advance(const std::vector<Site>& target, bool is_final) { return advance(target, nullptr, is_final); }
 
@@ -181,7 +165,7 @@ public:
   // Goes back to a state that has been replaced.
   void return_to(Restricted_state_3 earlier)
   {
-    restore(earlier, std::move(state_.numbered), state_.sites);
+    is_of_state_ = false;
     state_ = std::move(earlier);
   }
 
@@ -190,9 +174,20 @@ private:
   // Then a valid complex matters more than the shape of facets.
   static constexpr int attempts_at_good_facets = 10;
 
-  void restore(Restricted_state_3& state, std::unique_ptr<Numbered_triangulation_3> lent, const std::vector<Site>& sites) const
+  // That of the state, for those that change it.
+  Numbered_triangulation_3& edited_triangulation()
   {
-    Triangulation_restorer_3{ state }(std::move(lent), sites, threads_);
+    triangulation();
+    is_of_state_ = false;
+    return triangulation_;
+  }
+
+  // Gives the one before.
+  Restricted_state_3 replace_state(Restricted_candidate_3& candidate)
+  {
+    Restricted_state_3 before = std::exchange(state_, candidate.finish());
+    is_of_state_ = true;
+    return before;
   }
 
   // Nothing is taken over from no mesh.
@@ -206,20 +201,11 @@ private:
                                const Angle_check_3* angles = nullptr)
   {
     const Stage_clock::In_stage in_stage(threads_.clock(), Stage_clock::CHECK);
-    Restricted_candidate_3 candidate(state_, target, motion_, is_final, threads_);
-    candidate.numbered = state_.numbered != nullptr ? std::move(state_.numbered) : std::make_unique<Numbered_triangulation_3>();
-    try
-    {
-      if(complete(candidate, mesh, angles))
-        return std::exchange(state_, candidate.finish());
-    }
-    catch(...)
-    {
-      restore(state_, std::move(candidate.numbered), candidate.sites);
-      throw;
-    }
-    restore(state_, std::move(candidate.numbered), candidate.sites);
-    return std::nullopt;
+    is_of_state_ = false;
+    Restricted_candidate_3 candidate(state_, triangulation_, target, motion_, is_final, threads_);
+    if(!complete(candidate, mesh, angles))
+      return std::nullopt;
+    return replace_state(candidate);
   }
 
   // Whether the candidate is valid, perhaps with some vertices back where they were.
@@ -235,7 +221,7 @@ private:
     {
       const bool wants_good_facets = (candidate.is_final || !has_long_ways_) && attempt < attempts_at_good_facets;
       Restricted_report_3 report = check(candidate, wants_good_facets);
-      if(angles != nullptr && candidate.numbered->is_complete())
+      if(angles != nullptr && candidate.numbered.is_complete())
         angles->check(candidate, report);
       if(report.is_clean())
         return true;
@@ -261,7 +247,7 @@ private:
   Restricted_report_3 check(Restricted_candidate_3& candidate, bool wants_good_facets)
   {
     ++number_of_checks_;
-    if(!candidate.numbered->is_complete())
+    if(!candidate.numbered.is_complete())
       return hidden_vertices(candidate);
     const Restricted_report_3 labels = Cell_labels_3(candidate, domain_).label_cells();
     if(!labels.is_clean())
@@ -292,7 +278,7 @@ private:
   {
     Restricted_report_3 report(candidate);
     for(int v = 0; v < candidate.numbering.number_of_vertices(); ++v)
-      if(!candidate.numbered->is_visible(v))
+      if(!candidate.numbered.is_visible(v))
         report.send_back(std::vector<int>(1, v));
     if(report.offending_vertices().empty())
       report.give_up();
@@ -306,6 +292,8 @@ private:
   Fidelity_check_3 fidelity_;
   Facet_shape_check_3 shapes_;
   Restricted_state_3 state_;
+  Numbered_triangulation_3 triangulation_;
+  bool is_of_state_ = false;              // whether that is the triangulation of the state, with its labels
   Places_on_surface places_on_surface_;
   std::size_t number_of_checks_ = 0, number_of_takeovers_ = 0;
 };

@@ -72,7 +72,7 @@ private:
   template <class Vertices, class Predicate>
   bool send_back_nearest(const Vertices& vertices, int rings, const Predicate& goes_back)
   {
-    Vertex_rings_3 region(*candidate_.numbered, vertices);
+    Vertex_rings_3 region(candidate_.numbered, vertices);
     for(int ring = 0; ring < rings; ++ring, region.grow())
     {
       bool found = false;

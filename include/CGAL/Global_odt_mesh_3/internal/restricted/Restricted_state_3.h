@@ -11,7 +11,6 @@
 #include <CGAL/Global_odt_mesh_3/internal/geometry/Tuple_table.h>
 #include <CGAL/Global_odt_mesh_3/internal/geometry/Vertex_tuples.h>
 #include <CGAL/Global_odt_mesh_3/internal/restricted/Mesh_table_3.h>
-#include <CGAL/Global_odt_mesh_3/internal/restricted/Numbered_triangulation_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/restricted/Vertex_numbering_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/surface/Boundary_complex_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/surface/Boundary_geometry_3.h>
@@ -32,9 +31,8 @@ namespace CGAL {
 namespace Global_odt_mesh_3 {
 namespace internal {
 
-// A valid complex: positions, the exact regular triangulation of them, its restriction to the
-// domain, and where the vertices on surfaces are. Once made, it does not change; but its triangulation, which takes most
-// of the memory, may be lent to a next one, or be released as long as nobody asks for it.
+// A valid complex, as far as the exact regular triangulation of its positions does not tell it: the restriction to the
+// domain, and where the vertices on surfaces are. Once made, it does not change.
 struct Restricted_state_3
 {
   static constexpr int no_subdomain = Vertex_numbering_3::no_subdomain;
@@ -59,11 +57,9 @@ struct Restricted_state_3
 
   std::shared_ptr<const Vertex_numbering_3> numbering;
   bool is_input = false;
-  std::unique_ptr<Numbered_triangulation_3> numbered;       // unless it is lent or released
   std::vector<Site> sites;
   std::vector<Surface_position> surface_positions;  // of the vertices that move on surfaces
   Boundary_geometry_3 boundary;
-  std::vector<Facet> facets;                        // of the triangulation, on side 0; they go with it
   std::vector<Surface_center> centers;
   Tuple_table<Triple, int> facet_numbers;
   Tuple_table<Quadruple, int> boundary_cells;       // with all vertices on the boundary; labels
@@ -72,13 +68,6 @@ struct Restricted_state_3
   std::set<Triple> far_facets;                      // of flat boundary cells, farther from the surface than permitted
   bool has_unseparating_facets = false;
   bool has_labels_of_domain = false;                // also of the boundary cells
-
-  // Which is neither lent nor released.
-  const Working_triangulation_3& triangulation() const
-  {
-    CGAL_assertion(numbered != nullptr);
-    return numbered->triangulation();
-  }
 
   // Whether the vertices are there.
   bool has_positions(const std::vector<Site>& positions) const
@@ -125,15 +114,6 @@ struct Restricted_state_3
       facet_numbers.insert(sorted(f.vertices), static_cast<int>(n));
       has_unseparating_facets = has_unseparating_facets || f.labels[0] == f.labels[1];
     }
-  }
-
-  // Tells cells, which know of none, which of their facets are in the complex.
-  void mark_facets()
-  {
-    for(std::size_t n = 0; n < facets.size(); ++n)
-      if(boundary.complex().facets()[n].patch != Boundary_facet::no_patch)
-        for(const Facet& f : { facets[n], triangulation().mirror_facet(facets[n]) })
-          f.first->set_facet_in_complex(f.second);
   }
 
   // The signed height of the surface over the plane of a boundary facet, where the

@@ -49,10 +49,11 @@ namespace internal {
 class Restricted_trial_3
 {
 public:
-  // The state lends its triangulation. If `boundary_moves` is false, the boundary stays. Threads share visits of all cells.
-  Restricted_trial_3(Restricted_state_3& state, const Domain_view_3& domain, const Fidelity_check_3& fidelity, const Facet_shape_check_3& shapes,
-                     bool boundary_moves, const Circumradius_bound_3& size_bound, const Thread_policy& threads)
-    : complex_(state, domain, threads)
+  // In the triangulation of the state. If `boundary_moves` is false, the boundary stays. Threads share visits of all cells.
+  Restricted_trial_3(const Restricted_state_3& state, Numbered_triangulation_3& triangulation, const Domain_view_3& domain,
+                     const Fidelity_check_3& fidelity, const Facet_shape_check_3& shapes, bool boundary_moves,
+                     const Circumradius_bound_3& size_bound, const Thread_policy& threads)
+    : complex_(state, triangulation, domain, threads)
     , lifted_(complex_)
     , exchange_(complex_, lifted_, fidelity, shapes, boundary_moves)
     , boundary_moves_(boundary_moves)
@@ -78,7 +79,7 @@ public:
   // The cells below a bound, by sorted vertices.
   std::vector<Quadruple> slivers(double bound) const
   {
-    const std::vector<Cell_handle>& cells = complex_.numbered->cells();
+    const std::vector<Cell_handle>& cells = complex_.numbered.cells();
     return collect_in_chunks<Quadruple>(static_cast<int>(cells.size()), complex_.threads, [&](int n, std::vector<Quadruple>& found)
     {
       const Quadruple q = complex_.numbers(cells[n]);
@@ -120,7 +121,7 @@ public:
       {
         const auto v = complex_.triangulation().mirror_vertex(c, i);
         if(!complex_.triangulation().is_infinite(v))
-          beyond.push_back(complex_.numbered->number(v));
+          beyond.push_back(complex_.numbered.number(v));
       }
     return movable_vertices(beyond.begin(), beyond.end());
   }
@@ -214,7 +215,7 @@ private:
   bool is_inside(int label) const { return label >= 0 && label != Domain_view_3::outside; }
   bool is_cell(const Quadruple& q, Cell_handle& c) const
   {
-    const auto& t = *complex_.numbered;
+    const Numbered_triangulation_3& t = complex_.numbered;
     return t.triangulation().is_cell(t.vertex(q[0]), t.vertex(q[1]), t.vertex(q[2]), t.vertex(q[3]), c);
   }
 
@@ -299,7 +300,7 @@ private:
   void find_star(int v)
   {
     std::vector<Cell_handle> cells;
-    complex_.triangulation().incident_cells(complex_.numbered->vertex(v), std::back_inserter(cells));
+    complex_.triangulation().incident_cells(complex_.numbered.vertex(v), std::back_inserter(cells));
     star_.clear();
     for(Cell_handle c : cells)
       if(is_inside(c->label()))

@@ -14,6 +14,7 @@
 #include <CGAL/Global_odt_mesh_3/internal/restricted/Domain_view_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/restricted/Mesh_table_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/restricted/Numbered_triangulation_3.h>
+#include <CGAL/Global_odt_mesh_3/internal/restricted/Restore_triangulation_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/restricted/Restricted_state_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/restricted/Vertex_numbering_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/surface/Boundary_complex_3.h>
@@ -23,7 +24,6 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
-#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -34,14 +34,17 @@ namespace internal {
 class State_tabulation_3
 {
 public:
-  State_tabulation_3(Restricted_state_3 state, const Thread_policy& threads)
-    : state_(std::move(state))
-    , numbering_(*state_.numbering)
+  // The triangulation is that of the state.
+  State_tabulation_3(const Restricted_state_3& state, Numbered_triangulation_3& numbered, const Thread_policy& threads)
+    : state_(state)
+    , numbering_(*state.numbering)
+    , numbered_(numbered)
     , threads_(threads)
-    , cells_(state_.numbered->cells())
+    , cells_(numbered.cells())
+    , facets_(find_boundary_facets(state, numbered, threads))
   {}
 
-  // The triangulation is gone afterwards.
+  // The cells have no labels afterwards.
   Mesh_table_3 operator()()
   {
     restore_orders();
@@ -52,7 +55,6 @@ public:
     measure_circumradii(table);
     tabulate_cells(table);
     tabulate_facets(table);
-    state_.numbered.reset();
     return table;
   }
 
@@ -76,7 +78,7 @@ private:
   void restore_orders()
   {
     std::vector<Vertex_handle> opposite;
-    for(const Facet& f : state_.facets)
+    for(const Facet& f : facets_)
       opposite.push_back(f.first->vertex(f.second));
     for(const auto& b : state_.boundary_cells.entries())
     {
@@ -85,13 +87,13 @@ private:
         continue;
       std::array<Vertex_handle, 4> v;
       for(int i = 0; i < 4; ++i)
-        v[i] = state_.numbered->vertex(from->vertices[i]);
+        v[i] = numbered_.vertex(from->vertices[i]);
       Cell_handle to;
-      if(state_.triangulation().is_cell(v[0], v[1], v[2], v[3], to) && to->label() == from->label)
+      if(numbered_.triangulation().is_cell(v[0], v[1], v[2], v[3], to) && to->label() == from->label)
         reorder(to, v);
     }
     for(std::size_t n = 0; n < opposite.size(); ++n)
-      state_.facets[n].second = state_.facets[n].first->index(opposite[n]);
+      facets_[n].second = facets_[n].first->index(opposite[n]);
   }
 
   static void reorder(Cell_handle c, const std::array<Vertex_handle, 4>& v)
@@ -129,7 +131,7 @@ private:
 
   void add_circumradius(Cell_handle c, const Chunked_sums<Circumradii>::Part& sums) const
   {
-    const Eigen::Vector3d p = coordinates(state_.triangulation().dual(c));
+    const Eigen::Vector3d p = coordinates(numbered_.triangulation().dual(c));
     for(int v : Numbered_triangulation_3::numbers(c))
       sums.add(v, { std::sqrt(squared_distance(state_.sites[v], p)), 1 });
   }
@@ -156,21 +158,23 @@ private:
 
   void tabulate_facets(Mesh_table_3& table) const
   {
-    for(std::size_t n = 0; n < state_.facets.size(); ++n)
+    for(std::size_t n = 0; n < facets_.size(); ++n)
     {
       const int patch = state_.boundary.complex().facets()[n].patch;
       if(patch == Boundary_facet::no_patch)
         continue;
       const Restricted_state_3::Surface_center& c = state_.centers[n];
       const int patch_of_center = c.patch == Domain_view_3::other_patch ? patch : c.patch;
-      table.facets.push_back({ state_.facets[n].first->label(), state_.facets[n].second, patch, c.point, patch_of_center, c.source });
+      table.facets.push_back({ facets_[n].first->label(), facets_[n].second, patch, c.point, patch_of_center, c.source });
     }
   }
 
-  Restricted_state_3 state_;
+  const Restricted_state_3& state_;
   const Vertex_numbering_3& numbering_;
+  Numbered_triangulation_3& numbered_;
   const Thread_policy threads_;
-  const std::vector<Cell_handle> cells_;
+  const std::vector<Cell_handle>& cells_;
+  std::vector<Facet> facets_;                 // on the boundary, on side 0
 };
 
 } // namespace internal

@@ -62,7 +62,7 @@ inline std::vector<int> intruders(const Restricted_candidate_3& candidate, const
 {
   const Site& s = candidate.state.sites[t[0]];
   const double radius = squared_distance(s, center) - s.weight;
-  Vertex_rings_3 region(*candidate.numbered, t);
+  Vertex_rings_3 region(candidate.numbered, t);
   for(int ring = 0; ring < 2; ++ring)
     region.grow();
   std::vector<int> result;

@@ -30,7 +30,7 @@ namespace CGAL {
 namespace Global_odt_mesh_3 {
 namespace internal {
 
-// A state whose vertices can be moved one by one, in the triangulation that it lends. Cells know their labels, but facets
+// A state whose vertices can be moved one by one, in its triangulation. Cells know their labels, but facets
 // are in the boundary alone.
 struct Trial_complex_3
 {
@@ -41,16 +41,17 @@ struct Trial_complex_3
   const Vertex_numbering_3& numbering;
   const Domain_view_3& domain;
   Thread_policy threads;
-  std::unique_ptr<Numbered_triangulation_3> numbered;
+  Numbered_triangulation_3& numbered;
   std::vector<Site> sites;
   Exchangeable_boundary_3 boundary;
 
-  Trial_complex_3(Restricted_state_3& from, const Domain_view_3& d, const Thread_policy& policy)
+  Trial_complex_3(const Restricted_state_3& from, Numbered_triangulation_3& triangulation, const Domain_view_3& d,
+                  const Thread_policy& policy)
     : state(from)
     , numbering(*from.numbering)
     , domain(d)
     , threads(policy)
-    , numbered(std::move(from.numbered))
+    , numbered(triangulation)
     , sites(from.sites)
     , boundary(from.boundary.complex())
   {}
@@ -58,17 +59,17 @@ struct Trial_complex_3
   Trial_complex_3(const Trial_complex_3&) = delete;
   Trial_complex_3& operator=(const Trial_complex_3&) = delete;
 
-  const Working_triangulation_3& triangulation() const { return numbered->triangulation(); }
+  const Working_triangulation_3& triangulation() const { return numbered.triangulation(); }
 
   // Of the vertices of a cell, -1 for the infinite one.
   Quadruple numbers(Cell_handle c) const { return Numbered_triangulation_3::numbers(c); }
 
   Weighted_point point(int v) const { return weighted_point(sites[v]); }
 
-  // Hands over triangulation and boundary to a candidate with the sites.
-  void give(Restricted_candidate_3& candidate)
+  // Hands over cells and boundary to a candidate with the sites.
+  void give(Restricted_candidate_3& candidate) const
   {
-    const std::vector<Cell_handle>& cells = numbered->cells();
+    const std::vector<Cell_handle>& cells = numbered.cells();
     std::vector<Found_facet> found = collect_in_chunks<Found_facet>(static_cast<int>(cells.size()), threads,
                                                                     [&](int n, std::vector<Found_facet>& some)
     {
@@ -87,7 +88,6 @@ struct Trial_complex_3
       candidate.old_facets.push_back(state.facet_number(f.key));
     }
     candidate.boundary_complex = std::make_shared<const Boundary_complex_3>(std::move(facets), sites.size(), threads);
-    candidate.numbered = std::move(numbered);
   }
 
 private:
@@ -125,10 +125,10 @@ private:
   // If it is on the boundary, and this is its first side.
   void find_facet(const Facet& f, std::vector<Found_facet>& found) const
   {
-    if(!numbered->is_first_side(f))
+    if(!numbered.is_first_side(f))
       return;
     Boundary_facet b;
-    b.vertices = numbered->vertices(f);
+    b.vertices = numbered.vertices(f);
     const std::array<int, 3> key = sorted(b.vertices);
     const int n = boundary.find(key);
     if(n < 0)

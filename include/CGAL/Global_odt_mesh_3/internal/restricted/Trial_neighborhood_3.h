@@ -36,7 +36,7 @@ struct Trial_neighborhood_3
     const std::vector<Site>& sites = complex.sites;
     const auto distance = [&](int w) { return (position(sites[w]) - position(sites[v])).norm(); };
     std::vector<double> lengths;
-    for(int w : complex.numbered->neighbors(v))
+    for(int w : complex.numbered.neighbors(v))
       lengths.push_back(distance(w));
     std::sort(lengths.begin(), lengths.end());
     mean_edge = std::accumulate(lengths.begin(), lengths.end(), 0.) / double(lengths.size());
