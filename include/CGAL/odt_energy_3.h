@@ -13,13 +13,13 @@
 #include <CGAL/disable_warnings.h>
 
 #include <CGAL/Density_quadratures_3.h>
-#include <CGAL/Global_odt_mesh_3/internal/door/Named_parameters.h>
-#include <CGAL/Global_odt_mesh_3/internal/door/User_fields_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/density/Density_moments_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/density/Density_quadrature_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/density/Field_density_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/density/Make_density_quadrature_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/density/Quadrature_choice.h>
+#include <CGAL/Global_odt_mesh_3/internal/door/Named_parameters.h>
+#include <CGAL/Global_odt_mesh_3/internal/door/User_fields_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/energy/Reference_energy_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/geometry/Point_coordinates.h>
 
@@ -94,7 +94,7 @@ double odt_energy(const C3t3& c3t3, const User_fields_3<C3t3>& fields, Quadratur
   if(!fields)
     return mesh.energy(uniform);
   const User_field_3 field = fields.of_mesh([&mesh](int v) { return mesh.vertices[static_cast<std::size_t>(v)]; });
-  Field_density_3 density(field.meaning, field.field, mesh.sites, field.polynomial);
+  Field_density_3 density(field.meaning, field.value, mesh.sites, field.polynomial);
   const double unit = density.unit_density();
   if(const auto* cubature = std::get_if<Adaptive_cubature_3>(&choice))
     return unit * reference_energy(mesh.sites, mesh.cells, density, *cubature);

@@ -10,9 +10,9 @@ status=0
 # Beside each other: geometry and parallel. Only the door, which comes last, knows the types of the user.
 rank() {
   case $1 in
-    geometry | parallel) echo 0 ;; density) echo 1 ;; energy) echo 2 ;; triangulation) echo 3 ;; sizing) echo 4 ;;
-    optimization) echo 5 ;; surface) echo 6 ;; blocks) echo 7 ;; restricted) echo 8 ;; slivers) echo 9 ;; .) echo 10 ;; door) echo 11 ;;
-    *) echo unknown ;;
+    geometry | parallel) echo 0 ;; interface) echo 1 ;; density) echo 2 ;; energy) echo 3 ;; triangulation) echo 4 ;;
+    sizing) echo 5 ;; optimization) echo 6 ;; surface) echo 7 ;; blocks) echo 8 ;; restricted) echo 9 ;; slivers) echo 10 ;;
+    .) echo 11 ;; door) echo 12 ;; *) echo unknown ;;
   esac
 }
 

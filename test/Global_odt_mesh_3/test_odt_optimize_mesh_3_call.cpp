@@ -18,8 +18,8 @@
 #include <CGAL/Real_timer.h>
 #include <CGAL/make_mesh_3.h>
 #include <CGAL/odt_optimize_mesh_3.h>
-#include <CGAL/remove_slivers_mesh_3.h>
 #include <CGAL/refine_mesh_3.h>
+#include <CGAL/remove_slivers_mesh_3.h>
 #include <CGAL/version.h>
 
 #include <algorithm>

@@ -70,7 +70,9 @@ void run(C3t3& c3t3, const Domain& domain, const odt::Odt_parameters& parameters
   cost.oracle_seconds += 1e-9 * double(s.nanoseconds);
   cost.questions += s.locations + s.intersections;
   cost.projections += s.projections;
-  cost.surface_vertices = (std::max)(cost.surface_vertices, optimizer.number_of_surface_vertices());
+  const auto& tr = c3t3.triangulation();
+  cost.surface_vertices = std::count_if(tr.finite_vertices_begin(), tr.finite_vertices_end(),
+                                        [](const auto& v) { return v.in_dimension() == 2; });
 }
 
 template <class C3t3, class Domain>

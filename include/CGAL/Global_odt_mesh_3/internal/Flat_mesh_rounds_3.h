@@ -11,7 +11,7 @@
 #include <CGAL/Global_odt_mesh_3/internal/Odt_parameters.h>
 #include <CGAL/Global_odt_mesh_3/internal/Round_plan.h>
 #include <CGAL/Global_odt_mesh_3/internal/blocks/Block_annealing_3.h>
-#include <CGAL/Global_odt_mesh_3/internal/density/Field_density_3.h>
+#include <CGAL/Global_odt_mesh_3/internal/interface/User_field_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/optimization/Convergence_monitor.h>
 #include <CGAL/Global_odt_mesh_3/internal/optimization/Global_search.h>
 #include <CGAL/Global_odt_mesh_3/internal/optimization/Limited_memory_bfgs.h>

@@ -7,8 +7,7 @@
 #define CGAL_GLOBAL_ODT_MESH_3_INTERNAL_ITERATION_CONTROL_H
 
 #include <CGAL/Global_odt_mesh_3/internal/Odt_parameters.h>
-#include <CGAL/Global_odt_mesh_3/internal/Optimization_visitor.h>
-#include <CGAL/Global_odt_mesh_3/internal/parallel/Stage_clock.h>
+#include <CGAL/Global_odt_mesh_3/internal/interface/Optimization_visitor.h>
 
 #include <CGAL/Mesh_optimization_return_code.h>
 #include <CGAL/Real_timer.h>
@@ -41,9 +40,6 @@ public:
     number_of_iterations_ = 0;
     goes_on_ = true;
   }
-
-  // Of all attempts.
-  Stage_clock& clock() { return clock_; }
 
   int number_of_iterations() const { return number_of_iterations_; }
 
@@ -111,7 +107,6 @@ private:
   const Odt_parameters& parameters_;
   Optimization_visitor& visitor_;
   Real_timer timer_;
-  Stage_clock clock_;
   int most_iterations_ = 0, number_of_iterations_ = 0;
   bool goes_on_ = true;
   double fraction_ = 0;

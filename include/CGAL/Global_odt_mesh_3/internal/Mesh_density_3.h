@@ -11,6 +11,7 @@
 #include <CGAL/Global_odt_mesh_3/internal/density/Field_density_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/density/Make_density_quadrature_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/geometry/Site.h>
+#include <CGAL/Global_odt_mesh_3/internal/interface/User_field_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/sizing/Input_density_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/surface/Surface_cvt_energy_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/triangulation/Moving_triangulation_3.h>
@@ -36,7 +37,7 @@ public:
   void prepare(Moving_triangulation_3& mesh, const User_field_3& field, const Quadrature_choice& quadrature,
                const std::vector<int>& input_numbers)
   {
-    const auto in_input = [&field, &input_numbers](int v, const Site& s) { return field.field(input_numbers[v], s); };
+    const auto in_input = [&field, &input_numbers](int v, const Site& s) { return field.value(input_numbers[v], s); };
     if(field)
       density_ = std::make_unique<Field_density_3>(field.meaning, in_input, mesh.sites, field.polynomial);
     else

@@ -21,6 +21,10 @@ namespace CGAL {
 namespace Global_odt_mesh_3 {
 namespace internal {
 
+// What the caller wants: a mesh with better cells, the surfaces spaced by the restricted CVT, or a mesh as it is but for
+// its slivers.
+enum class Odt_task { OPTIMIZE, REMESH_BOUNDARY, REMOVE_SLIVERS };
+
 // What the caller of odt_optimize_mesh_3() may say.
 struct Odt_parameters
 {

@@ -10,12 +10,12 @@
 #include <CGAL/Global_odt_mesh_3/internal/Iteration_control.h>
 #include <CGAL/Global_odt_mesh_3/internal/Odt_parameters.h>
 #include <CGAL/Global_odt_mesh_3/internal/Round_plan.h>
-#include <CGAL/Global_odt_mesh_3/internal/density/Field_density_3.h>
+#include <CGAL/Global_odt_mesh_3/internal/interface/Domain_view_3.h>
+#include <CGAL/Global_odt_mesh_3/internal/interface/Mesh_view_3.h>
+#include <CGAL/Global_odt_mesh_3/internal/interface/User_field_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/parallel/Stage_clock.h>
 #include <CGAL/Global_odt_mesh_3/internal/parallel/Thread_policy.h>
 #include <CGAL/Global_odt_mesh_3/internal/restricted/Boundary_motion.h>
-#include <CGAL/Global_odt_mesh_3/internal/restricted/Domain_view_3.h>
-#include <CGAL/Global_odt_mesh_3/internal/restricted/Mesh_view_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/restricted/Restricted_complex_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/restricted/State_reader_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/restricted/State_tabulation_3.h>

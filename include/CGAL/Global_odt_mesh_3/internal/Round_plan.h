@@ -18,10 +18,6 @@ namespace CGAL {
 namespace Global_odt_mesh_3 {
 namespace internal {
 
-// What the caller wants: a mesh with better cells, the surfaces spaced by the restricted CVT, or a mesh as it is but for
-// its slivers.
-enum class Odt_task { OPTIMIZE, REMESH_BOUNDARY, REMOVE_SLIVERS };
-
 // How many rounds of which kind, with how many iterations, lie ahead.
 class Round_plan
 {

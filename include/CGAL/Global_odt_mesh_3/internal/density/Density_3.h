@@ -6,7 +6,7 @@
 #ifndef CGAL_GLOBAL_ODT_MESH_3_INTERNAL_DENSITY_DENSITY_3_H
 #define CGAL_GLOBAL_ODT_MESH_3_INTERNAL_DENSITY_DENSITY_3_H
 
-#include <CGAL/Global_odt_mesh_3/internal/density/Quadratic_polynomial_3.h>
+#include <CGAL/Global_odt_mesh_3/internal/geometry/Quadratic_polynomial_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/geometry/Site.h>
 
 #include <cmath>

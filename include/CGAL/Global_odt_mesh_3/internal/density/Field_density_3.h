@@ -8,14 +8,14 @@
 
 #include <CGAL/Global_odt_mesh_3/internal/Parameter_check.h>
 #include <CGAL/Global_odt_mesh_3/internal/density/Density_3.h>
-#include <CGAL/Global_odt_mesh_3/internal/density/Quadratic_polynomial_3.h>
+#include <CGAL/Global_odt_mesh_3/internal/geometry/Quadratic_polynomial_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/geometry/Site.h>
+#include <CGAL/Global_odt_mesh_3/internal/interface/User_field_3.h>
 
 
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <functional>
 #include <optional>
 #include <utility>
 #include <vector>
@@ -29,10 +29,11 @@ class Field_density_3
   : public Density_3
 {
 public:
-  enum Meaning { SIZE, DENSITY };
+  // Whether the field gives sizes or densities.
+  typedef User_field_3::Meaning Meaning;
+  static constexpr Meaning SIZE = User_field_3::SIZE, DENSITY = User_field_3::DENSITY;
 
-  // At the position of a vertex, given its number.
-  typedef std::function<double(int, const Site&)> Field;
+  typedef User_field_3::Function Field;
 
   // `sites` are those of the vertices where the field is measured. A density that is a
   // polynomial may be zero at points: its integrals are not.
@@ -96,16 +97,6 @@ private:
   std::optional<Quadratic_polynomial_3> polynomial_;
   double unit_ = 1;
   bool is_uniform_ = true;
-};
-
-// What the user wants sizes or density to be, if anything.
-struct User_field_3
-{
-  Field_density_3::Meaning meaning = Field_density_3::SIZE;
-  Field_density_3::Field field;                       // which is asked of vertices by their numbers in the input
-  std::optional<Quadratic_polynomial_3> polynomial;   // if it is one
-
-  explicit operator bool() const { return static_cast<bool>(field); }
 };
 
 } // namespace internal

@@ -9,7 +9,7 @@
 #include <CGAL/Global_odt_mesh_3/internal/Parameter_check.h>
 #include <CGAL/Global_odt_mesh_3/internal/density/Density_moments_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/density/Density_quadrature_3.h>
-#include <CGAL/Global_odt_mesh_3/internal/density/Quadratic_polynomial_3.h>
+#include <CGAL/Global_odt_mesh_3/internal/geometry/Quadratic_polynomial_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/geometry/Site.h>
 
 

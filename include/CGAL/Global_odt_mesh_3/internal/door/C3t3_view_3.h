@@ -10,11 +10,10 @@
 #include <CGAL/Global_odt_mesh_3/internal/geometry/Angle_deficit_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/geometry/Point_coordinates.h>
 #include <CGAL/Global_odt_mesh_3/internal/geometry/Site.h>
+#include <CGAL/Global_odt_mesh_3/internal/interface/Mesh_table_3.h>
+#include <CGAL/Global_odt_mesh_3/internal/interface/Mesh_view_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/parallel/For_each_in_chunks.h>
 #include <CGAL/Global_odt_mesh_3/internal/parallel/Thread_policy.h>
-#include <CGAL/Global_odt_mesh_3/internal/restricted/Mesh_table_3.h>
-#include <CGAL/Global_odt_mesh_3/internal/restricted/Mesh_view_3.h>
-#include <CGAL/Global_odt_mesh_3/internal/surface/Boundary_complex_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/triangulation/All_cells.h>
 
 #include <CGAL/Time_stamper.h>
@@ -159,7 +158,7 @@ private:
     const Center center(c->get_facet_surface_center(i), c->get_facet_surface_center_index(i));
     const bool is_center = center.second == domain_.index(patch);
     centers_.push_back(center);
-    return { n, i, patch, coordinates(center.first), is_center ? patch : int(Boundary_facet::no_patch),
+    return { n, i, patch, coordinates(center.first), is_center ? patch : int(Mesh_table_3::no_patch),
              static_cast<int>(centers_.size()) - 1 };
   }
 

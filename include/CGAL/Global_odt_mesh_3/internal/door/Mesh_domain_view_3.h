@@ -8,8 +8,8 @@
 
 #include <CGAL/Global_odt_mesh_3/internal/door/Index_table.h>
 #include <CGAL/Global_odt_mesh_3/internal/geometry/Point_coordinates.h>
+#include <CGAL/Global_odt_mesh_3/internal/interface/Domain_view_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/parallel/Thread_policy.h>
-#include <CGAL/Global_odt_mesh_3/internal/restricted/Domain_view_3.h>
 
 #include <CGAL/Kernel_traits.h>
 #include <CGAL/Mesh_3/config.h>

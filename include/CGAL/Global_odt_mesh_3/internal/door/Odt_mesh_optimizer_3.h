@@ -8,15 +8,14 @@
 
 #include <CGAL/Global_odt_mesh_3/internal/Mesh_optimizer_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/Odt_parameters.h>
-#include <CGAL/Global_odt_mesh_3/internal/Optimization_visitor.h>
-#include <CGAL/Global_odt_mesh_3/internal/Round_plan.h>
-#include <CGAL/Global_odt_mesh_3/internal/density/Field_density_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/door/C3t3_view_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/door/Mesh_domain_view_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/door/User_fields_3.h>
+#include <CGAL/Global_odt_mesh_3/internal/interface/Domain_view_3.h>
+#include <CGAL/Global_odt_mesh_3/internal/interface/Optimization_visitor.h>
+#include <CGAL/Global_odt_mesh_3/internal/interface/User_field_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/parallel/Stage_clock.h>
 #include <CGAL/Global_odt_mesh_3/internal/parallel/Thread_policy.h>
-#include <CGAL/Global_odt_mesh_3/internal/restricted/Domain_view_3.h>
 
 #include <CGAL/Mesh_optimization_return_code.h>
 
@@ -68,26 +67,34 @@ public:
     : fields_(fields)
     , domain_(domain, parameters.domain_is_thread_safe ? threads() : Thread_policy())
     , mesh_(c3t3, domain_)
-    , field_(fields_.of_mesh([this](int v) { return mesh_.vertex(v); }))
+    , task_(task)
+    , parameters_(parameters)
     , visitor_(visitor)
-    , optimizer_(mesh_, domain_, task, parameters, field_, visitor_, threads())
   {}
 
-  Mesh_optimization_return_code operator()() { return optimizer_(); }
+  // Loops refer to the clock.
+  Odt_mesh_optimizer_3(const Odt_mesh_optimizer_3&) = delete;
+  Odt_mesh_optimizer_3& operator=(const Odt_mesh_optimizer_3&) = delete;
 
-  Stage_clock& clock() { return optimizer_.clock(); }
-  std::size_t number_of_surface_vertices() const { return optimizer_.number_of_surface_vertices(); }
+  Mesh_optimization_return_code operator()()
+  {
+    const User_field_3 field = fields_.of_mesh([this](int v) { return mesh_.vertex(v); });
+    return optimize_mesh(mesh_, domain_, task_, parameters_, field, visitor_, threads());
+  }
+
+  const Stage_clock& clock() const { return clock_; }
   const Oracle_statistics& oracle_statistics() const { return domain_.statistics(); }
 
 private:
-  static Thread_policy threads() { return Thread_policy::for_tag<typename C3t3::Triangulation::Concurrency_tag>(); }
+  Thread_policy threads() { return Thread_policy::for_tag<typename C3t3::Triangulation::Concurrency_tag>().with(clock_); }
 
+  Stage_clock clock_;
   const User_fields_3<C3t3> fields_;
   Mesh_domain_view_3<Mesh_domain> domain_;
   C3t3_view_3<C3t3, Mesh_domain> mesh_;
-  const User_field_3 field_;
+  Odt_task task_;
+  const Odt_parameters& parameters_;
   User_visitor<Visitor> visitor_;
-  Mesh_optimizer_3 optimizer_;
 };
 
 } // namespace internal

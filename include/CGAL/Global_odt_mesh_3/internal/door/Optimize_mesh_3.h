@@ -13,7 +13,6 @@
 
 #include <CGAL/Global_odt_mesh_3/internal/Odt_parameters.h>
 #include <CGAL/Global_odt_mesh_3/internal/Parameter_check.h>
-#include <CGAL/Global_odt_mesh_3/internal/Round_plan.h>
 #include <CGAL/Global_odt_mesh_3/internal/door/Named_parameters.h>
 #include <CGAL/Global_odt_mesh_3/internal/door/Odt_mesh_optimizer_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/door/User_fields_3.h>

@@ -6,11 +6,11 @@
 #ifndef CGAL_GLOBAL_ODT_MESH_3_INTERNAL_DOOR_USER_FIELDS_3_H
 #define CGAL_GLOBAL_ODT_MESH_3_INTERNAL_DOOR_USER_FIELDS_3_H
 
-#include <CGAL/Global_odt_mesh_3/internal/door/Named_parameters.h>
 #include <CGAL/Global_odt_mesh_3/internal/Parameter_check.h>
-#include <CGAL/Global_odt_mesh_3/internal/density/Field_density_3.h>
-#include <CGAL/Global_odt_mesh_3/internal/density/Quadratic_polynomial_3.h>
+#include <CGAL/Global_odt_mesh_3/internal/door/Named_parameters.h>
+#include <CGAL/Global_odt_mesh_3/internal/geometry/Quadratic_polynomial_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/geometry/Site.h>
+#include <CGAL/Global_odt_mesh_3/internal/interface/User_field_3.h>
 #include <CGAL/Quadratic_density_3.h>
 
 #include <CGAL/number_utils.h>
@@ -47,10 +47,10 @@ struct User_fields_3
     const auto point = [](const Site& s) { return Bare_point(s.x, s.y, s.z); };
     User_field_3 field;
     if(sizing_field)
-      field.field = [size = sizing_field, point, vertex](int v, const Site& s)
+      field.value = [size = sizing_field, point, vertex](int v, const Site& s)
                     { return size(point(s), vertex(v)->in_dimension(), vertex(v)->index()); };
     if(density)
-      field = { Field_density_3::DENSITY, [density = density, point](int, const Site& s) { return density(point(s)); },
+      field = { User_field_3::DENSITY, [density = density, point](int, const Site& s) { return density(point(s)); },
                 quadratic_density };
     return field;
   }

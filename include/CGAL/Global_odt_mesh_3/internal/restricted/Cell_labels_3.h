@@ -9,10 +9,10 @@
 #include <CGAL/Global_odt_mesh_3/internal/geometry/Cell_products_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/geometry/Point_coordinates.h>
 #include <CGAL/Global_odt_mesh_3/internal/geometry/Site.h>
+#include <CGAL/Global_odt_mesh_3/internal/interface/Domain_view_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/parallel/Collect_in_chunks.h>
 #include <CGAL/Global_odt_mesh_3/internal/restricted/Boundary_motion.h>
 #include <CGAL/Global_odt_mesh_3/internal/restricted/Cell_knowledge.h>
-#include <CGAL/Global_odt_mesh_3/internal/restricted/Domain_view_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/restricted/Dual_side_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/restricted/Restricted_candidate_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/restricted/Restricted_report_3.h>

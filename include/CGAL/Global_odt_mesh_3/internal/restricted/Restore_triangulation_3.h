@@ -7,10 +7,10 @@
 #define CGAL_GLOBAL_ODT_MESH_3_INTERNAL_RESTRICTED_RESTORE_TRIANGULATION_3_H
 
 #include <CGAL/Global_odt_mesh_3/internal/geometry/Vertex_tuples.h>
+#include <CGAL/Global_odt_mesh_3/internal/interface/Domain_view_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/parallel/For_each_in_chunks.h>
 #include <CGAL/Global_odt_mesh_3/internal/parallel/Thread_policy.h>
 #include <CGAL/Global_odt_mesh_3/internal/restricted/Cell_knowledge.h>
-#include <CGAL/Global_odt_mesh_3/internal/restricted/Domain_view_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/restricted/Numbered_triangulation_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/restricted/Restricted_state_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/restricted/Vertex_numbering_3.h>

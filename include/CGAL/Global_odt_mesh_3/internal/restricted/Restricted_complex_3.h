@@ -8,6 +8,7 @@
 
 #include <CGAL/Global_odt_mesh_3/internal/geometry/Circumradius_bound_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/geometry/Site.h>
+#include <CGAL/Global_odt_mesh_3/internal/interface/Domain_view_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/parallel/Stage_clock.h>
 #include <CGAL/Global_odt_mesh_3/internal/parallel/Thread_policy.h>
 #include <CGAL/Global_odt_mesh_3/internal/restricted/Angle_check_3.h>
@@ -20,18 +21,17 @@
 #include <CGAL/Global_odt_mesh_3/internal/restricted/Fidelity_check_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/restricted/Flat_boundary_cells_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/restricted/Flatten_state_3.h>
-#include <CGAL/Global_odt_mesh_3/internal/restricted/Domain_view_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/restricted/Numbered_triangulation_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/restricted/Places_on_surface.h>
+#include <CGAL/Global_odt_mesh_3/internal/restricted/Restore_triangulation_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/restricted/Restricted_candidate_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/restricted/Restricted_report_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/restricted/Restricted_state_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/restricted/Restricted_trial_3.h>
-#include <CGAL/Global_odt_mesh_3/internal/restricted/Working_triangulation_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/restricted/Surface_centers_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/restricted/Surface_projection_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/restricted/Topology_check_3.h>
-#include <CGAL/Global_odt_mesh_3/internal/restricted/Restore_triangulation_3.h>
+#include <CGAL/Global_odt_mesh_3/internal/restricted/Working_triangulation_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/triangulation/Moving_triangulation_3.h>
 
 #include <Eigen/Core>

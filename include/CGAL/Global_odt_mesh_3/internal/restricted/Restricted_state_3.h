@@ -10,7 +10,7 @@
 #include <CGAL/Global_odt_mesh_3/internal/geometry/Site.h>
 #include <CGAL/Global_odt_mesh_3/internal/geometry/Tuple_table.h>
 #include <CGAL/Global_odt_mesh_3/internal/geometry/Vertex_tuples.h>
-#include <CGAL/Global_odt_mesh_3/internal/restricted/Mesh_table_3.h>
+#include <CGAL/Global_odt_mesh_3/internal/interface/Mesh_table_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/restricted/Vertex_numbering_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/surface/Boundary_complex_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/surface/Boundary_geometry_3.h>

@@ -10,13 +10,13 @@
 #include <CGAL/Global_odt_mesh_3/internal/geometry/Site.h>
 #include <CGAL/Global_odt_mesh_3/internal/geometry/Spatial_order.h>
 #include <CGAL/Global_odt_mesh_3/internal/geometry/Vertex_tuples.h>
+#include <CGAL/Global_odt_mesh_3/internal/interface/Domain_view_3.h>
+#include <CGAL/Global_odt_mesh_3/internal/interface/Mesh_table_3.h>
+#include <CGAL/Global_odt_mesh_3/internal/interface/Mesh_view_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/parallel/Collect_in_chunks.h>
 #include <CGAL/Global_odt_mesh_3/internal/parallel/Thread_policy.h>
-#include <CGAL/Global_odt_mesh_3/internal/restricted/Domain_view_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/restricted/Estimated_surface_center_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/restricted/Flatten_state_3.h>
-#include <CGAL/Global_odt_mesh_3/internal/restricted/Mesh_table_3.h>
-#include <CGAL/Global_odt_mesh_3/internal/restricted/Mesh_view_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/restricted/Restricted_state_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/restricted/Vertex_numbering_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/surface/Boundary_complex_3.h>
@@ -115,6 +115,8 @@ public:
   }
 
 private:
+  static_assert(int(Mesh_table_3::no_patch) == int(Boundary_facet::no_patch), "facets without a patch");
+
   // With the numbers that vertices have.
   Constrained_facets flatten(Flat_triangulation_3& flat) const
   {

@@ -9,7 +9,7 @@
 #include <CGAL/Global_odt_mesh_3/internal/geometry/Site.h>
 #include <CGAL/Global_odt_mesh_3/internal/geometry/Tuple_table.h>
 #include <CGAL/Global_odt_mesh_3/internal/geometry/Vertex_tuples.h>
-#include <CGAL/Global_odt_mesh_3/internal/restricted/Mesh_view_3.h>
+#include <CGAL/Global_odt_mesh_3/internal/interface/Mesh_view_3.h>
 
 #include <algorithm>
 #include <vector>

@@ -3,12 +3,12 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef CGAL_GLOBAL_ODT_MESH_3_INTERNAL_RESTRICTED_MESH_VIEW_3_H
-#define CGAL_GLOBAL_ODT_MESH_3_INTERNAL_RESTRICTED_MESH_VIEW_3_H
+#ifndef CGAL_GLOBAL_ODT_MESH_3_INTERNAL_INTERFACE_MESH_VIEW_3_H
+#define CGAL_GLOBAL_ODT_MESH_3_INTERNAL_INTERFACE_MESH_VIEW_3_H
 
 #include <CGAL/Global_odt_mesh_3/internal/geometry/Vertex_tuples.h>
+#include <CGAL/Global_odt_mesh_3/internal/interface/Mesh_table_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/parallel/Thread_policy.h>
-#include <CGAL/Global_odt_mesh_3/internal/restricted/Mesh_table_3.h>
 
 #include <cstddef>
 
@@ -43,4 +43,4 @@ public:
 } // namespace Global_odt_mesh_3
 } // namespace CGAL
 
-#endif // CGAL_GLOBAL_ODT_MESH_3_INTERNAL_RESTRICTED_MESH_VIEW_3_H
+#endif // CGAL_GLOBAL_ODT_MESH_3_INTERNAL_INTERFACE_MESH_VIEW_3_H

@@ -3,8 +3,8 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef CGAL_GLOBAL_ODT_MESH_3_INTERNAL_RESTRICTED_DOMAIN_VIEW_3_H
-#define CGAL_GLOBAL_ODT_MESH_3_INTERNAL_RESTRICTED_DOMAIN_VIEW_3_H
+#ifndef CGAL_GLOBAL_ODT_MESH_3_INTERNAL_INTERFACE_DOMAIN_VIEW_3_H
+#define CGAL_GLOBAL_ODT_MESH_3_INTERNAL_INTERFACE_DOMAIN_VIEW_3_H
 
 #include <CGAL/Global_odt_mesh_3/internal/parallel/Collect_in_chunks.h>
 #include <CGAL/Global_odt_mesh_3/internal/parallel/For_each_in_chunks.h>
@@ -185,4 +185,4 @@ private:
 } // namespace Global_odt_mesh_3
 } // namespace CGAL
 
-#endif // CGAL_GLOBAL_ODT_MESH_3_INTERNAL_RESTRICTED_DOMAIN_VIEW_3_H
+#endif // CGAL_GLOBAL_ODT_MESH_3_INTERNAL_INTERFACE_DOMAIN_VIEW_3_H

@@ -3,8 +3,8 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef CGAL_GLOBAL_ODT_MESH_3_INTERNAL_RESTRICTED_MESH_TABLE_3_H
-#define CGAL_GLOBAL_ODT_MESH_3_INTERNAL_RESTRICTED_MESH_TABLE_3_H
+#ifndef CGAL_GLOBAL_ODT_MESH_3_INTERNAL_INTERFACE_MESH_TABLE_3_H
+#define CGAL_GLOBAL_ODT_MESH_3_INTERNAL_INTERFACE_MESH_TABLE_3_H
 
 #include <CGAL/Global_odt_mesh_3/internal/geometry/Site.h>
 #include <CGAL/Global_odt_mesh_3/internal/geometry/Vertex_tuples.h>
@@ -28,7 +28,7 @@ namespace internal {
 struct Mesh_table_3
 {
   static constexpr int infinite = -1;           // the number of that vertex
-  static constexpr int no_facet = -1;
+  static constexpr int no_facet = -1, no_patch = -1;
 
   struct Cell
   {
@@ -90,4 +90,4 @@ void connect_cells(const Mesh_table_3& table, const std::vector<typename Triangu
 } // namespace Global_odt_mesh_3
 } // namespace CGAL
 
-#endif // CGAL_GLOBAL_ODT_MESH_3_INTERNAL_RESTRICTED_MESH_TABLE_3_H
+#endif // CGAL_GLOBAL_ODT_MESH_3_INTERNAL_INTERFACE_MESH_TABLE_3_H

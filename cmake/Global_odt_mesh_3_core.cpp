@@ -1,0 +1,6 @@
+// Copyright (c) 2026 The Global_odt_mesh_3 authors.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include <CGAL/Global_odt_mesh_3/internal/Mesh_optimizer_3_impl.h>

@@ -1,0 +1,38 @@
+// Copyright (c) 2026 The Global_odt_mesh_3 authors.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_GLOBAL_ODT_MESH_3_INTERNAL_INTERFACE_USER_FIELD_3_H
+#define CGAL_GLOBAL_ODT_MESH_3_INTERNAL_INTERFACE_USER_FIELD_3_H
+
+#include <CGAL/Global_odt_mesh_3/internal/geometry/Quadratic_polynomial_3.h>
+#include <CGAL/Global_odt_mesh_3/internal/geometry/Site.h>
+
+#include <functional>
+#include <optional>
+
+namespace CGAL {
+namespace Global_odt_mesh_3 {
+namespace internal {
+
+// What the user wants sizes or density to be, if anything.
+struct User_field_3
+{
+  enum Meaning { SIZE, DENSITY };
+
+  // At the position of a vertex, given its number.
+  typedef std::function<double(int, const Site&)> Function;
+
+  Meaning meaning = SIZE;
+  Function value;
+  std::optional<Quadratic_polynomial_3> polynomial;   // if it is one
+
+  explicit operator bool() const { return static_cast<bool>(value); }
+};
+
+} // namespace internal
+} // namespace Global_odt_mesh_3
+} // namespace CGAL
+
+#endif // CGAL_GLOBAL_ODT_MESH_3_INTERNAL_INTERFACE_USER_FIELD_3_H
