@@ -10,8 +10,8 @@
 
 #include <CGAL/Global_odt_mesh_3/internal/Requirements.h>
 
-#include <CGAL/Global_odt_mesh_3/internal/geometry/Point_coordinates.h>
 #include <CGAL/Global_odt_mesh_3/internal/geometry/Quadratic_polynomial_3.h>
+#include <CGAL/Global_odt_mesh_3/internal/geometry/Site.h>
 
 #include <CGAL/Origin.h>
 #include <CGAL/number_utils.h>

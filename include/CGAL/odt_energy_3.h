@@ -13,15 +13,13 @@
 #include <CGAL/disable_warnings.h>
 
 #include <CGAL/Density_quadratures_3.h>
-#include <CGAL/Global_odt_mesh_3/internal/density/Density_moments_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/density/Density_quadrature_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/density/Field_density_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/density/Make_density_quadrature_3.h>
-#include <CGAL/Global_odt_mesh_3/internal/density/Quadrature_choice.h>
 #include <CGAL/Global_odt_mesh_3/internal/door/Named_parameters.h>
 #include <CGAL/Global_odt_mesh_3/internal/door/User_fields_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/energy/Reference_energy_3.h>
-#include <CGAL/Global_odt_mesh_3/internal/geometry/Point_coordinates.h>
+#include <CGAL/Global_odt_mesh_3/internal/geometry/Site.h>
 
 #include <algorithm>
 #include <array>

@@ -6,7 +6,7 @@
 #ifndef GLOBAL_ODT_MESH_3_TEST_LOAD_TRIANGULATION_3_H
 #define GLOBAL_ODT_MESH_3_TEST_LOAD_TRIANGULATION_3_H
 
-#include <CGAL/Global_odt_mesh_3/internal/geometry/Point_coordinates.h>
+#include <CGAL/Global_odt_mesh_3/internal/geometry/Site.h>
 #include <CGAL/Global_odt_mesh_3/internal/geometry/Spatial_order.h>
 #include <CGAL/Global_odt_mesh_3/internal/triangulation/All_cells.h>
 #include <CGAL/Global_odt_mesh_3/internal/triangulation/Flatten_triangulation_3.h>

@@ -15,7 +15,6 @@
 #include <CGAL/Global_odt_mesh_3/internal/density/Linear_density_quadrature_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/density/Quadratic_density_quadrature_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/optimization/Limited_memory_bfgs.h>
-#include <CGAL/Global_odt_mesh_3/internal/optimization/Minimizer_parameters.h>
 #include <CGAL/Global_odt_mesh_3/internal/optimization/Odt_objective_3.h>
 #include <CGAL/Mesh_quality_report_3.h>
 #include <CGAL/Quadratic_density_3.h>

@@ -13,7 +13,7 @@
 
 #include <CGAL/Global_odt_mesh_3/internal/door/Mesh_domain_view_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/restricted/Restricted_complex_3.h>
-#include <CGAL/Global_odt_mesh_3/internal/restricted/Surface_center_search_3.h>
+#include <CGAL/Global_odt_mesh_3/internal/restricted/Surface_centers_3.h>
 
 #include <CGAL/Bbox_3.h>
 #include <CGAL/Kernel_traits.h>

@@ -20,8 +20,8 @@
 #include <CGAL/Global_odt_mesh_3/internal/density/Point_rule_quadrature_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/geometry/Vertex_tuples.h>
 #include <CGAL/Global_odt_mesh_3/internal/optimization/Odt_objective_3.h>
+#include <CGAL/Global_odt_mesh_3/internal/slivers/Sliver_improvement_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/slivers/Sliver_removal_3.h>
-#include <CGAL/Global_odt_mesh_3/internal/slivers/Vertex_motion_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/surface/Surface_cvt_term_3.h>
 #include <CGAL/Regular_triangulation_3.h>
 #include <CGAL/tags.h>

@@ -15,8 +15,8 @@
 #include <CGAL/Global_odt_mesh_3/internal/energy/Odt_energy_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/optimization/Limited_memory_bfgs.h>
 #include <CGAL/Global_odt_mesh_3/internal/optimization/Odt_objective_3.h>
+#include <CGAL/Global_odt_mesh_3/internal/parallel/Chunked_loops.h>
 #include <CGAL/Global_odt_mesh_3/internal/parallel/Chunked_sums.h>
-#include <CGAL/Global_odt_mesh_3/internal/parallel/Chunks.h>
 #include <CGAL/Global_odt_mesh_3/internal/parallel/Thread_policy.h>
 #include <CGAL/Global_odt_mesh_3/internal/triangulation/Fused_pass_3.h>
 #include <CGAL/tags.h>

@@ -9,7 +9,7 @@
 #include "check.h"
 #include "random_cube_triangulation.h"
 
-#include <CGAL/Global_odt_mesh_3/internal/blocks/Mesh_parts_3.h>
+#include <CGAL/Global_odt_mesh_3/internal/blocks/Mesh_partition_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/geometry/Angle_deficit_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/geometry/Cell_shape_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/geometry/Random_source.h>

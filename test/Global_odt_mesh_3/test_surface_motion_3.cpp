@@ -14,7 +14,6 @@
 #include <CGAL/Global_odt_mesh_3/internal/optimization/Limited_memory_bfgs.h>
 #include <CGAL/Global_odt_mesh_3/internal/optimization/Odt_objective_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/surface/Boundary_complex_3.h>
-#include <CGAL/Global_odt_mesh_3/internal/surface/Boundary_topology_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/surface/Exchangeable_boundary_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/surface/Surface_cvt_objective_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/surface/Surface_cvt_term_3.h>

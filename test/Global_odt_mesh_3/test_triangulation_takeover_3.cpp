@@ -10,12 +10,9 @@
 
 #include <CGAL/Global_odt_mesh_3/internal/geometry/Random_source.h>
 #include <CGAL/Global_odt_mesh_3/internal/geometry/Regularity_filter_3.h>
-#include <CGAL/Global_odt_mesh_3/internal/geometry/Tuple_table.h>
 #include <CGAL/Global_odt_mesh_3/internal/geometry/Vertex_tuples.h>
-#include <CGAL/Global_odt_mesh_3/internal/restricted/Cell_certificate_3.h>
-#include <CGAL/Global_odt_mesh_3/internal/restricted/Exact_regularity_3.h>
+#include <CGAL/Global_odt_mesh_3/internal/restricted/Certified_region_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/restricted/Restricted_complex_3.h>
-#include <CGAL/Global_odt_mesh_3/internal/restricted/Taken_cells_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/restricted/Triangulation_takeover_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/restricted/Working_triangulation_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/triangulation/Flips_3.h>

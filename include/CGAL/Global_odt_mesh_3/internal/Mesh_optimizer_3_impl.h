@@ -15,7 +15,7 @@
 #include <CGAL/Global_odt_mesh_3/internal/interface/Optimization_visitor.h>
 #include <CGAL/Global_odt_mesh_3/internal/interface/User_field_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/parallel/Thread_policy.h>
-#include <CGAL/Global_odt_mesh_3/internal/restricted/Boundary_motion.h>
+#include <CGAL/Global_odt_mesh_3/internal/restricted/Restricted_candidate_3.h>
 
 #include <CGAL/Mesh_optimization_return_code.h>
 

@@ -7,7 +7,7 @@
 #define CGAL_GLOBAL_ODT_MESH_3_INTERNAL_ODT_PARAMETERS_H
 
 #include <CGAL/Global_odt_mesh_3/internal/Parameter_check.h>
-#include <CGAL/Global_odt_mesh_3/internal/density/Quadrature_choice.h>
+#include <CGAL/Global_odt_mesh_3/internal/density/Make_density_quadrature_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/optimization/Annealing_schedule.h>
 
 #include <CGAL/Mesh_3/parameters_defaults.h>

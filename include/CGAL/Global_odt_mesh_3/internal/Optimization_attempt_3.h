@@ -15,11 +15,11 @@
 #include <CGAL/Global_odt_mesh_3/internal/interface/User_field_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/parallel/Stage_clock.h>
 #include <CGAL/Global_odt_mesh_3/internal/parallel/Thread_policy.h>
-#include <CGAL/Global_odt_mesh_3/internal/restricted/Boundary_motion.h>
+#include <CGAL/Global_odt_mesh_3/internal/restricted/Restricted_candidate_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/restricted/Restricted_complex_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/restricted/State_reader_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/restricted/State_tabulation_3.h>
-#include <CGAL/Global_odt_mesh_3/internal/restricted/Surface_roughness_3.h>
+#include <CGAL/Global_odt_mesh_3/internal/restricted/Surface_projection_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/sizing/Largest_cells_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/slivers/Cell_angles.h>
 #include <CGAL/Global_odt_mesh_3/internal/slivers/Sliver_stage_3.h>

@@ -6,17 +6,18 @@
 #ifndef CGAL_GLOBAL_ODT_MESH_3_INTERNAL_BLOCKS_MESH_PARTITION_3_H
 #define CGAL_GLOBAL_ODT_MESH_3_INTERNAL_BLOCKS_MESH_PARTITION_3_H
 
-#include <CGAL/Global_odt_mesh_3/internal/blocks/Space_partition_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/geometry/Random_source.h>
 #include <CGAL/Global_odt_mesh_3/internal/geometry/Site.h>
 #include <CGAL/Global_odt_mesh_3/internal/parallel/Buckets.h>
-#include <CGAL/Global_odt_mesh_3/internal/parallel/For_each_in_chunks.h>
+#include <CGAL/Global_odt_mesh_3/internal/parallel/Chunked_loops.h>
 #include <CGAL/Global_odt_mesh_3/internal/parallel/Thread_policy.h>
 #include <CGAL/Global_odt_mesh_3/internal/triangulation/Constrained_triangulation_3.h>
 
 #include <Eigen/Core>
+#include <Eigen/Geometry>
 
 #include <algorithm>
+#include <array>
 #include <atomic>
 #include <cstddef>
 #include <numeric>
@@ -25,6 +26,99 @@
 namespace CGAL {
 namespace Global_odt_mesh_3 {
 namespace internal {
+
+// Space in blocks with about as many vertices of a mesh each: a kd-tree in a random frame with random cuts, so that the
+// seams of one partition are not those of another. It depends on the mesh and the random numbers alone.
+class Space_partition_3
+{
+public:
+  Space_partition_3(const Constrained_triangulation_3& mesh, int number_of_blocks, Random_source random)
+  {
+    choose_frame(random);
+    std::vector<Eigen::Vector3d> samples = sample(mesh, std::size_t(number_of_blocks) * samples_of_block);
+    root_ = split(samples.begin(), samples.end(), number_of_blocks, random);
+  }
+
+  // That of a point.
+  int block(const Eigen::Vector3d& point) const
+  {
+    const Eigen::Vector3d p = frame_ * point;
+    int node = root_;
+    while(node >= 0)
+      node = nodes_[node].child[p[nodes_[node].axis] >= nodes_[node].cut];
+    return ~node;
+  }
+
+private:
+  static constexpr int samples_of_block = 200;
+  static constexpr double spread_of_cuts = 0.1;     // around where the blocks would be of one size
+
+  struct Node
+  {
+    int axis;
+    double cut;
+    std::array<int, 2> child;       // or ~block
+  };
+
+  typedef std::vector<Eigen::Vector3d>::iterator Sample;
+
+  void choose_frame(Random_source& random)
+  {
+    frame_.row(0) = random.direction();
+    frame_.row(1) = frame_.row(0).cross(random.direction()).normalized();
+    frame_.row(2) = frame_.row(0).cross(frame_.row(1));
+  }
+
+  std::vector<Eigen::Vector3d> sample(const Constrained_triangulation_3& mesh, std::size_t number) const
+  {
+    const std::size_t step = 1 + mesh.sites.size() / number;
+    std::vector<Eigen::Vector3d> points;
+    for(std::size_t v = 0; v < mesh.sites.size(); v += step)
+      if(mesh.topology.incident_cell(static_cast<int>(v)) >= 0)
+        points.push_back(frame_ * position(mesh.sites[v]));
+    return points;
+  }
+
+  // Gives the number of the node, or ~block.
+  int split(Sample begin, Sample end, int blocks, Random_source& random)
+  {
+    if(blocks == 1)
+      return ~number_of_leaves_++;
+    const int first = (blocks + (random.uniform() < 0.5)) / 2;
+    const double share = double(first) / blocks + spread_of_cuts * (2 * random.uniform() - 1);
+    const Sample middle = begin + static_cast<std::ptrdiff_t>(share * double(end - begin));
+    Node node = { 0, 0, {} };
+    if(begin != end)
+    {
+      node.axis = longest_axis(begin, end);
+      std::nth_element(begin, middle, end, [&node](const Eigen::Vector3d& p, const Eigen::Vector3d& q)
+                       { return p[node.axis] < q[node.axis]; });
+      node.cut = (*middle)[node.axis];
+    }
+    const int number = static_cast<int>(nodes_.size());
+    nodes_.push_back(node);
+    const int low = split(begin, middle, first, random), high = split(middle, end, blocks - first, random);
+    nodes_[number].child = {{ low, high }};
+    return number;
+  }
+
+  static int longest_axis(Sample begin, Sample end)
+  {
+    Eigen::Vector3d low = *begin, high = *begin;
+    for(Sample p = begin; p != end; ++p)
+    {
+      low = low.cwiseMin(*p);
+      high = high.cwiseMax(*p);
+    }
+    int axis;
+    (high - low).maxCoeff(&axis);
+    return axis;
+  }
+
+  Eigen::Matrix3d frame_;
+  std::vector<Node> nodes_;
+  int root_ = 0, number_of_leaves_ = 0;
+};
 
 // The cells of a mesh in the blocks of a partition of space, by their centroids.
 class Mesh_partition_3
@@ -97,6 +191,33 @@ private:
   }
 
   Buckets cells_, vertices_;
+};
+
+// The vertices of a mesh in parts that threads may change at the same time, where they are. Cells with all vertices in one
+// part belong to it; the others belong to none and stay, and with them their vertices. So no part sees anything of
+// another that changes.
+class Mesh_parts_3
+{
+public:
+  static constexpr int none = -1;
+
+  Mesh_parts_3(const Constrained_triangulation_3& mesh, int number_of_parts, Random_source random, const Thread_policy& threads)
+    : part_of_vertex_(mesh.sites.size())
+  {
+    const Space_partition_3 space(mesh, number_of_parts, random);
+    for_each_in_chunks(static_cast<int>(mesh.sites.size()), threads,
+                       [&](int v) { part_of_vertex_[v] = space.block(position(mesh.sites[v])); });
+  }
+
+  // Of a cell with these vertices.
+  int part(const std::array<int, 4>& cell) const
+  {
+    const int first = part_of_vertex_[cell[0]];
+    return std::all_of(cell.begin() + 1, cell.end(), [&](int v) { return part_of_vertex_[v] == first; }) ? first : int(none);
+  }
+
+private:
+  std::vector<int> part_of_vertex_;
 };
 
 } // namespace internal

@@ -6,7 +6,6 @@
 #ifndef CGAL_GLOBAL_ODT_MESH_3_INTERNAL_DENSITY_DENSITY_MOMENT_CACHE_3_H
 #define CGAL_GLOBAL_ODT_MESH_3_INTERNAL_DENSITY_DENSITY_MOMENT_CACHE_3_H
 
-#include <CGAL/Global_odt_mesh_3/internal/density/Density_moments_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/density/Density_quadrature_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/geometry/Site.h>
 

@@ -6,10 +6,9 @@
 #ifndef CGAL_GLOBAL_ODT_MESH_3_INTERNAL_DENSITY_LINEAR_DENSITY_QUADRATURE_3_H
 #define CGAL_GLOBAL_ODT_MESH_3_INTERNAL_DENSITY_LINEAR_DENSITY_QUADRATURE_3_H
 
-#include <CGAL/Global_odt_mesh_3/internal/density/Density_moments_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/density/Density_quadrature_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/geometry/Site.h>
-#include <CGAL/Global_odt_mesh_3/internal/parallel/Chunks.h>
+#include <CGAL/Global_odt_mesh_3/internal/parallel/Chunked_loops.h>
 #include <CGAL/Global_odt_mesh_3/internal/parallel/Thread_policy.h>
 
 #include <CGAL/assertions.h>

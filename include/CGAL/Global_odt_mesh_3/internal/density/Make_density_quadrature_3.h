@@ -13,8 +13,9 @@
 #include <CGAL/Global_odt_mesh_3/internal/density/Linear_density_quadrature_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/density/Point_rule_quadrature_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/density/Quadratic_density_quadrature_3.h>
-#include <CGAL/Global_odt_mesh_3/internal/density/Quadrature_choice.h>
 #include <CGAL/Global_odt_mesh_3/internal/geometry/Site.h>
+
+#include <CGAL/Density_quadratures_3.h>
 
 #include <memory>
 #include <utility>
@@ -24,6 +25,16 @@
 namespace CGAL {
 namespace Global_odt_mesh_3 {
 namespace internal {
+
+// Without a word of the caller, the linear rule, or exact integrals where the density allows them.
+typedef std::variant<std::monostate, Linear_density_rule_3, Four_point_rule_3, Fifteen_point_rule_3, Adaptive_cubature_3>
+  Quadrature_choice;
+
+inline void check(const Quadrature_choice& choice)
+{
+  if(const auto* cubature = std::get_if<Adaptive_cubature_3>(&choice))
+    cubature->check();
+}
 
 // The quadrature that the caller has chosen, for a mesh with vertices there; null if that is to say that the
 // density is one. It refers to the density.

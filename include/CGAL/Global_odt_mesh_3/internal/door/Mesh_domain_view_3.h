@@ -7,7 +7,7 @@
 #define CGAL_GLOBAL_ODT_MESH_3_INTERNAL_DOOR_MESH_DOMAIN_VIEW_3_H
 
 #include <CGAL/Global_odt_mesh_3/internal/door/Index_table.h>
-#include <CGAL/Global_odt_mesh_3/internal/geometry/Point_coordinates.h>
+#include <CGAL/Global_odt_mesh_3/internal/geometry/Site.h>
 #include <CGAL/Global_odt_mesh_3/internal/interface/Domain_view_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/parallel/Thread_policy.h>
 

@@ -9,7 +9,6 @@
 #include <CGAL/Density_quadratures_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/density/Adaptive_cubature_quadrature_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/density/Density_3.h>
-#include <CGAL/Global_odt_mesh_3/internal/density/Density_moments_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/density/Density_quadrature_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/density/Point_rule_quadrature_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/energy/Odt_energy_3.h>

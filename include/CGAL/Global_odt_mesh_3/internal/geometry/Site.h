@@ -6,6 +6,8 @@
 #ifndef CGAL_GLOBAL_ODT_MESH_3_INTERNAL_GEOMETRY_SITE_H
 #define CGAL_GLOBAL_ODT_MESH_3_INTERNAL_GEOMETRY_SITE_H
 
+#include <CGAL/number_utils.h>
+
 #include <Eigen/Core>
 
 namespace CGAL {
@@ -25,6 +27,19 @@ inline Eigen::Vector3d position(const Site& s) { return Eigen::Vector3d(s.x, s.y
 inline bool same_place(const Site& a, const Site& b) { return a.x == b.x && a.y == b.y && a.z == b.z; }
 
 inline Site site_at(const Eigen::Vector3d& p, double weight) { return { p.x(), p.y(), p.z(), weight }; }
+
+// CGAL's points in double coordinates.
+template <class Point>
+Eigen::Vector3d coordinates(const Point& p)
+{
+  return Eigen::Vector3d(CGAL::to_double(p.x()), CGAL::to_double(p.y()), CGAL::to_double(p.z()));
+}
+
+template <class Weighted_point>
+Site weighted_site(const Weighted_point& p)
+{
+  return { CGAL::to_double(p.x()), CGAL::to_double(p.y()), CGAL::to_double(p.z()), CGAL::to_double(p.weight()) };
+}
 
 } // namespace internal
 } // namespace Global_odt_mesh_3

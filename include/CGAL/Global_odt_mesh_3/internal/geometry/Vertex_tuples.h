@@ -8,7 +8,10 @@
 
 #include <algorithm>
 #include <array>
+#include <cstddef>
+#include <cstdint>
 #include <utility>
+#include <vector>
 
 namespace CGAL {
 namespace Global_odt_mesh_3 {
@@ -47,6 +50,81 @@ inline Quadruple in_canonical_order(Quadruple v)
     std::swap(v[2], v[3]);
   return v;
 }
+
+// Values for facets or cells, by the numbers of their vertices in an order that is the same for all who ask, as those of
+// Vertex_tuples.h. They are together in memory, in the order in which they have come.
+template <class Tuple, class T>
+class Tuple_table
+{
+public:
+  typedef std::pair<Tuple, T> Entry;
+
+  void reserve(std::size_t size)
+  {
+    entries_.reserve(size);
+    provide_places(2 * size);
+  }
+
+  // The first value that a tuple gets is its value.
+  void insert(const Tuple& tuple, const T& value)
+  {
+    provide_places(2 * (entries_.size() + 1));
+    const std::size_t p = place(tuple);
+    if(places_[p] != none)
+      return;
+    entries_.emplace_back(tuple, value);
+    places_[p] = static_cast<int>(entries_.size()) - 1;
+  }
+
+  // Null if there is none.
+  const T* find(const Tuple& tuple) const
+  {
+    const int n = entries_.empty() ? int(none) : places_[place(tuple)];
+    return n == none ? nullptr : &entries_[n].second;
+  }
+
+  const std::vector<Entry>& entries() const { return entries_; }
+
+private:
+  static constexpr int none = -1;
+
+  // Where the tuple is, or else where it may be put.
+  std::size_t place(const Tuple& tuple) const
+  {
+    std::uint64_t hash = 0;
+    for(int v : tuple)
+      hash = (hash ^ static_cast<std::uint64_t>(v)) * 0x9e3779b97f4a7c15u;
+    const std::size_t last = places_.size() - 1;
+    std::size_t p = static_cast<std::size_t>(hash >> 32) & last;
+    while(places_[p] != none && !are_equal(entries_[places_[p]].first, tuple))
+      p = (p + 1) & last;
+    return p;
+  }
+
+  // The operator of std::array calls a function of the C library.
+  static bool are_equal(const Tuple& a, const Tuple& b)
+  {
+    for(std::size_t i = 0; i < a.size(); ++i)
+      if(a[i] != b[i])
+        return false;
+    return true;
+  }
+
+  void provide_places(std::size_t number)
+  {
+    if(number <= places_.size())
+      return;
+    std::size_t size = 16;
+    while(size < number)
+      size *= 2;
+    places_.assign(size, int(none));
+    for(std::size_t n = 0; n < entries_.size(); ++n)
+      places_[place(entries_[n].first)] = static_cast<int>(n);
+  }
+
+  std::vector<Entry> entries_;
+  std::vector<int> places_;         // of entries, a power of two of which at least half are free
+};
 
 } // namespace internal
 } // namespace Global_odt_mesh_3

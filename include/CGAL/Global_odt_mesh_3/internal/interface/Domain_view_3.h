@@ -6,23 +6,43 @@
 #ifndef CGAL_GLOBAL_ODT_MESH_3_INTERNAL_INTERFACE_DOMAIN_VIEW_3_H
 #define CGAL_GLOBAL_ODT_MESH_3_INTERNAL_INTERFACE_DOMAIN_VIEW_3_H
 
-#include <CGAL/Global_odt_mesh_3/internal/parallel/Collect_in_chunks.h>
-#include <CGAL/Global_odt_mesh_3/internal/parallel/For_each_in_chunks.h>
-#include <CGAL/Global_odt_mesh_3/internal/parallel/Shared_counter.h>
+#include <CGAL/Global_odt_mesh_3/internal/parallel/Chunked_loops.h>
 #include <CGAL/Global_odt_mesh_3/internal/parallel/Thread_policy.h>
 
 #include <Eigen/Core>
 
-#ifdef CGAL_GLOBAL_ODT_MESH_3_PROFILING
-#  include <chrono>
-#endif
+#include <atomic>
 #include <cstddef>
 #include <limits>
 #include <vector>
 
+#ifdef CGAL_GLOBAL_ODT_MESH_3_PROFILING
+#  include <chrono>
+#endif
+
 namespace CGAL {
 namespace Global_odt_mesh_3 {
 namespace internal {
+
+// A number that several threads may add to.
+class Shared_counter
+{
+public:
+  Shared_counter() : count_(0) {}
+  Shared_counter(const Shared_counter& other) : count_(other) {}
+  Shared_counter& operator=(const Shared_counter& other)
+  {
+    count_.store(other, std::memory_order_relaxed);
+    return *this;
+  }
+
+  operator std::size_t() const { return count_.load(std::memory_order_relaxed); }
+  void operator++() { *this += 1; }
+  void operator+=(std::size_t n) { count_.fetch_add(n, std::memory_order_relaxed); }
+
+private:
+  std::atomic<std::size_t> count_;
+};
 
 // How often the domain was asked.
 struct Oracle_statistics

@@ -6,17 +6,157 @@
 #ifndef CGAL_GLOBAL_ODT_MESH_3_INTERNAL_OPTIMIZATION_LIMITED_MEMORY_BFGS_H
 #define CGAL_GLOBAL_ODT_MESH_3_INTERNAL_OPTIMIZATION_LIMITED_MEMORY_BFGS_H
 
-#include <CGAL/Global_odt_mesh_3/internal/optimization/Curvature_pairs.h>
+#include <CGAL/Global_odt_mesh_3/internal/density/Density_quadrature_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/optimization/Vector_loop.h>
 #include <CGAL/Global_odt_mesh_3/internal/parallel/Thread_policy.h>
 
 #include <Eigen/Core>
 
+#include <algorithm>
 #include <cmath>
+#include <vector>
 
 namespace CGAL {
 namespace Global_odt_mesh_3 {
 namespace internal {
+
+// What the last steps of L-BFGS tell about curvature, and the direction that follows: the two-loop recursion (Nocedal
+// and Wright, Numerical Optimization, Algorithm 7.4) with the initial matrix gamma D^{-1}.
+//
+// Both loops only need the products of all pairs, which are kept, and with one other vector, which are computed
+// at once: the vectors, too long for a cache, are read three times per direction instead of ten.
+class Curvature_pairs
+{
+public:
+  explicit Curvature_pairs(int most, const Thread_policy& threads)
+    : threads_(threads)
+    , most_(most)
+    , products_(most, most)
+  {}
+
+  bool empty() const { return pairs_.empty(); }
+  void clear() { pairs_.clear(); }
+
+  // The step from x, with gradient g, to another point, with its gradient and D. Negative curvature says nothing of
+  // use.
+  void add(const Eigen::VectorXd& x, const Eigen::VectorXd& g, const Eigen::VectorXd& other_x,
+           const Eigen::VectorXd& other_g, const Eigen::VectorXd& diagonal)
+  {
+    Pair& p = next_;
+    p.s.resize(x.size());
+    p.y.resize(x.size());
+    const Eigen::VectorXd sums = Vector_loop(threads_, x.size()).sums(4, [&](Eigen::Index n, Eigen::Index l, auto& sum)
+    {
+      auto s = p.s.segment(n, l), y = p.y.segment(n, l);
+      s = other_x.segment(n, l) - x.segment(n, l);
+      y = other_g.segment(n, l) - g.segment(n, l);
+      sum[0] += s.dot(y);
+      sum[1] += s.squaredNorm();
+      sum[2] += y.squaredNorm();
+      sum[3] += (y.array().square() / diagonal.segment(n, l).array()).sum();
+    });
+    if(!(sums[0] > 1e-10 * std::sqrt(sums[1] * sums[2])))
+      return;
+    gamma_ = sums[0] / sums[3];
+    append();
+  }
+
+  // Sets the direction for the gradient g, and gives its product with g.
+  double compute_direction(const Eigen::VectorXd& g, const Eigen::VectorXd& diagonal, Eigen::VectorXd& direction)
+  {
+    const Vector_loop loop(threads_, g.size());
+    const Eigen::VectorXd alpha = first_loop(loop, g);
+    const Eigen::VectorXd weight = alpha - second_loop(loop, g, diagonal, alpha, direction);
+    return loop.sums(1, [&](Eigen::Index n, Eigen::Index l, auto& sum)
+    {
+      auto d = direction.segment(n, l);
+      for(int i = 0; i < size(); ++i)
+        d += weight[i] * pairs_[i].s.segment(n, l);
+      d = -d;
+      sum[0] += d.dot(g.segment(n, l));
+    })[0];
+  }
+
+private:
+  struct Pair
+  {
+    Eigen::VectorXd s, y;
+  };
+
+  int size() const { return static_cast<int>(pairs_.size()); }
+
+  // The new pair takes the place of the oldest, whose memory serves the next.
+  void append()
+  {
+    if(size() < most_)
+      pairs_.emplace_back();
+    else
+    {
+      std::rotate(pairs_.begin(), pairs_.begin() + 1, pairs_.end());
+      for(int j = 1; j < most_; ++j)
+        products_.col(j - 1).head(most_ - 1) = products_.col(j).tail(most_ - 1).eval();
+    }
+    std::swap(pairs_.back(), next_);
+  }
+
+  // Gives the factors of y, after the products with the newest y have become known.
+  Eigen::VectorXd first_loop(const Vector_loop& loop, const Eigen::VectorXd& g)
+  {
+    const int k = size();
+    const Eigen::VectorXd sums = loop.sums(2 * k, [&](Eigen::Index n, Eigen::Index l, auto& sum)
+    {
+      for(int i = 0; i < k; ++i)
+      {
+        const auto s = pairs_[i].s.segment(n, l);
+        sum[i] += s.dot(g.segment(n, l));
+        sum[k + i] += s.dot(pairs_.back().y.segment(n, l));
+      }
+    });
+    Eigen::VectorXd alpha = sums.head(k);
+    if(k > 0)
+      products_.col(k - 1).head(k) = sums.tail(k);
+    for(int i = k - 1; i >= 0; --i)
+    {
+      for(int j = i + 1; j < k; ++j)
+        alpha[i] -= alpha[j] * products_(i, j);
+      alpha[i] /= products_(i, i);
+    }
+    return alpha;
+  }
+
+  // Sets the direction to what the initial matrix makes of the rest, and gives what the second loop takes from alpha.
+  Eigen::VectorXd second_loop(const Vector_loop& loop, const Eigen::VectorXd& g, const Eigen::VectorXd& diagonal,
+                              const Eigen::VectorXd& alpha, Eigen::VectorXd& direction) const
+  {
+    const int k = size();
+    const double gamma = k > 0 ? gamma_ : 1;
+    direction.resize(g.size());
+    Eigen::VectorXd beta = loop.sums(k, [&](Eigen::Index n, Eigen::Index l, auto& sum)
+    {
+      auto d = direction.segment(n, l);
+      d = g.segment(n, l);
+      for(int i = k - 1; i >= 0; --i)
+        d -= alpha[i] * pairs_[i].y.segment(n, l);
+      d.array() *= gamma / diagonal.segment(n, l).array();
+      for(int i = 0; i < k; ++i)
+        sum[i] += pairs_[i].y.segment(n, l).dot(d);
+    });
+    for(int i = 0; i < k; ++i)
+    {
+      for(int j = 0; j < i; ++j)
+        beta[i] += (alpha[j] - beta[j]) * products_(j, i);
+      beta[i] /= products_(i, i);
+    }
+    return beta;
+  }
+
+  Thread_policy threads_;
+  int most_;
+  std::vector<Pair> pairs_;         // from the oldest to the newest
+  Pair next_;
+  Eigen::MatrixXd products_;        // of s, of the row, and y, of the column, that is not older
+  double gamma_ = 1;
+};
 
 struct Limited_memory_bfgs_parameters
 {
@@ -123,6 +263,18 @@ private:
   Curvature_pairs pairs_;
   Eigen::VectorXd x_, g_, direction_, trial_;
 };
+
+// How the energy with that quadrature of the density, or without any, is minimized.
+inline Limited_memory_bfgs_parameters minimizer_parameters(const Density_quadrature_3* quadrature)
+{
+  Limited_memory_bfgs_parameters p;
+  if(quadrature != nullptr)
+  {
+    p.memory = 15;      // graded meshes take more iterations
+    p.energy_tolerance = quadrature->energy_tolerance();
+  }
+  return p;
+}
 
 } // namespace internal
 } // namespace Global_odt_mesh_3

@@ -10,7 +10,7 @@
 #include <CGAL/Global_odt_mesh_3/internal/optimization/Odt_objective_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/optimization/Vector_loop.h>
 #include <CGAL/Global_odt_mesh_3/internal/optimization/Vertex_noise.h>
-#include <CGAL/Global_odt_mesh_3/internal/parallel/Chunks.h>
+#include <CGAL/Global_odt_mesh_3/internal/parallel/Chunked_loops.h>
 
 #include <Eigen/Core>
 

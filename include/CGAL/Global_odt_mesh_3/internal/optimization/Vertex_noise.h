@@ -7,7 +7,6 @@
 #define CGAL_GLOBAL_ODT_MESH_3_INTERNAL_OPTIMIZATION_VERTEX_NOISE_H
 
 #include <CGAL/Global_odt_mesh_3/internal/geometry/Random_source.h>
-#include <CGAL/Global_odt_mesh_3/internal/geometry/Split_mix_engine.h>
 
 #include <Eigen/Core>
 

@@ -6,11 +6,11 @@
 #ifndef CGAL_GLOBAL_ODT_MESH_3_INTERNAL_RESTRICTED_BOUNDARY_EXTRACTION_3_H
 #define CGAL_GLOBAL_ODT_MESH_3_INTERNAL_RESTRICTED_BOUNDARY_EXTRACTION_3_H
 
-#include <CGAL/Global_odt_mesh_3/internal/geometry/Facet_dual_3.h>
+#include <CGAL/Global_odt_mesh_3/internal/geometry/Facet_geometry_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/geometry/Vertex_tuples.h>
-#include <CGAL/Global_odt_mesh_3/internal/parallel/Collect_in_chunks.h>
-#include <CGAL/Global_odt_mesh_3/internal/restricted/Cell_knowledge.h>
+#include <CGAL/Global_odt_mesh_3/internal/parallel/Chunked_loops.h>
 #include <CGAL/Global_odt_mesh_3/internal/restricted/Restricted_candidate_3.h>
+#include <CGAL/Global_odt_mesh_3/internal/restricted/Working_triangulation_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/surface/Boundary_complex_3.h>
 
 #include <Eigen/Core>

@@ -6,17 +6,19 @@
 #ifndef CGAL_GLOBAL_ODT_MESH_3_INTERNAL_RESTRICTED_BOUNDARY_PEELING_3_H
 #define CGAL_GLOBAL_ODT_MESH_3_INTERNAL_RESTRICTED_BOUNDARY_PEELING_3_H
 
+#include <CGAL/Global_odt_mesh_3/internal/geometry/Cell_shape_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/geometry/Vertex_tuples.h>
 #include <CGAL/Global_odt_mesh_3/internal/restricted/Boundary_extraction_3.h>
-#include <CGAL/Global_odt_mesh_3/internal/restricted/Cell_knowledge.h>
-#include <CGAL/Global_odt_mesh_3/internal/restricted/Facet_shape_check_3.h>
-#include <CGAL/Global_odt_mesh_3/internal/restricted/Fidelity_check_3.h>
-#include <CGAL/Global_odt_mesh_3/internal/restricted/Flat_boundary_cells_3.h>
+#include <CGAL/Global_odt_mesh_3/internal/restricted/Estimated_surface_center_3.h>
+#include <CGAL/Global_odt_mesh_3/internal/restricted/Facet_checks_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/restricted/Restricted_candidate_3.h>
+#include <CGAL/Global_odt_mesh_3/internal/restricted/Surface_centers_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/restricted/Topology_check_3.h>
+#include <CGAL/Global_odt_mesh_3/internal/restricted/Working_triangulation_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/surface/Boundary_complex_3.h>
 
 #include <algorithm>
+#include <array>
 #include <map>
 #include <memory>
 #include <set>
@@ -25,6 +27,83 @@
 namespace CGAL {
 namespace Global_odt_mesh_3 {
 namespace internal {
+
+// Flat cells on the boundary that may as well be on its other side.
+//
+// A sliver with two facets on the boundary stems from four vertices in nearly one plane and on one circle. Its two other
+// facets could take the place of those if they are good, and if their dual lines meet the surface.
+class Flat_boundary_cells_3
+{
+public:
+  static constexpr int no_subdomain = Restricted_state_3::no_subdomain;
+
+  Flat_boundary_cells_3(Restricted_candidate_3& candidate, const Domain_view_3& domain, const Fidelity_check_3& fidelity,
+                        const Facet_shape_check_3& shapes)
+    : candidate_(candidate)
+    , domain_(domain)
+    , fidelity_(fidelity)
+    , shapes_(shapes)
+    , centers_(candidate, domain)
+  {}
+
+  // The label beyond both boundary facets of such a cell, or no_subdomain if it is none.
+  int label_beyond(Cell_handle c, int label)
+  {
+    if(label == Domain_view_3::outside)
+      return no_subdomain;
+    std::array<int, 4> facet;
+    int count = 0;
+    for(int i = 0; i < 4; ++i)
+      if(c->neighbor(i)->label() != c->label())
+        facet[count++] = i;
+    if(count != 2 || c->neighbor(facet[0])->label() != c->neighbor(facet[1])->label())
+      return no_subdomain;
+    const Quadruple q = candidate_.numbers(c);
+    const Cell_shape_3 shape(candidate_.sites[q[0]], candidate_.sites[q[1]], candidate_.sites[q[2]], candidate_.sites[q[3]]);
+    const double between = shape.angles[facet[0] == 0 ? facet[1] - 1 : facet[0] + facet[1]];
+    if(between < 180 - flat_angle || *std::min_element(shape.angles.begin(), shape.angles.end()) > sliver_angle)
+      return no_subdomain;
+    for(int i = 0; i < 4; ++i)
+    {
+      const std::array<int, 3> t = {{ q[(i + 1) % 4], q[(i + 2) % 4], q[(i + 3) % 4] }};
+      if(i == facet[0] || i == facet[1])
+        continue;
+      if(!shapes_.is_good(t, candidate_.sites) || !fidelity_.is_faithful(candidate_, t) || !has_surface_center(Facet(c, i)))
+        return no_subdomain;
+    }
+    return c->neighbor(facet[0])->label();
+  }
+
+  // Spares the boundary facets of these cells the checks of facets.
+  void spare()
+  {
+    candidate_.spared_facets.clear();
+    for(const auto& c : candidate_.boundary_cells)
+      if(label_beyond(c.first, c.second) != no_subdomain)
+        for(int i = 0; i < 4; ++i)
+          if(c.first->neighbor(i)->label() != c.first->label())
+            candidate_.spared_facets.insert(sorted(candidate_.numbered.vertices(Facet(c.first, i))));
+  }
+
+private:
+  static constexpr double sliver_angle = 20, flat_angle = 35; // degrees
+
+  bool has_surface_center(Facet f)
+  {
+    if(!candidate_.numbered.is_first_side(f))
+      f = candidate_.triangulation().mirror_facet(f);
+    const std::array<int, 3> t = candidate_.numbered.vertices(f);
+    Restricted_candidate_3::Surface_center center;
+    center.point = estimated_surface_center(t, candidate_.measured_boundary, candidate_.sites);
+    return centers_.find_center(f, t, center);
+  }
+
+  Restricted_candidate_3& candidate_;
+  const Domain_view_3& domain_;
+  const Fidelity_check_3& fidelity_;
+  const Facet_shape_check_3& shapes_;
+  Surface_center_search_3 centers_;
+};
 
 // Takes flat cells off the boundary, on the way: they get the label that is on the other side of two of their facets, which
 // the two others replace, where that keeps the topology. In the end it is vertices that have to move, lest a cell have

@@ -7,10 +7,10 @@
 #define CGAL_GLOBAL_ODT_MESH_3_INTERNAL_RESTRICTED_CANDIDATE_REPAIR_3_H
 
 #include <CGAL/Global_odt_mesh_3/internal/geometry/Site.h>
+#include <CGAL/Global_odt_mesh_3/internal/restricted/Numbered_triangulation_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/restricted/Restricted_candidate_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/restricted/Restricted_report_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/restricted/Surface_projection_3.h>
-#include <CGAL/Global_odt_mesh_3/internal/restricted/Vertex_rings_3.h>
 
 #include <Eigen/Core>
 

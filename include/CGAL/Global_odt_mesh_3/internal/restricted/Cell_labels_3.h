@@ -7,15 +7,12 @@
 #define CGAL_GLOBAL_ODT_MESH_3_INTERNAL_RESTRICTED_CELL_LABELS_3_H
 
 #include <CGAL/Global_odt_mesh_3/internal/geometry/Cell_products_3.h>
-#include <CGAL/Global_odt_mesh_3/internal/geometry/Point_coordinates.h>
 #include <CGAL/Global_odt_mesh_3/internal/geometry/Site.h>
 #include <CGAL/Global_odt_mesh_3/internal/interface/Domain_view_3.h>
-#include <CGAL/Global_odt_mesh_3/internal/parallel/Collect_in_chunks.h>
-#include <CGAL/Global_odt_mesh_3/internal/restricted/Boundary_motion.h>
-#include <CGAL/Global_odt_mesh_3/internal/restricted/Cell_knowledge.h>
-#include <CGAL/Global_odt_mesh_3/internal/restricted/Dual_side_3.h>
+#include <CGAL/Global_odt_mesh_3/internal/parallel/Chunked_loops.h>
 #include <CGAL/Global_odt_mesh_3/internal/restricted/Restricted_candidate_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/restricted/Restricted_report_3.h>
+#include <CGAL/Global_odt_mesh_3/internal/restricted/Working_triangulation_3.h>
 
 #include <Eigen/Core>
 

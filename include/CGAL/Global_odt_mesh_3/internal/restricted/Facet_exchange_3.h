@@ -6,13 +6,10 @@
 #ifndef CGAL_GLOBAL_ODT_MESH_3_INTERNAL_RESTRICTED_FACET_EXCHANGE_3_H
 #define CGAL_GLOBAL_ODT_MESH_3_INTERNAL_RESTRICTED_FACET_EXCHANGE_3_H
 
-#include <CGAL/Global_odt_mesh_3/internal/geometry/Facet_dual_3.h>
-#include <CGAL/Global_odt_mesh_3/internal/geometry/Facet_shape_3.h>
-#include <CGAL/Global_odt_mesh_3/internal/geometry/Point_coordinates.h>
+#include <CGAL/Global_odt_mesh_3/internal/geometry/Facet_geometry_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/geometry/Site.h>
 #include <CGAL/Global_odt_mesh_3/internal/geometry/Vertex_tuples.h>
-#include <CGAL/Global_odt_mesh_3/internal/restricted/Facet_shape_check_3.h>
-#include <CGAL/Global_odt_mesh_3/internal/restricted/Fidelity_check_3.h>
+#include <CGAL/Global_odt_mesh_3/internal/restricted/Facet_checks_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/restricted/Lifted_vertex_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/restricted/Trial_complex_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/surface/Exchangeable_boundary_3.h>

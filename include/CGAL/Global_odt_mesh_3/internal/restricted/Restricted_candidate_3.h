@@ -8,13 +8,12 @@
 
 #include <CGAL/Global_odt_mesh_3/internal/geometry/Site.h>
 #include <CGAL/Global_odt_mesh_3/internal/geometry/Vertex_tuples.h>
-#include <CGAL/Global_odt_mesh_3/internal/parallel/For_each_in_chunks.h>
+#include <CGAL/Global_odt_mesh_3/internal/parallel/Chunked_loops.h>
 #include <CGAL/Global_odt_mesh_3/internal/parallel/Thread_policy.h>
-#include <CGAL/Global_odt_mesh_3/internal/restricted/Boundary_motion.h>
-#include <CGAL/Global_odt_mesh_3/internal/restricted/Cell_knowledge.h>
 #include <CGAL/Global_odt_mesh_3/internal/restricted/Numbered_triangulation_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/restricted/Restricted_state_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/restricted/Triangulation_takeover_3.h>
+#include <CGAL/Global_odt_mesh_3/internal/restricted/Working_triangulation_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/surface/Boundary_complex_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/surface/Boundary_geometry_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/triangulation/Moving_triangulation_3.h>
@@ -35,6 +34,14 @@
 namespace CGAL {
 namespace Global_odt_mesh_3 {
 namespace internal {
+
+// How the vertices on surfaces move, and with that, what is believed about the domain.
+//
+// By normals: vertices follow tangential planes and are projected to the surface now and then, and until the final state
+// normals tell on which side of the surface a dual point lies; the domain is asked where that is not clear. On
+// surfaces that are rough compared with the mesh, as those of images are, normals mean
+// little: the domain is asked where each vertex goes, and for dual points that are not far from the tangential planes.
+enum class Boundary_motion { BY_NORMALS, BY_DOMAIN, NONE };
 
 // The next state of a complex while it is made. It owns all that changes on the way; the state
 // from which it starts stays as it is.

@@ -7,23 +7,18 @@
 #define CGAL_GLOBAL_ODT_MESH_3_INTERNAL_RESTRICTED_RESTRICTED_TRIAL_3_H
 
 #include <CGAL/Global_odt_mesh_3/internal/geometry/Angle_deficit_3.h>
-#include <CGAL/Global_odt_mesh_3/internal/geometry/Angle_step_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/geometry/Cell_products_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/geometry/Circumradius_bound_3.h>
-#include <CGAL/Global_odt_mesh_3/internal/geometry/Place_in_sphere.h>
-#include <CGAL/Global_odt_mesh_3/internal/geometry/Promising_step.h>
 #include <CGAL/Global_odt_mesh_3/internal/geometry/Site.h>
-#include <CGAL/Global_odt_mesh_3/internal/geometry/Sliver_count.h>
 #include <CGAL/Global_odt_mesh_3/internal/geometry/Sliver_steps.h>
+#include <CGAL/Global_odt_mesh_3/internal/geometry/Vertex_places.h>
 #include <CGAL/Global_odt_mesh_3/internal/geometry/Vertex_tuples.h>
-#include <CGAL/Global_odt_mesh_3/internal/parallel/Collect_in_chunks.h>
+#include <CGAL/Global_odt_mesh_3/internal/parallel/Chunked_loops.h>
 #include <CGAL/Global_odt_mesh_3/internal/parallel/Thread_policy.h>
+#include <CGAL/Global_odt_mesh_3/internal/restricted/Facet_checks_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/restricted/Facet_exchange_3.h>
-#include <CGAL/Global_odt_mesh_3/internal/restricted/Facet_shape_check_3.h>
-#include <CGAL/Global_odt_mesh_3/internal/restricted/Fidelity_check_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/restricted/Lifted_vertex_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/restricted/Trial_complex_3.h>
-#include <CGAL/Global_odt_mesh_3/internal/restricted/Trial_neighborhood_3.h>
 
 #include <Eigen/Core>
 

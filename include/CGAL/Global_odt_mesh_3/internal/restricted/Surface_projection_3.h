@@ -6,17 +6,51 @@
 #ifndef CGAL_GLOBAL_ODT_MESH_3_INTERNAL_RESTRICTED_SURFACE_PROJECTION_3_H
 #define CGAL_GLOBAL_ODT_MESH_3_INTERNAL_RESTRICTED_SURFACE_PROJECTION_3_H
 
-#include <CGAL/Global_odt_mesh_3/internal/geometry/Facet_dual_3.h>
+#include <CGAL/Global_odt_mesh_3/internal/geometry/Facet_geometry_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/geometry/Site.h>
-#include <CGAL/Global_odt_mesh_3/internal/restricted/Places_on_surface.h>
 #include <CGAL/Global_odt_mesh_3/internal/restricted/Restricted_candidate_3.h>
+#include <CGAL/Global_odt_mesh_3/internal/restricted/Restricted_state_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/surface/Boundary_geometry_3.h>
 
 #include <Eigen/Core>
 
+#include <algorithm>
+#include <vector>
+
 namespace CGAL {
 namespace Global_odt_mesh_3 {
 namespace internal {
+
+// Where the domain has put vertices on their surfaces. As it knows these only up to an error, it would put a vertex elsewhere
+// if it was asked again, and slivers that have just been removed would come back.
+//
+// Threads may keep places of different vertices at the same time.
+class Places_on_surface
+{
+public:
+  explicit Places_on_surface(int first_vertex = 0, int number_of_vertices = 0)
+    : first_vertex_(first_vertex)
+    , places_(number_of_vertices)
+  {}
+
+  void keep(int v, const Site& s) { places_[v - first_vertex_].push_back(s); }
+
+  bool has(int v, const Site& s) const
+  {
+    const std::vector<Site>& places = places_[v - first_vertex_];
+    return std::any_of(places.begin(), places.end(), [&s](const Site& place) { return same_place(place, s); });
+  }
+
+  void forget()
+  {
+    for(std::vector<Site>& places : places_)
+      places.clear();
+  }
+
+private:
+  int first_vertex_;
+  std::vector<std::vector<Site> > places_;
+};
 
 // Moves a site for a vertex on a surface to that surface; false if there is no such point nearby.
 inline bool put_on_surface(const Domain_view_3& domain, const Boundary_geometry_3& boundary, int v, Site& s)
@@ -133,6 +167,34 @@ private:
   const Places_on_surface& places_;
   bool projects_all_;
 };
+
+// Whether a bit along the tangential plane of a vertex the surface is far off.
+inline bool is_off_surface_after_step(const Restricted_state_3& state, const Domain_view_3& domain, int v)
+{
+  constexpr double step_length = 0.2, most_tolerated = 0.05;      // over the shortest edge
+  const Umbrella_shape& shape = state.boundary.shape(v, 0);
+  const double step = step_length * shape.shortest_edge, tolerance = most_tolerated * shape.shortest_edge;
+  const Eigen::Vector3d tangent = shape.toward - shape.normal.dot(shape.toward) * shape.normal;
+  const Eigen::Vector3d from = position(state.sites[v]) + step * tangent.normalized();
+  Eigen::Vector3d p = from;
+  const int patch = state.boundary.complex().umbrella(v, 0).patch;
+  const bool found = domain.project(p, shape.normal, 4 * tolerance, patch);
+  return !found || (p - from).norm() > tolerance;
+}
+
+// Whether the surface is rough compared with the mesh, as that of an image is: so it is at many
+// of some vertices.
+inline bool is_surface_rough(const Restricted_state_3& state, const Domain_view_3& domain)
+{
+  constexpr int probes = 200;
+  constexpr double most_off = 0.1;
+  const int first = state.numbering->number_of_interior_vertices, last = state.numbering->number_of_movable_vertices;
+  const int stride = 1 + (last - first) / probes;
+  int probed = 0, off = 0;
+  for(int v = first; v < last; v += stride, ++probed)
+    off += is_off_surface_after_step(state, domain, v);
+  return off > most_off * probed;
+}
 
 } // namespace internal
 } // namespace Global_odt_mesh_3

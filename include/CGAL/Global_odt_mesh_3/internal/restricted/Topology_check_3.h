@@ -6,13 +6,12 @@
 #ifndef CGAL_GLOBAL_ODT_MESH_3_INTERNAL_RESTRICTED_TOPOLOGY_CHECK_3_H
 #define CGAL_GLOBAL_ODT_MESH_3_INTERNAL_RESTRICTED_TOPOLOGY_CHECK_3_H
 
-#include <CGAL/Global_odt_mesh_3/internal/geometry/Facet_dual_3.h>
+#include <CGAL/Global_odt_mesh_3/internal/geometry/Facet_geometry_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/geometry/Site.h>
+#include <CGAL/Global_odt_mesh_3/internal/restricted/Numbered_triangulation_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/restricted/Restricted_candidate_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/restricted/Restricted_report_3.h>
-#include <CGAL/Global_odt_mesh_3/internal/restricted/Vertex_rings_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/surface/Boundary_complex_3.h>
-#include <CGAL/Global_odt_mesh_3/internal/surface/Boundary_topology_3.h>
 
 #include <Eigen/Core>
 

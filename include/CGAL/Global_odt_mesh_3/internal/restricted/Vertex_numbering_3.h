@@ -7,7 +7,6 @@
 #define CGAL_GLOBAL_ODT_MESH_3_INTERNAL_RESTRICTED_VERTEX_NUMBERING_3_H
 
 #include <CGAL/Global_odt_mesh_3/internal/geometry/Site.h>
-#include <CGAL/Global_odt_mesh_3/internal/geometry/Tuple_table.h>
 #include <CGAL/Global_odt_mesh_3/internal/geometry/Vertex_tuples.h>
 #include <CGAL/Global_odt_mesh_3/internal/interface/Mesh_view_3.h>
 

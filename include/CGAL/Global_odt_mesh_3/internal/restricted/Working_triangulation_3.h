@@ -139,6 +139,22 @@ inline Weighted_point weighted_point(const Site& s)
   return Weighted_point(Working_triangulation_3::Bare_point(s.x, s.y, s.z), s.weight);
 }
 
+// What is known of a cell as long as its vertices stay, in bits of the cell: the cells that a vertex leaves behind are gone
+// when it moves.
+enum Cell_knowledge { IS_SETTLED, IS_BOUNDARY_CELL, MAY_HAVE_BOUNDARY_FACETS };
+
+template <class Cell_handle>
+bool knows(Cell_handle c, Cell_knowledge k) { return c->is_marked(k); }
+
+template <class Cell_handle>
+void note(Cell_handle c, Cell_knowledge k) { c->mark(k); }
+
+template <class Cell_handle>
+void forget(Cell_handle c, Cell_knowledge k) { c->unmark(k); }
+
+template <class Cell_handle>
+void forget(Cell_handle c) { c->unmark_all(); }
+
 } // namespace internal
 } // namespace Global_odt_mesh_3
 } // namespace CGAL

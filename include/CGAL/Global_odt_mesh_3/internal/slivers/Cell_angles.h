@@ -7,7 +7,7 @@
 #define CGAL_GLOBAL_ODT_MESH_3_INTERNAL_SLIVERS_CELL_ANGLES_H
 
 #include <CGAL/Global_odt_mesh_3/internal/geometry/Angle_deficit_3.h>
-#include <CGAL/Global_odt_mesh_3/internal/parallel/Chunks.h>
+#include <CGAL/Global_odt_mesh_3/internal/parallel/Chunked_loops.h>
 #include <CGAL/Global_odt_mesh_3/internal/parallel/Thread_policy.h>
 #include <CGAL/Global_odt_mesh_3/internal/triangulation/Constrained_triangulation_3.h>
 

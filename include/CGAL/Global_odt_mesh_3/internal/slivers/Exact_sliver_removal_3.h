@@ -6,10 +6,10 @@
 #ifndef CGAL_GLOBAL_ODT_MESH_3_INTERNAL_SLIVERS_EXACT_SLIVER_REMOVAL_3_H
 #define CGAL_GLOBAL_ODT_MESH_3_INTERNAL_SLIVERS_EXACT_SLIVER_REMOVAL_3_H
 
-#include <CGAL/Global_odt_mesh_3/internal/geometry/Promising_step.h>
 #include <CGAL/Global_odt_mesh_3/internal/geometry/Random_source.h>
 #include <CGAL/Global_odt_mesh_3/internal/geometry/Site.h>
 #include <CGAL/Global_odt_mesh_3/internal/geometry/Sliver_steps.h>
+#include <CGAL/Global_odt_mesh_3/internal/geometry/Vertex_places.h>
 #include <CGAL/Global_odt_mesh_3/internal/geometry/Vertex_tuples.h>
 #include <CGAL/Global_odt_mesh_3/internal/restricted/Restricted_trial_3.h>
 

@@ -6,11 +6,10 @@
 #ifndef CGAL_GLOBAL_ODT_MESH_3_INTERNAL_SLIVERS_SLIVER_IMPROVEMENT_3_H
 #define CGAL_GLOBAL_ODT_MESH_3_INTERNAL_SLIVERS_SLIVER_IMPROVEMENT_3_H
 
-#include <CGAL/Global_odt_mesh_3/internal/blocks/Mesh_parts_3.h>
+#include <CGAL/Global_odt_mesh_3/internal/blocks/Mesh_partition_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/geometry/Random_source.h>
+#include <CGAL/Global_odt_mesh_3/internal/geometry/Site.h>
 #include <CGAL/Global_odt_mesh_3/internal/parallel/Thread_policy.h>
-#include <CGAL/Global_odt_mesh_3/internal/slivers/Sliver_removal_parameters.h>
-#include <CGAL/Global_odt_mesh_3/internal/slivers/Vertex_motion_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/slivers/Vertex_trial_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/triangulation/Constrained_triangulation_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/triangulation/Flat_triangulation_3.h>
@@ -28,6 +27,37 @@
 namespace CGAL {
 namespace Global_odt_mesh_3 {
 namespace internal {
+
+// Of Sliver_removal_3 and Sliver_improvement_3.
+struct Sliver_removal_parameters
+{
+  double margin = 0.5;              // degrees by which cells should exceed the bound: surfaces may take some away
+  int tries_per_vertex = 8;
+  double farthest = 0.35, nearest = 0.12;   // the longest tries, over the mean incident edge length, near ones first
+  int most_failures = 3;            // for the same cell
+  int most_passes = 12;
+  double joint_farthest = 0.2;                // the longest of a vertex, over the same
+  int joint_tries_per_sliver = 2, most_joint_tries = 20, passes_after_joint_try = 5;
+  int vertices_of_part = 5000, partitions = 3;    // how large parts are, and how often others are made
+  int free_cells_of_part = 500;                   // by which it may get larger
+  std::size_t most_tries = (std::numeric_limits<std::size_t>::max)();     // of single vertices, which are what takes time
+};
+
+// Where the vertices of slivers may go. Several threads may ask for vertices of the interior at the same time, and for those
+// on surfaces if the removal of slivers is told so.
+class Vertex_motion_3
+{
+public:
+  virtual ~Vertex_motion_3() {}
+
+  // Changes a place for the vertex to one as good as allowed, quickly; false if the vertex has to
+  // stay.
+  virtual bool approach(int v, Site& s) = 0;
+
+  // Changes a place that has been approached, and has turned out to be promising, to one that is
+  // allowed, perhaps where it is; false if the vertex has to stay.
+  virtual bool settle(int v, Site& s) = 0;
+};
 
 // Improves cells one after the other, by moving single vertices of theirs or all at once, in the whole mesh or in a part of it.
 class Sliver_improvement_3

@@ -6,13 +6,11 @@
 #ifndef CGAL_GLOBAL_ODT_MESH_3_INTERNAL_SLIVERS_SLIVER_REMOVAL_3_H
 #define CGAL_GLOBAL_ODT_MESH_3_INTERNAL_SLIVERS_SLIVER_REMOVAL_3_H
 
-#include <CGAL/Global_odt_mesh_3/internal/blocks/Mesh_parts_3.h>
+#include <CGAL/Global_odt_mesh_3/internal/blocks/Mesh_partition_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/geometry/Random_source.h>
-#include <CGAL/Global_odt_mesh_3/internal/parallel/Collect_in_chunks.h>
+#include <CGAL/Global_odt_mesh_3/internal/parallel/Chunked_loops.h>
 #include <CGAL/Global_odt_mesh_3/internal/parallel/Thread_policy.h>
 #include <CGAL/Global_odt_mesh_3/internal/slivers/Sliver_improvement_3.h>
-#include <CGAL/Global_odt_mesh_3/internal/slivers/Sliver_removal_parameters.h>
-#include <CGAL/Global_odt_mesh_3/internal/slivers/Vertex_motion_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/triangulation/Constrained_triangulation_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/triangulation/Flat_triangulation_3.h>
 

@@ -13,9 +13,8 @@
 #include <CGAL/Global_odt_mesh_3/internal/restricted/Restricted_trial_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/slivers/Cell_angles.h>
 #include <CGAL/Global_odt_mesh_3/internal/slivers/Exact_sliver_removal_3.h>
+#include <CGAL/Global_odt_mesh_3/internal/slivers/Sliver_improvement_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/slivers/Sliver_removal_3.h>
-#include <CGAL/Global_odt_mesh_3/internal/slivers/Sliver_removal_parameters.h>
-#include <CGAL/Global_odt_mesh_3/internal/slivers/Vertex_motion_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/surface/Boundary_geometry_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/triangulation/Moving_triangulation_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/triangulation/Slot.h>

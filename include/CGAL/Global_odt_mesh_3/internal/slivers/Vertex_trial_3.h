@@ -6,11 +6,10 @@
 #ifndef CGAL_GLOBAL_ODT_MESH_3_INTERNAL_SLIVERS_VERTEX_TRIAL_3_H
 #define CGAL_GLOBAL_ODT_MESH_3_INTERNAL_SLIVERS_VERTEX_TRIAL_3_H
 
-#include <CGAL/Global_odt_mesh_3/internal/blocks/Mesh_parts_3.h>
+#include <CGAL/Global_odt_mesh_3/internal/blocks/Mesh_partition_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/geometry/Angle_deficit_3.h>
-#include <CGAL/Global_odt_mesh_3/internal/geometry/Angle_step_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/geometry/Site.h>
-#include <CGAL/Global_odt_mesh_3/internal/parallel/For_each_in_chunks.h>
+#include <CGAL/Global_odt_mesh_3/internal/parallel/Chunked_loops.h>
 #include <CGAL/Global_odt_mesh_3/internal/parallel/Thread_policy.h>
 #include <CGAL/Global_odt_mesh_3/internal/triangulation/Constrained_triangulation_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/triangulation/Flat_triangulation_3.h>

@@ -7,10 +7,12 @@
 #define CGAL_GLOBAL_ODT_MESH_3_INTERNAL_SURFACE_SURFACE_TRIANGULATION_3_H
 
 #include <CGAL/Global_odt_mesh_3/internal/geometry/Site.h>
-#include <CGAL/Global_odt_mesh_3/internal/parallel/Collect_in_chunks.h>
+#include <CGAL/Global_odt_mesh_3/internal/optimization/Tangential_motion.h>
+#include <CGAL/Global_odt_mesh_3/internal/parallel/Chunked_loops.h>
 #include <CGAL/Global_odt_mesh_3/internal/parallel/Thread_policy.h>
 #include <CGAL/Global_odt_mesh_3/internal/surface/Boundary_complex_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/surface/Boundary_geometry_3.h>
+#include <CGAL/Global_odt_mesh_3/internal/triangulation/Constrained_triangulation_3.h>
 
 #include <Eigen/Core>
 #include <Eigen/Geometry>
@@ -237,6 +239,20 @@ private:
   std::vector<int> opposite_;       // the corner on the other side of the edge, or no_corner
   std::vector<char> is_queued_;
 };
+
+// How the vertices on surfaces may move from where they are: in the plane normal to their umbrella, as far as
+// `farthest`, over the shortest edge there. Those where the surface bends sharply stay.
+inline std::vector<Tangential_motion> tangential_motions(const Constrained_triangulation_3& mesh,
+                                                         const Boundary_geometry_3& boundary, double farthest)
+{
+  std::vector<Tangential_motion> motions;
+  for(int v = mesh.number_of_interior_vertices; v < mesh.number_of_movable_vertices; ++v)
+  {
+    const Umbrella_shape& shape = boundary.shape(v, 0);
+    motions.push_back({ shape.normal, shape.is_smooth ? farthest * shape.shortest_edge : 0., mesh.sites[v] });
+  }
+  return motions;
+}
 
 } // namespace internal
 } // namespace Global_odt_mesh_3

@@ -6,13 +6,130 @@
 #ifndef CGAL_GLOBAL_ODT_MESH_3_INTERNAL_TRIANGULATION_CELL_ORDER_H
 #define CGAL_GLOBAL_ODT_MESH_3_INTERNAL_TRIANGULATION_CELL_ORDER_H
 
+#include <CGAL/Global_odt_mesh_3/internal/parallel/Buckets.h>
+#include <CGAL/Global_odt_mesh_3/internal/parallel/Chunked_loops.h>
+#include <CGAL/Global_odt_mesh_3/internal/parallel/Thread_policy.h>
 #include <CGAL/Global_odt_mesh_3/internal/triangulation/Moving_triangulation_3.h>
+#include <CGAL/Global_odt_mesh_3/internal/triangulation/Slot.h>
 
+#include <CGAL/assertions.h>
+
+#include <algorithm>
+#include <array>
 #include <cstddef>
+#include <cstdint>
+#include <utility>
+#include <vector>
 
 namespace CGAL {
 namespace Global_odt_mesh_3 {
 namespace internal {
+
+// Lays cells out by the numbers of their vertices: rounding errors of sums then do not depend on where cells have come from.
+class Canonical_order
+{
+public:
+  typedef std::array<int, 4> Quadruple;
+
+  // The vertices of each cell are in their canonical order; cells whose first one is negative are left out.
+  Canonical_order(std::vector<Quadruple> cells, int number_of_vertices, const Thread_policy& threads)
+    : threads_(threads)
+    , by_first_vertex_(static_cast<int>(cells.size()), number_of_vertices, [&cells](int n) { return cells[n][0]; }, threads)
+    , chunks_(number_of_vertices, least_vertices, most_chunks)
+    , numbers_(by_first_vertex_.numbers().size())
+    , vertices_(4 * numbers_.size())
+  {
+    threads_.for_each_chunk(chunks_.number(), [&](int chunk)
+    {
+      std::vector<std::pair<Quadruple, int> > around;
+      for(int v = chunks_.begin(chunk); v < chunks_.end(chunk); ++v)
+        sort_around(v, cells, around);
+    });
+  }
+
+  int number_of_cells() const { return static_cast<int>(numbers_.size()); }
+
+  // The cell at that place.
+  int number(int place) const { return numbers_[place]; }
+
+  // In the order of slots.
+  const std::vector<int>& vertices() const { return vertices_; }
+  std::vector<int> take_vertices() { return std::move(vertices_); }
+
+  // Calls f(chunk, s, t) for each facet with its slots s < t, or with s and none, in chunks, which threads share.
+  // Cells overlap nowhere, so that a facet is never one of three.
+  int number_of_chunks() const { return chunks_.number(); }
+  template <class F>
+  void for_each_facet(const F& f) const
+  {
+    const Buckets by_second_vertex(number_of_cells(), by_first_vertex_.number_of_buckets(),
+                                   [this](int n) { return vertices_[Slot(n, 1).id()]; }, threads_);
+    threads_.for_each_chunk(chunks_.number(), [&](int chunk)
+    {
+      std::vector<Keyed_slot> facets;
+      for(int v = chunks_.begin(chunk); v < chunks_.end(chunk); ++v)
+      {
+        list_facets(v, by_second_vertex, facets);
+        for(std::size_t n = 0; n < facets.size(); )
+        {
+          const Keyed_slot& s = facets[n++];
+          const bool has_mate = n < facets.size() && facets[n].first == s.first;
+          f(chunk, Slot(s.second), has_mate ? Slot(facets[n++].second) : Slot());
+          CGAL_assertion(n == facets.size() || facets[n].first != s.first);
+        }
+      }
+    });
+  }
+
+private:
+  // A facet's vertices but the first one, and where the facet is.
+  typedef std::pair<std::uint64_t, int> Keyed_slot;
+
+  // A chunk is to be worth the trouble of a thread.
+  static constexpr int least_vertices = 1000, most_chunks = 64;
+
+  // Cells that have the first vertex in common.
+  void sort_around(int v, const std::vector<Quadruple>& cells, std::vector<std::pair<Quadruple, int> >& around)
+  {
+    around.clear();
+    for(int p = by_first_vertex_.begin(v); p < by_first_vertex_.end(v); ++p)
+    {
+      const int n = by_first_vertex_.numbers()[p];
+      around.emplace_back(cells[n], n);
+    }
+    std::sort(around.begin(), around.end());
+    int place = by_first_vertex_.begin(v);
+    for(const auto& c : around)
+    {
+      numbers_[place] = c.second;
+      std::copy(c.first.begin(), c.first.end(), vertices_.begin() + Slot(place++, 0).id());
+    }
+  }
+
+  // The facets whose first vertex is v, those with the same vertices side by side.
+  void list_facets(int v, const Buckets& by_second_vertex, std::vector<Keyed_slot>& facets) const
+  {
+    facets.clear();
+    for(int n = by_first_vertex_.begin(v); n < by_first_vertex_.end(v); ++n)
+      for(int i = 1; i < 4; ++i)
+        facets.push_back(keyed(Slot(n, i)));
+    for(int p = by_second_vertex.begin(v); p < by_second_vertex.end(v); ++p)
+      facets.push_back(keyed(Slot(by_second_vertex.numbers()[p], 0)));
+    std::sort(facets.begin(), facets.end());
+  }
+
+  Keyed_slot keyed(Slot s) const
+  {
+    const int v = vertices_[s.in_cell(s.index() < 2 ? 2 : 1).id()], w = vertices_[s.in_cell(s.index() < 3 ? 3 : 2).id()];
+    return { std::uint64_t((std::min)(v, w)) << 32 | std::uint64_t((std::max)(v, w)), s.id() };
+  }
+
+  const Thread_policy threads_;
+  Buckets by_first_vertex_;
+  Chunks chunks_;               // of vertices
+  std::vector<int> numbers_;    // of the cells, in order
+  std::vector<int> vertices_;   // of the slots
+};
 
 // Flips scatter the cells over memory, which makes evaluations of large meshes slower. Lays
 // them out anew, at a current point, when there has been a flip for eight cells.

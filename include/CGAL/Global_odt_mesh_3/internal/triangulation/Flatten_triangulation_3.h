@@ -7,9 +7,9 @@
 #define CGAL_GLOBAL_ODT_MESH_3_INTERNAL_TRIANGULATION_FLATTEN_TRIANGULATION_3_H
 
 #include <CGAL/Global_odt_mesh_3/internal/geometry/Vertex_tuples.h>
-#include <CGAL/Global_odt_mesh_3/internal/parallel/Collect_in_chunks.h>
+#include <CGAL/Global_odt_mesh_3/internal/parallel/Chunked_loops.h>
 #include <CGAL/Global_odt_mesh_3/internal/parallel/Thread_policy.h>
-#include <CGAL/Global_odt_mesh_3/internal/triangulation/Canonical_order.h>
+#include <CGAL/Global_odt_mesh_3/internal/triangulation/Cell_order.h>
 #include <CGAL/Global_odt_mesh_3/internal/triangulation/Flat_triangulation_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/triangulation/Slot.h>
 

@@ -3,16 +3,20 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef CGAL_GLOBAL_ODT_MESH_3_INTERNAL_GEOMETRY_FACET_DUAL_3_H
-#define CGAL_GLOBAL_ODT_MESH_3_INTERNAL_GEOMETRY_FACET_DUAL_3_H
+#ifndef CGAL_GLOBAL_ODT_MESH_3_INTERNAL_GEOMETRY_FACET_GEOMETRY_3_H
+#define CGAL_GLOBAL_ODT_MESH_3_INTERNAL_GEOMETRY_FACET_GEOMETRY_3_H
 
 #include <CGAL/Global_odt_mesh_3/internal/geometry/Site.h>
+
+#include <CGAL/number_utils.h>
 
 #include <Eigen/Core>
 #include <Eigen/Geometry>
 
 #include <algorithm>
 #include <array>
+#include <cmath>
+#include <cstddef>
 #include <vector>
 
 namespace CGAL {
@@ -57,8 +61,21 @@ inline Eigen::Vector3d centroid(const std::array<int, 3>& t, const std::vector<S
 
 inline double squared_distance(const Site& s, const Eigen::Vector3d& p) { return (position(s) - p).squaredNorm(); }
 
+// In degrees.
+inline double smallest_angle_of_facet(const std::array<Site, 3>& s)
+{
+  double smallest = 180;
+  for(std::size_t i = 0; i < 3; ++i)
+  {
+    const Eigen::Vector3d a = position(s[(i + 1) % 3]) - position(s[i]);
+    const Eigen::Vector3d b = position(s[(i + 2) % 3]) - position(s[i]);
+    smallest = (std::min)(smallest, std::atan2(a.cross(b).norm(), a.dot(b)) * 180 / CGAL_PI);
+  }
+  return smallest;
+}
+
 } // namespace internal
 } // namespace Global_odt_mesh_3
 } // namespace CGAL
 
-#endif // CGAL_GLOBAL_ODT_MESH_3_INTERNAL_GEOMETRY_FACET_DUAL_3_H
+#endif // CGAL_GLOBAL_ODT_MESH_3_INTERNAL_GEOMETRY_FACET_GEOMETRY_3_H

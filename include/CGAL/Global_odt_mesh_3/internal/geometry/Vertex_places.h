@@ -3,8 +3,8 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef CGAL_GLOBAL_ODT_MESH_3_INTERNAL_GEOMETRY_PLACE_IN_SPHERE_H
-#define CGAL_GLOBAL_ODT_MESH_3_INTERNAL_GEOMETRY_PLACE_IN_SPHERE_H
+#ifndef CGAL_GLOBAL_ODT_MESH_3_INTERNAL_GEOMETRY_VERTEX_PLACES_H
+#define CGAL_GLOBAL_ODT_MESH_3_INTERNAL_GEOMETRY_VERTEX_PLACES_H
 
 #include <CGAL/Global_odt_mesh_3/internal/geometry/Cell_products_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/geometry/Site.h>
@@ -18,6 +18,14 @@
 namespace CGAL {
 namespace Global_odt_mesh_3 {
 namespace internal {
+
+// A place for a vertex, and by how much the deficits of the angles around it change if its cells stay the same.
+struct Promising_step
+{
+  int vertex;
+  Site site;
+  double change;
+};
 
 // On the way from a site outside of the sphere orthogonal to a cell to its center, the place inside by a share of the
 // radius; in the plane through the site with that normal, if this is not zero. None if there is no such place.
@@ -39,4 +47,4 @@ inline std::optional<Site> place_in_sphere(const std::array<Site, 4>& cell, cons
 } // namespace Global_odt_mesh_3
 } // namespace CGAL
 
-#endif // CGAL_GLOBAL_ODT_MESH_3_INTERNAL_GEOMETRY_PLACE_IN_SPHERE_H
+#endif // CGAL_GLOBAL_ODT_MESH_3_INTERNAL_GEOMETRY_VERTEX_PLACES_H
