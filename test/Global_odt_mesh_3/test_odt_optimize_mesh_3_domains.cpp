@@ -8,6 +8,7 @@
 
 #include "mesh_contract.h"
 #include "mesh_domains.h"
+#include "opened_complex.h"
 #include "realized_sizes.h"
 #include "subdomain_measures.h"
 
@@ -15,6 +16,7 @@
 #include <CGAL/Density_quadratures_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/geometry/Cell_shape_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/geometry/Site.h>
+#include <CGAL/Global_odt_mesh_3/internal/sizing/Input_density_3.h>
 #include <CGAL/Quadratic_density_3.h>
 #include <CGAL/Random.h>
 #include <CGAL/odt_energy_3.h>
@@ -145,10 +147,8 @@ static void grading(const domains::Labeled_domain& domain)
   Labeled_c3t3 uniform = mesh(domain, 0.2), graded = graded_mesh(domain, 0.05);
   const auto is_uniform = [&domain](const Labeled_c3t3& c3t3)
   {
-    odt::Restricted_complex_3<Labeled_triangulation, Labeled_domain>::Domain numbered(domain);
-    odt::Moving_triangulation_3 flat;
-    odt::C3t3_reader_3<Labeled_c3t3, decltype(numbered)>(c3t3, numbered).read(flat, true);
-    return odt::Input_density_3(flat).is_uniform();
+    const odt::Opened_complex<Labeled_c3t3, Labeled_domain> opened(c3t3, domain, odt::Boundary_motion::BY_NORMALS);
+    return odt::Input_density_3(opened.mesh).is_uniform();
   };
   check::that(is_uniform(uniform), "a uniform mesh is not taken for uniform");
   check::that(!is_uniform(graded), "a graded mesh is taken for uniform");
