@@ -40,7 +40,6 @@ public:
   Flat_boundary_cells_3(Restricted_candidate_3& candidate, const Domain_view_3& domain, const Fidelity_check_3& fidelity,
                         const Facet_shape_check_3& shapes)
     : candidate_(candidate)
-    , domain_(domain)
     , fidelity_(fidelity)
     , shapes_(shapes)
     , centers_(candidate, domain)
@@ -99,7 +98,6 @@ private:
   }
 
   Restricted_candidate_3& candidate_;
-  const Domain_view_3& domain_;
   const Fidelity_check_3& fidelity_;
   const Facet_shape_check_3& shapes_;
   Surface_center_search_3 centers_;

@@ -32,8 +32,7 @@ Boundary_sample boundary_sample(const Point& p)
 template <class C3t3>
 std::vector<Boundary_sample> samples_of_mesh(const C3t3& c3t3)
 {
-  typedef typename C3t3::Triangulation::Vertex_handle Vertex_handle;
-  std::set<Vertex_handle> on_surface;
+  std::set<typename C3t3::Vertex_handle> on_surface;
   for(auto f = c3t3.facets_in_complex_begin(); f != c3t3.facets_in_complex_end(); ++f)
     for(int i = 0; i < 4; ++i)
       if(i != f->second)
@@ -41,7 +40,7 @@ std::vector<Boundary_sample> samples_of_mesh(const C3t3& c3t3)
   // In the order of the triangulation, since that of handles is left to chance.
   std::vector<Boundary_sample> samples;
   samples.reserve(on_surface.size());
-  for(Vertex_handle v : c3t3.triangulation().finite_vertex_handles())
+  for(auto v : c3t3.triangulation().finite_vertex_handles())
     if(on_surface.count(v) != 0)
       samples.push_back(boundary_sample(v->point()));
   return samples;
