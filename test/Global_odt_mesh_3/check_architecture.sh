@@ -11,7 +11,7 @@ status=0
 rank() {
   case $1 in
     geometry | parallel) echo 0 ;; interface) echo 1 ;; density) echo 2 ;; energy) echo 3 ;; triangulation) echo 4 ;;
-    sizing) echo 5 ;; optimization) echo 6 ;; surface) echo 7 ;; blocks) echo 8 ;; restricted) echo 9 ;; slivers) echo 10 ;;
+    sizing) echo 5 ;; optimization) echo 6 ;; surface) echo 7 ;; blocks) echo 8 ;; complex) echo 9 ;; slivers) echo 10 ;;
     .) echo 11 ;; door) echo 12 ;; *) echo unknown ;;
   esac
 }

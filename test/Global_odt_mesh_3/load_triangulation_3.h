@@ -9,7 +9,7 @@
 #include <CGAL/Global_odt_mesh_3/internal/geometry/Site.h>
 #include <CGAL/Global_odt_mesh_3/internal/geometry/Spatial_order.h>
 #include <CGAL/Global_odt_mesh_3/internal/triangulation/All_cells.h>
-#include <CGAL/Global_odt_mesh_3/internal/triangulation/Flatten_triangulation_3.h>
+#include <CGAL/Global_odt_mesh_3/internal/triangulation/Index_triangulation_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/triangulation/Moving_triangulation_3.h>
 
 #include <CGAL/Time_stamper.h>
@@ -39,7 +39,7 @@ Moving_triangulation_3 load_triangulation_3(const Triangulation& tr)
     number[v] = static_cast<int>(sites.size());
     sites.push_back(weighted_site(tr.point(v)));
   }
-  const auto constrained_facets = flatten_triangulation_3(
+  const auto constrained_facets = index_triangulation_3(
     tr, all_cells(tr), [&number](Vertex_handle v) { return number[v]; },
     [](typename Triangulation::Cell_handle) { return 1; },
     [](typename Triangulation::Cell_handle, int) { return false; }, Thread_policy(), mesh.topology);

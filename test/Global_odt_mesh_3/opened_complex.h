@@ -6,25 +6,25 @@
 #ifndef GLOBAL_ODT_MESH_3_TEST_OPENED_COMPLEX_H
 #define GLOBAL_ODT_MESH_3_TEST_OPENED_COMPLEX_H
 
+#include <CGAL/Global_odt_mesh_3/internal/complex/Complex_updater_3.h>
+#include <CGAL/Global_odt_mesh_3/internal/complex/Snapshot_reader_3.h>
+#include <CGAL/Global_odt_mesh_3/internal/complex/Snapshot_tabulation_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/door/C3t3_view_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/door/Mesh_domain_view_3.h>
-#include <CGAL/Global_odt_mesh_3/internal/restricted/Restricted_complex_3.h>
-#include <CGAL/Global_odt_mesh_3/internal/restricted/State_reader_3.h>
-#include <CGAL/Global_odt_mesh_3/internal/restricted/State_tabulation_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/triangulation/Moving_triangulation_3.h>
 
 namespace CGAL {
 namespace Global_odt_mesh_3 {
 namespace internal {
 
-// A complex that has been read from a c3t3, a copy of which it is, and the flat mesh of it.
+// A complex that has been read from a c3t3, a copy of which it is, and the indexed mesh of it.
 template <class C3t3, class Domain>
 struct Opened_complex
 {
   C3t3 c3t3;
   Mesh_domain_view_3<Domain> domain;
   C3t3_view_3<C3t3, Domain> input;
-  Restricted_complex_3 complex;
+  Complex_updater_3 complex;
   Moving_triangulation_3 mesh;
 
   Opened_complex(const C3t3& from, const Domain& of, Boundary_motion motion)
@@ -33,13 +33,13 @@ struct Opened_complex
     , input(c3t3, domain)
     , complex(domain, motion)
   {
-    complex.start(State_reader_3(input).read(mesh, motion != Boundary_motion::NONE));
+    complex.start(Snapshot_reader_3(input).read(mesh, motion != Boundary_motion::NONE));
   }
 
   // To be called once.
   const C3t3& write()
   {
-    input.write(State_tabulation_3(complex.state(), complex.triangulation(), Thread_policy())(), Thread_policy());
+    input.write(Snapshot_tabulation_3(complex.snapshot(), complex.triangulation(), Thread_policy())(), Thread_policy());
     return c3t3;
   }
 };

@@ -45,7 +45,7 @@
 #include <vector>
 
 template <class Numbers>
-static std::vector<Cell_vertices> cells(const Flat_triangulation_3& t, const Numbers& numbers)
+static std::vector<Cell_vertices> cells(const Indexed_triangulation_3& t, const Numbers& numbers)
 {
   std::vector<Cell_vertices> v;
   for(int c : numbers)
@@ -53,7 +53,7 @@ static std::vector<Cell_vertices> cells(const Flat_triangulation_3& t, const Num
   return v;
 }
 
-static std::vector<Cell_vertices> cells(const Flat_triangulation_3& t)
+static std::vector<Cell_vertices> cells(const Indexed_triangulation_3& t)
 {
   std::vector<int> numbers;
   for(int c = 0; c < t.number_of_cell_slots(); ++c)
@@ -71,10 +71,10 @@ static double true_energy(const Sites& s, const std::vector<Cell_vertices>& v, c
 // By differences of the fourth order, as the cells around move along.
 static Vector true_gradient(Moving_triangulation_3& mesh, int v, double step, const Field& f)
 {
-  std::vector<Slot> slots;
+  std::vector<Half_facet> slots;
   mesh.topology.star(v, slots);
   std::vector<int> numbers;
-  for(Slot s : slots)
+  for(Half_facet s : slots)
     numbers.push_back(s.cell());
   const std::vector<Cell_vertices> star = cells(mesh.topology, numbers);
   const Site s = mesh.sites[v];
@@ -200,7 +200,7 @@ static void five_points(bool weighted, double distance_to_sphere, std::mt19937& 
 // No flip 2-3 or 3-2 of a regular triangulation lowers the true energy.
 static void all_flips(const Moving_triangulation_3& mesh, const char* what, std::size_t least_flips)
 {
-  Flat_triangulation_3 t = mesh.topology;
+  Indexed_triangulation_3 t = mesh.topology;
   std::array<std::size_t, 2> flips = {};
   const auto compare = [&](const auto& before, const auto& flip)
   {
@@ -219,9 +219,9 @@ static void all_flips(const Moving_triangulation_3& mesh, const char* what, std:
                   e, " to ", flipped, ", density ", density.first);
     }
   };
-  for(int n = 0; n < t.number_of_slots(); ++n)
+  for(int n = 0; n < t.number_of_half_facets(); ++n)
   {
-    const Slot s(n), across = t.neighbor(s);
+    const Half_facet s(n), across = t.neighbor(s);
     if(s < across)
       compare(std::array<int, 2>{{ s.cell(), across.cell() }}, [&] { return flip_2_3(t, s); });
   }

@@ -3,7 +3,7 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// The flat triangulation stays valid under flips and agrees with CGAL's exact
+// The indexed triangulation stays valid under flips and agrees with CGAL's exact
 // one while its vertices move, and the minimizer finds a stationary point.
 
 #include "averaging_iteration.h"
@@ -34,8 +34,8 @@ using namespace CGAL::Global_odt_mesh_3::internal;
 static void flips(std::mt19937& random)
 {
   Moving_triangulation_3 mesh = random_cube(3, 60, 0, false, random);
-  Flat_triangulation_3& t = mesh.topology;
-  check::that(t.is_valid(), "the flat triangulation is not valid after loading");
+  Indexed_triangulation_3& t = mesh.topology;
+  check::that(t.is_valid(), "the indexed triangulation is not valid after loading");
   const auto cells = [&t]
   {
     std::set<std::array<int, 4> > s;
@@ -52,7 +52,7 @@ static void flips(std::mt19937& random)
   int flipped = 0;
   for(int n = 0; n < 4 * static_cast<int>(before.size()); n += 7)
   {
-    const Slot s(n);
+    const Half_facet s(n);
     if(!t.is_alive(s.cell()) || t.neighbor(s).is_side())
       continue;
     const std::array<int, 3> three = flip_2_3(t, s);
@@ -97,7 +97,7 @@ static void random_walk(bool weighted, double shift, std::mt19937& random)
       check::that(mesh.topology.is_valid() && difference_to_exact(mesh) == 0, "not the exact triangulation after restoring");
       continue;
     }
-    check::that(mesh.topology.is_valid(), "flat triangulation not valid after step ", step);
+    check::that(mesh.topology.is_valid(), "indexed triangulation not valid after step ", step);
     const std::size_t difference = difference_to_exact(mesh);
     // The energy updated flip by flip is that of a fresh pass.
     const double energy = mesh.energy();
@@ -118,13 +118,13 @@ static void random_walk(bool weighted, double shift, std::mt19937& random)
 // Each flip is taken back at once, as rounding may do later.
 struct Flips_taken_back
 {
-  Flat_triangulation_3& t;
+  Indexed_triangulation_3& t;
   std::size_t most, number = 0;
 
-  bool permits_2_3(Slot) const { return true; }
+  bool permits_2_3(Half_facet) const { return true; }
   bool permits_3_2(const Edge_ring_3&) const { return true; }
 
-  std::array<int, 3> flip_2_3(Slot s)
+  std::array<int, 3> flip_2_3(Half_facet s)
   {
     if(++number > most)
       throw std::runtime_error("endless flips");
@@ -138,7 +138,7 @@ struct Flips_taken_back
     if(++number > most)
       throw std::runtime_error("endless flips");
     const std::array<int, 2> two = CGAL::Global_odt_mesh_3::internal::flip_3_2(t, ring);
-    const std::array<int, 3> three = CGAL::Global_odt_mesh_3::internal::flip_2_3(t, Slot(two[0], 0));
+    const std::array<int, 3> three = CGAL::Global_odt_mesh_3::internal::flip_2_3(t, Half_facet(two[0], 0));
     return {{ three[0], three[1] }};
   }
 };
@@ -152,7 +152,7 @@ static void endless_flips(std::mt19937& random)
     Moving_triangulation_3 mesh = random_cube(3, 60, 0, false, random);
     for(int v = 0; v < mesh.number_of_movable_vertices; ++v)
       mesh.sites[v].x += u(random);
-    std::vector<Slot> facets;
+    std::vector<Half_facet> facets;
     for(int c = 0; c < mesh.topology.number_of_cell_slots(); ++c)
       mesh.push_facets(c, facets);
     std::shuffle(facets.begin(), facets.end(), random);

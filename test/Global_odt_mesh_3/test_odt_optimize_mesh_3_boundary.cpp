@@ -11,9 +11,9 @@
 #include "mesh_domains.h"
 #include "opened_complex.h"
 
+#include <CGAL/Global_odt_mesh_3/internal/complex/Complex_updater_3.h>
+#include <CGAL/Global_odt_mesh_3/internal/complex/Surface_centers_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/door/Mesh_domain_view_3.h>
-#include <CGAL/Global_odt_mesh_3/internal/restricted/Restricted_complex_3.h>
-#include <CGAL/Global_odt_mesh_3/internal/restricted/Surface_centers_3.h>
 
 #include <CGAL/Bbox_3.h>
 #include <CGAL/Kernel_traits.h>
@@ -411,14 +411,14 @@ namespace odt = CGAL::Global_odt_mesh_3::internal;
 struct Candidate_at_rest
   : odt::Opened_complex<Ellipsoid_c3t3, Ellipsoid_domain>
 {
-  odt::Numbered_triangulation_3 triangulation;
-  std::unique_ptr<odt::Restricted_candidate_3> candidate;
+  odt::Working_triangulation_3 triangulation;
+  std::unique_ptr<odt::Complex_candidate_3> candidate;
 
   Candidate_at_rest(const Ellipsoid_domain& of, const Ellipsoid_c3t3& from)
     : Opened_complex(from, of, odt::Boundary_motion::BY_NORMALS)
   {
-    const odt::Restricted_state_3& state = complex.state();
-    candidate = std::make_unique<odt::Restricted_candidate_3>(state, triangulation, state.sites, complex.motion(), true,
+    const odt::Complex_snapshot_3& snapshot = complex.snapshot();
+    candidate = std::make_unique<odt::Complex_candidate_3>(snapshot, triangulation, snapshot.sites, complex.motion(), true,
                                                               odt::Thread_policy());
     candidate->build(nullptr);
   }
@@ -429,11 +429,11 @@ struct Candidate_at_rest
 static void homes_are_given_up(const Ellipsoid_domain& domain, const Ellipsoid_c3t3& input)
 {
   Candidate_at_rest at_rest(domain, input);
-  odt::Restricted_candidate_3& candidate = *at_rest.candidate;
-  const std::array<int, 3> facet = candidate.state.boundary.complex().facets().front().vertices;
+  odt::Complex_candidate_3& candidate = *at_rest.candidate;
+  const std::array<int, 3> facet = candidate.snapshot.boundary.complex().facets().front().vertices;
   const auto reported = [&]
   {
-    odt::Restricted_report_3 report(candidate);
+    odt::Defect_report_3 report(candidate);
     report.send_back(facet);
     check::that(!report.is_clean() && report.pushes().empty(), "nothing is wrong");
     check::that(report.is_beyond_repair() == report.offending_vertices().empty(), "vertices go back that need not");
@@ -441,27 +441,27 @@ static void homes_are_given_up(const Ellipsoid_domain& domain, const Ellipsoid_c
   };
   check::that(reported().empty(), "vertices that are where they were in the input go back");
 
-  // As if the state were not the input: all are at home, and none is where it was in the input.
+  // As if the snapshot were not the input: all are at home, and none is where it was in the input.
   const auto move = [&](int v) { candidate.sites[v].x += 1e-3; };
   for(int v = 0; v < candidate.numbering.number_of_movable_vertices; ++v)
   {
     move(v);
-    candidate.homes[v] = candidate.sites[v];
+    candidate.revert_sites[v] = candidate.sites[v];
   }
   std::set<int> vertices(facet.begin(), facet.end());
   check::that(reported() == vertices, "others than those of the facet go to the input first");
   // What is not at home goes first.
   move(facet[1]);
   check::that(reported() == std::set<int>{ facet[1] }, "a vertex that is at home goes back before one that is not");
-  candidate.sites[facet[1]] = candidate.homes[facet[1]];
+  candidate.sites[facet[1]] = candidate.revert_sites[facet[1]];
   int times = 0;
   for(std::set<int> next; !(next = reported()).empty(); ++times)
     for(int v : next)
     {
-      check::that(candidate.is_home(v) && !candidate.is_at_input(v), "a vertex goes to the input twice");
-      candidate.give_up_home(v);
-      candidate.sites[v] = candidate.homes[v];
-      check::that(candidate.is_home(v) && candidate.is_at_input(v), "a home that is given up is not in the input");
+      check::that(candidate.is_reverted(v) && !candidate.is_at_input(v), "a vertex goes to the input twice");
+      candidate.revert_to_input(v);
+      candidate.sites[v] = candidate.revert_sites[v];
+      check::that(candidate.is_reverted(v) && candidate.is_at_input(v), "a home that is given up is not in the input");
     }
   check::that(1 < times && times < 10, "rings of vertices go to the input ", times, " times");
 }
@@ -470,24 +470,24 @@ static void homes_are_given_up(const Ellipsoid_domain& domain, const Ellipsoid_c
 static void missed_surface_centers(const Ellipsoid_domain& domain, const Ellipsoid_c3t3& input)
 {
   Candidate_at_rest at_rest(domain, input);
-  odt::Restricted_candidate_3& candidate = *at_rest.candidate;
-  const odt::Restricted_state_3& state = at_rest.complex.state();
+  odt::Complex_candidate_3& candidate = *at_rest.candidate;
+  const odt::Complex_snapshot_3& snapshot = at_rest.complex.snapshot();
   odt::Surface_center_search_3 search(candidate, at_rest.domain);
   // One between finite cells.
-  const odt::Numbered_triangulation_3& numbered = at_rest.complex.triangulation();
-  const auto& tr = numbered.triangulation();
-  const std::vector<odt::Facet> facets = odt::find_boundary_facets(state, numbered, odt::Thread_policy());
+  const odt::Working_triangulation_3& working = at_rest.complex.triangulation();
+  const auto& tr = working.triangulation();
+  const std::vector<odt::Facet> facets = odt::find_boundary_facets(snapshot, working, odt::Thread_policy());
   const auto is_inside = [&](const auto& f) { return !tr.is_infinite(f.first) && !tr.is_infinite(f.first->neighbor(f.second)); };
   const std::size_t facet = std::find_if(facets.begin(), facets.end(), is_inside) - facets.begin();
   check::that(facet < facets.size(), "there is no facet between finite cells");
-  const auto& vertices = state.boundary.complex().facets()[facet].vertices;
+  const auto& vertices = snapshot.boundary.complex().facets()[facet].vertices;
   for(long misses : { 12, 0 })
   {
     domain.questions = Questions();
     domain.questions.misses_of_dozen = misses;
     for(int n = 0; n < 2; ++n)
     {
-      odt::Restricted_candidate_3::Surface_center center = state.centers[facet];
+      odt::Complex_candidate_3::Surface_center center = snapshot.centers[facet];
       center.is_exact = true;
       const bool is_found = search.find_center(facets[facet], vertices, center);
       check::that(!is_found && !center.is_exact, "a surface center that was missed is found");
@@ -496,7 +496,7 @@ static void missed_surface_centers(const Ellipsoid_domain& domain, const Ellipso
                 "the domain is not asked once for a surface center");
   }
   candidate.known_centers.clear();
-  odt::Restricted_candidate_3::Surface_center center = state.centers[facet];
+  odt::Complex_candidate_3::Surface_center center = snapshot.centers[facet];
   check::that(search.find_center(facets[facet], vertices, center) && center.is_exact,
               "a surface center is not found");
   domain.questions = Questions();

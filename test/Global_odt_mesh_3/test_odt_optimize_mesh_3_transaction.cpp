@@ -3,7 +3,7 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// The way from one valid state of a complex to the next: what fails or throws on the way leaves no trace, vertices
+// The way from one valid snapshot of a complex to the next: what fails or throws on the way leaves no trace, vertices
 // that need not go back do not, and a share of the time that is over when it begins is used up.
 
 #include "check.h"
@@ -11,12 +11,12 @@
 #include "opened_complex.h"
 
 #include <CGAL/Global_odt_mesh_3/internal/Iteration_control.h>
+#include <CGAL/Global_odt_mesh_3/internal/complex/Complex_updater_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/geometry/Random_source.h>
 #include <CGAL/Global_odt_mesh_3/internal/geometry/Sliver_steps.h>
 #include <CGAL/Global_odt_mesh_3/internal/geometry/Vertex_tuples.h>
-#include <CGAL/Global_odt_mesh_3/internal/restricted/Restricted_complex_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/slivers/Exact_sliver_removal_3.h>
-#include <CGAL/Global_odt_mesh_3/internal/triangulation/Slot.h>
+#include <CGAL/Global_odt_mesh_3/internal/triangulation/Half_facet.h>
 #include <CGAL/odt_optimize_mesh_3.h>
 
 #include <algorithm>
@@ -84,7 +84,7 @@ struct Fallible_ball
 };
 
 // The vertices, sorted, and the subdomain of each cell, and the number of its facets on surfaces.
-static std::vector<std::array<int, 6> > labelled_cells(const Working_triangulation_3& tr)
+static std::vector<std::array<int, 6> > labelled_cells(const Exact_triangulation_3& tr)
 {
   std::vector<std::array<int, 6> > cells;
   for(auto h : tr.all_cell_handles())
@@ -103,30 +103,30 @@ static std::vector<std::array<int, 6> > labelled_cells(const Working_triangulati
   return cells;
 }
 
-// All that a state and its triangulation say, in numbers.
-static std::vector<double> contents(Restricted_complex_3& complex)
+// All that a snapshot and its triangulation say, in numbers.
+static std::vector<double> contents(Complex_updater_3& complex)
 {
-  const Restricted_state_3& state = complex.state();
-  const Numbered_triangulation_3& numbered = complex.triangulation();
-  std::vector<double> c = { double(state.is_input) };
-  for(const Site& s : state.sites)
+  const Complex_snapshot_3& snapshot = complex.snapshot();
+  const Working_triangulation_3& working = complex.triangulation();
+  std::vector<double> c = { double(snapshot.is_input) };
+  for(const Site& s : snapshot.sites)
     c.insert(c.end(), { s.x, s.y, s.z, s.weight });
-  for(const auto& p : state.surface_positions)
+  for(const auto& p : snapshot.surface_positions)
     c.insert(c.end(), { double(p.is_on_surface), p.drift, p.last_on_surface.x, p.last_on_surface.y, p.last_on_surface.z });
-  for(const auto& center : state.centers)
+  for(const auto& center : snapshot.centers)
     c.insert(c.end(), { center.point[0], center.point[1], center.point[2], double(center.is_exact) });
-  for(const Boundary_facet& f : state.boundary.complex().facets())
+  for(const Boundary_facet& f : snapshot.boundary.complex().facets())
     c.insert(c.end(), { double(f.vertices[0]), double(f.vertices[1]), double(f.vertices[2]), double(f.labels[0]),
                         double(f.labels[1]), double(f.patch) });
-  for(int v = 0; v < state.numbering->number_of_movable_vertices; ++v)
+  for(int v = 0; v < snapshot.numbering->number_of_movable_vertices; ++v)
   {
-    const Point_3& p = numbered.triangulation().point(numbered.vertex(v)).point();
+    const Point_3& p = working.triangulation().point(working.vertex(v)).point();
     c.insert(c.end(), { p.x(), p.y(), p.z() });
   }
-  for(const auto& cell : labelled_cells(numbered.triangulation()))
+  for(const auto& cell : labelled_cells(working.triangulation()))
     c.insert(c.end(), cell.begin(), cell.end());
-  for(const Facet& f : find_boundary_facets(state, numbered, Thread_policy()))
-    for(const Facet& g : { f, numbered.triangulation().mirror_facet(f) })
+  for(const Facet& f : find_boundary_facets(snapshot, working, Thread_policy()))
+    for(const Facet& g : { f, working.triangulation().mirror_facet(f) })
     {
       std::array<int, 3> vertices;
       for(int i = 0; i < 3; ++i)
@@ -138,17 +138,17 @@ static std::vector<double> contents(Restricted_complex_3& complex)
   return c;
 }
 
-// Positions a bit away from those of the state; tangential on surfaces.
-static std::vector<Site> displaced(const Restricted_state_3& state, double amount, unsigned int seed)
+// Positions a bit away from those of the snapshot; tangential on surfaces.
+static std::vector<Site> displaced(const Complex_snapshot_3& snapshot, double amount, unsigned int seed)
 {
   Random_source random(seed);
-  std::vector<Site> sites = state.sites;
-  for(int v = 0; v < state.numbering->number_of_movable_vertices; ++v)
+  std::vector<Site> sites = snapshot.sites;
+  for(int v = 0; v < snapshot.numbering->number_of_movable_vertices; ++v)
   {
     Eigen::Vector3d by = amount * random.uniform() * random.direction();
-    if(!state.numbering->is_interior(v))
+    if(!snapshot.numbering->is_interior(v))
     {
-      const Eigen::Vector3d& n = state.boundary.shape(v, 0).normal;
+      const Eigen::Vector3d& n = snapshot.boundary.shape(v, 0).normal;
       by -= n.dot(by) * n;
     }
     sites[v] = site_at(position(sites[v]) + by, sites[v].weight);
@@ -161,7 +161,7 @@ static std::unique_ptr<Opened> load(const Labeled_c3t3& c3t3, const Labeled_doma
   return std::make_unique<Opened>(c3t3, domain, motion);
 }
 
-// A state is what it was before a call of advance() that fails or throws, and the next call leads where it
+// A snapshot is what it was before a call of advance() that fails or throws, and the next call leads where it
 // would have led without that one. In particular, a vertex that was on the way to the surface is not taken to be there.
 static void failures_leave_no_trace(Fallible_ball& ball, const Labeled_domain& domain, const Labeled_c3t3& c3t3)
 {
@@ -171,15 +171,15 @@ static void failures_leave_no_trace(Fallible_ball& ball, const Labeled_domain& d
   {
     ball.fail(Fallible_ball::NONE, 0);
     const std::unique_ptr<Opened> opened = load(c3t3, domain, motion), undisturbed = load(c3t3, domain, motion);
-    for(Restricted_complex_3* c : { &opened->complex, &undisturbed->complex })
-      check::that(c->advance(displaced(c->state(), 0.02, seed), false).has_value(), "a small displacement leads to no valid complex");
+    for(Complex_updater_3* c : { &opened->complex, &undisturbed->complex })
+      check::that(c->advance(displaced(c->snapshot(), 0.02, seed), false).has_value(), "a small displacement leads to no valid complex");
     int off = 0;
-    for(const auto& p : opened->complex.state().surface_positions)
+    for(const auto& p : opened->complex.snapshot().surface_positions)
       off += !p.is_on_surface;
     if(motion == Boundary_motion::BY_NORMALS)
       check::that(off > 0, "no vertex follows its tangential plane: the test is too weak");
     const std::vector<double> before = contents(opened->complex);
-    const std::vector<Site> target = displaced(opened->complex.state(), 0.02, seed + 1);
+    const std::vector<Site> target = displaced(opened->complex.snapshot(), 0.02, seed + 1);
     for(long after : { 0, 20, 100, 500, 1500, 3000 })
     {
       bool is_done = false, has_thrown = false;
@@ -187,17 +187,17 @@ static void failures_leave_no_trace(Fallible_ball& ball, const Labeled_domain& d
       try { is_done = opened->complex.advance(target, true).has_value(); }
       catch(const std::runtime_error&) { has_thrown = true; }
       check::that(has_thrown && !is_done, "the domain was not asked ", after, " times: the test is too weak");
-      check::that(contents(opened->complex) == before, "an exception has changed the state");
+      check::that(contents(opened->complex) == before, "an exception has changed the snapshot");
     }
     ball.fail(Fallible_ball::SAY_OUTSIDE, 0);
     check::that(!opened->complex.advance(target, true).has_value(), "a complex was made of a domain that is empty");
-    check::that(contents(opened->complex) == before, "a failure has changed the state");
+    check::that(contents(opened->complex) == before, "a failure has changed the snapshot");
 
     ball.fail(Fallible_ball::NONE, 0);
-    for(Restricted_complex_3* c : { &opened->complex, &undisturbed->complex })
+    for(Complex_updater_3* c : { &opened->complex, &undisturbed->complex })
       check::that(c->advance(target, true).has_value(), "a small displacement leads to no valid final complex");
     check::that(contents(opened->complex) == contents(undisturbed->complex), "failures have changed what follows");
-    for(const auto& p : opened->complex.state().surface_positions)
+    for(const auto& p : opened->complex.snapshot().surface_positions)
       check::that(p.is_on_surface, "a vertex is off the surface in the end");
   }
 }
@@ -208,29 +208,29 @@ static void misleading_planes()
 {
   const Labeled_domain domain = domains::three_subdomains();
   const std::unique_ptr<Opened> opened = load(domains::mesh(domain, 0.2), domain, Boundary_motion::BY_NORMALS);
-  const std::vector<Site> target = displaced(opened->complex.state(), 1e-7, 1);
+  const std::vector<Site> target = displaced(opened->complex.snapshot(), 1e-7, 1);
   check::that(opened->complex.advance(target, false).has_value(), "a tiny displacement leads to no valid complex");
-  for(int v = 0; v < opened->complex.state().numbering->number_of_interior_vertices; ++v)
-    check::that(same_place(opened->complex.state().sites[v], target[v]), "vertex ", v, " has gone back without need");
+  for(int v = 0; v < opened->complex.snapshot().numbering->number_of_interior_vertices; ++v)
+    check::that(same_place(opened->complex.snapshot().sites[v], target[v]), "vertex ", v, " has gone back without need");
 }
 
-// A state that has been replaced can be returned to, and one whose trials are not adopted is as it was: the
+// A snapshot that has been replaced can be returned to, and one whose trials are not adopted is as it was: the
 // triangulation that it has lent is found again, with its labels and patches, whether a few vertices have moved or all.
 static void triangulations_are_restored(Fallible_ball& ball, const Labeled_domain& domain, const Labeled_c3t3& c3t3)
 {
   ball.fail(Fallible_ball::NONE, 0);
   const std::unique_ptr<Opened> opened = load(c3t3, domain, Boundary_motion::BY_NORMALS);
   const std::vector<double> input = contents(opened->complex);
-  std::optional<Restricted_state_3> replaced = opened->complex.advance(displaced(opened->complex.state(), 0.02, 5), true);
+  std::optional<Complex_snapshot_3> replaced = opened->complex.advance(displaced(opened->complex.snapshot(), 0.02, 5), true);
   check::that(replaced.has_value(), "a small displacement leads to no valid complex");
   const std::vector<double> first = contents(opened->complex);
   for(bool all : { false, true })
   {
-    std::vector<Site> target = displaced(opened->complex.state(), 0.01, 6);
+    std::vector<Site> target = displaced(opened->complex.snapshot(), 0.01, 6);
     const std::size_t few = 10;
     if(!all)
-      std::copy(opened->complex.state().sites.begin() + few, opened->complex.state().sites.end(), target.begin() + few);
-    std::optional<Restricted_state_3> before = opened->complex.advance(target, true);
+      std::copy(opened->complex.snapshot().sites.begin() + few, opened->complex.snapshot().sites.end(), target.begin() + few);
+    std::optional<Complex_snapshot_3> before = opened->complex.advance(target, true);
     check::that(before.has_value() && contents(opened->complex) != first, "a small displacement leads to no other complex");
     opened->complex.return_to(std::move(*before));
     check::that(contents(opened->complex) == first, "a complex that is returned to is another");
@@ -354,7 +354,7 @@ static void memory_runs_out_in_a_triangulation()
   std::vector<Weighted_point> points;
   for(int n = 0; n < 100; ++n)
     points.emplace_back(Point_3(random.uniform(), random.uniform(), random.uniform()), 0);
-  const auto build = [&points](Working_triangulation_3& tr)
+  const auto build = [&points](Exact_triangulation_3& tr)
   {
     for(const auto& p : points)
       tr.insert(p);
@@ -365,7 +365,7 @@ static void memory_runs_out_in_a_triangulation()
   long last = 0;
   for(; !is_enough; ++last)
   {
-    Working_triangulation_3 lacking, later;
+    Exact_triangulation_3 lacking, later;
     allocations_left = last;
     try
     {

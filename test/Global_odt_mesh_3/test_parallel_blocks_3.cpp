@@ -83,7 +83,7 @@ static Eigen::Vector3d circumcenter(const std::array<Site, 4>& s)
 }
 
 // Half way between the circumcenters on either side of a facet, over its plane, positive toward the other cell.
-static double height_between(const Moving_triangulation_3& mesh, Slot s, Slot across)
+static double height_between(const Moving_triangulation_3& mesh, Half_facet s, Half_facet across)
 {
   const std::array<int, 3> f = mesh.topology.facet(s);
   const Eigen::Vector3d p = position(mesh.sites[f[0]]);
@@ -107,16 +107,16 @@ static Moving_triangulation_3 halved_ball(int on_sphere, int inside)
   std::vector<char> is_interior(mesh.sites.size(), false);
   for(int v = 0; v < mesh.number_of_interior_vertices; ++v)
     is_interior[v] = true;
-  for(int s = 0; s < mesh.topology.number_of_slots(); ++s)
+  for(int s = 0; s < mesh.topology.number_of_half_facets(); ++s)
   {
-    const Slot slot(s), across = mesh.topology.neighbor(slot);
+    const Half_facet slot(s), across = mesh.topology.neighbor(slot);
     if(across.is_side() || is_above(slot.cell()) == is_above(across.cell()))
       continue;
     for(int v : mesh.topology.facet(slot))
       is_interior[v] = false;
     const int number = mesh.topology.number_of_constrained_facets();
-    mesh.topology.set_neighbors(slot, Slot::side(number, 0));
-    mesh.topology.set_neighbors(across, Slot::side(number, 1));
+    mesh.topology.set_neighbors(slot, Half_facet::side(number, 0));
+    mesh.topology.set_neighbors(across, Half_facet::side(number, 1));
     mesh.surface_heights.push_back(height_between(mesh, slot, across));
   }
   std::vector<int> order(mesh.sites.size()), place(mesh.sites.size());
@@ -158,7 +158,7 @@ static std::vector<std::array<int, 3> > constrained_facets(const Moving_triangul
   for(int n = 0; n < mesh.topology.number_of_constrained_facets(); ++n)
     for(int side = 0; side < 2; ++side)
     {
-      const Slot s = mesh.topology.constrained_slot(n, side);
+      const Half_facet s = mesh.topology.constrained_half_facet(n, side);
       std::array<int, 3> f = {{ -1, -1, -1 }};
       if(!s.is_none())
         f = mesh.topology.facet(s);
@@ -266,7 +266,7 @@ static Boundary_complex_3 hull(const Moving_triangulation_3& mesh)
 {
   std::vector<Boundary_facet> facets;
   for(int n = 0; n < mesh.topology.number_of_constrained_facets(); ++n)
-    facets.push_back({ mesh.topology.facet(mesh.topology.constrained_slot(n, 0)), {{ 0, 1 }}, 0 });
+    facets.push_back({ mesh.topology.facet(mesh.topology.constrained_half_facet(n, 0)), {{ 0, 1 }}, 0 });
   return Boundary_complex_3(facets, mesh.sites.size());
 }
 

@@ -11,7 +11,7 @@
 #include <CGAL/Global_odt_mesh_3/internal/geometry/Random_source.h>
 #include <CGAL/Global_odt_mesh_3/internal/geometry/Vertex_tuples.h>
 #include <CGAL/Global_odt_mesh_3/internal/triangulation/All_cells.h>
-#include <CGAL/Global_odt_mesh_3/internal/triangulation/Flatten_triangulation_3.h>
+#include <CGAL/Global_odt_mesh_3/internal/triangulation/Index_triangulation_3.h>
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Regular_triangulation_3.h>
@@ -85,18 +85,18 @@ struct Labelled_triangulation
 
   bool is_constrained(Cell_handle c, int i) const { return label(c) != label(c->neighbor(i)) || is_marked(c, i); }
 
-  Constrained_facets flatten(const std::vector<Cell_handle>& cells, const Thread_policy& threads, Flat_triangulation_3& flat) const
+  Constrained_facets flatten(const std::vector<Cell_handle>& cells, const Thread_policy& threads, Indexed_triangulation_3& flat) const
   {
-    return flatten_triangulation_3(tr, cells, [this](Vertex_handle v) { return number(v); },
+    return index_triangulation_3(tr, cells, [this](Vertex_handle v) { return number(v); },
                                    [this](Cell_handle c) { return label(c); },
                                    [this](Cell_handle c, int i) { return is_marked(c, i); }, threads, flat);
   }
 };
 
 // Cells and neighbors are CGAL's, and facets are constrained if they are to be.
-static void same_as_cgal(const Labelled_triangulation& t, const std::vector<Cell_handle>& cells, const Flat_triangulation_3& flat, const Constrained_facets& facets)
+static void same_as_cgal(const Labelled_triangulation& t, const std::vector<Cell_handle>& cells, const Indexed_triangulation_3& flat, const Constrained_facets& facets)
 {
-  check::that(flat.is_valid(), "the flat triangulation is not valid");
+  check::that(flat.is_valid(), "the indexed triangulation is not valid");
   std::map<Quadruple, Cell_handle> inside;
   for(Cell_handle c : t.tr.finite_cell_handles())
     if(t.label(c) != 0)
@@ -109,7 +109,7 @@ static void same_as_cgal(const Labelled_triangulation& t, const std::vector<Cell
     const Cell_handle c = cell.second;
     for(int i = 0; i < 4; ++i)
     {
-      const Slot s = flat.slot(n, t.number(c->vertex(i))), across = flat.neighbor(s);
+      const Half_facet s = flat.slot(n, t.number(c->vertex(i))), across = flat.neighbor(s);
       check::that(across.is_side() == t.is_constrained(c, i), "a facet is constrained that should not be, or the reverse");
       if(across.is_side())
       {
@@ -129,7 +129,7 @@ static void same_as_cgal(const Labelled_triangulation& t, const std::vector<Cell
 }
 
 // Marked facets without a cell inside follow, each once.
-static void facets_outside(const Labelled_triangulation& t, const std::vector<Cell_handle>& cells, const Flat_triangulation_3& flat, const Constrained_facets& facets)
+static void facets_outside(const Labelled_triangulation& t, const std::vector<Cell_handle>& cells, const Indexed_triangulation_3& flat, const Constrained_facets& facets)
 {
   std::set<Triple> expected, found;
   for(const Facet& f : t.tr.finite_facets())
@@ -146,14 +146,14 @@ static void facets_outside(const Labelled_triangulation& t, const std::vector<Ce
 }
 
 // The arrays, and the constrained facets.
-static std::vector<int> contents(const Flat_triangulation_3& flat, const Constrained_facets& facets)
+static std::vector<int> contents(const Indexed_triangulation_3& flat, const Constrained_facets& facets)
 {
-  std::vector<int> all(flat.cell_vertices(), flat.cell_vertices() + flat.number_of_slots());
-  all.insert(all.end(), flat.neighbors(), flat.neighbors() + flat.number_of_slots());
+  std::vector<int> all(flat.cell_vertices(), flat.cell_vertices() + flat.number_of_half_facets());
+  all.insert(all.end(), flat.neighbors(), flat.neighbors() + flat.number_of_half_facets());
   for(int v = 0; v < flat.number_of_vertices(); ++v)
     all.push_back(flat.incident_cell(v));
   for(int n = 0; n < flat.number_of_constrained_facets(); ++n)
-    all.insert(all.end(), { flat.constrained_slot(n, 0).id(), flat.constrained_slot(n, 1).id() });
+    all.insert(all.end(), { flat.constrained_half_facet(n, 0).id(), flat.constrained_half_facet(n, 1).id() });
   for(const Constrained_facet& f : facets)
     all.insert(all.end(), f.vertices.begin(), f.vertices.end());
   return all;
@@ -164,7 +164,7 @@ int main()
   const Labelled_triangulation t(6000);
   std::vector<Cell_handle> cells = all_cells(t.tr);
   check::that(cells.size() == t.tr.number_of_cells(), "not all cells are listed");
-  Flat_triangulation_3 flat;
+  Indexed_triangulation_3 flat;
   const Constrained_facets facets = t.flatten(cells, Thread_policy(), flat);
   std::cout << flat.number_of_cells() << " cells inside, " << facets.size() << " facets" << std::endl;
   same_as_cgal(t, cells, flat, facets);
@@ -173,17 +173,17 @@ int main()
   for(std::size_t number : { 1, 2, 3, 8 })
   {
     tbb::global_control control(tbb::global_control::max_allowed_parallelism, number);
-    Flat_triangulation_3 again;
+    Indexed_triangulation_3 again;
     const Constrained_facets facets_again = t.flatten(cells, Thread_policy::for_tag<CGAL::Parallel_tag>(), again);
     check::that(contents(again, facets_again) == expected, number, " threads lead elsewhere than none");
   }
   // Where cells are in the triangulation decides about the facets' order and sides alone.
   std::reverse(cells.begin(), cells.end());
-  Flat_triangulation_3 reversed;
+  Indexed_triangulation_3 reversed;
   const Constrained_facets reversed_facets = t.flatten(cells, Thread_policy(), reversed);
   same_as_cgal(t, cells, reversed, reversed_facets);
   facets_outside(t, cells, reversed, reversed_facets);
-  check::that(std::equal(expected.begin(), expected.begin() + flat.number_of_slots(), reversed.cell_vertices()),
+  check::that(std::equal(expected.begin(), expected.begin() + flat.number_of_half_facets(), reversed.cell_vertices()),
               "the order of cells depends on that in the triangulation");
   // Arrays that are there already are replaced.
   const Constrained_facets replacing = t.flatten(all_cells(t.tr), Thread_policy(), reversed);

@@ -125,7 +125,7 @@ static std::vector<double> contents(Moving_triangulation_3& mesh)
     c.insert(c.end(), { s.x, s.y, s.z });
   for(const Site_gradient& g : gradient_of(mesh))
     c.insert(c.end(), { g.x, g.y, g.z, g.diagonal });
-  for(int s = 0; s < mesh.topology.number_of_slots(); ++s)
+  for(int s = 0; s < mesh.topology.number_of_half_facets(); ++s)
     c.push_back(mesh.topology.cell_vertices()[s]);
   return c;
 }

@@ -8,8 +8,8 @@
 #include "mesh_domains.h"
 #include "opened_complex.h"
 
+#include <CGAL/Global_odt_mesh_3/internal/complex/Complex_updater_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/geometry/Random_source.h>
-#include <CGAL/Global_odt_mesh_3/internal/restricted/Restricted_complex_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/slivers/Exact_sliver_removal_3.h>
 
 #include <array>
@@ -35,9 +35,9 @@ struct Contents
   std::set<std::pair<std::array<int, 3>, std::array<int, 3> > > facets;
   std::vector<double> coordinates;
 
-  explicit Contents(const Restricted_trial_3& trial)
+  explicit Contents(const Exact_relocation_3& trial)
   {
-    const Trial_complex_3& complex = trial.complex();
+    const Editable_complex_3& complex = trial.complex();
     for(auto c : complex.triangulation().all_cell_handles())
       cells.insert({ sorted(complex.numbers(c)), c->label() });
     for(const Exchangeable_boundary_3::Facet& f : complex.boundary.facets())
@@ -62,16 +62,16 @@ void rejected_trials(const std::string& name, const C3t3& c3t3, const Domain& do
   trial.set_goal(Sliver_steps::angles[step], step);
   const Contents before(trial);
   Random_source random(5);
-  int lifted = 0, on_surface = 0, permitted = 0, refused = 0, other = 0;
+  int detached = 0, on_surface = 0, permitted = 0, refused = 0, other = 0;
   for(const auto& q : trial.slivers(Sliver_steps::angles[step]))
     for(int v : trial.movable_vertices(q))
     {
-      if(lifted == 400)
+      if(detached == 400)
         break;
-      ++lifted;
-      on_surface += setting.complex.state().numbering->is_on_boundary(v);
+      ++detached;
+      on_surface += setting.complex.snapshot().numbering->is_on_boundary(v);
       const Site from = trial.site(v);
-      trial.lift(v);
+      trial.detach(v);
       for(int n = 0; n < 4; ++n)
       {
         Site s = site_at(position(from) + 0.3 * trial.mean_edge_length() * random.uniform() * random.direction(), from.weight);
@@ -82,14 +82,14 @@ void rejected_trials(const std::string& name, const C3t3& c3t3, const Domain& do
         other += change != trial.move(s, most);
       }
       trial.reject();
-      if(lifted % 50 == 0)
+      if(detached % 50 == 0)
         check::that(Contents(trial) == before, name, ": a rejected trial leaves a trace");
     }
-  std::cout << name << ": " << lifted << " vertices lifted, " << on_surface << " of surfaces, " << permitted
+  std::cout << name << ": " << detached << " vertices detached, " << on_surface << " of surfaces, " << permitted
             << " places permitted, " << refused << " refused" << std::endl;
   check::that(Contents(trial) == before, name, ": rejected trials leave a trace");
   check::that(other == 0, name, ": ", other, " trials end otherwise a second time");
-  check::that(lifted > 50 && permitted > 0 && refused > 0 && (on_surface > 0) == moves_surfaces, name, ": the test is too weak");
+  check::that(detached > 50 && permitted > 0 && refused > 0 && (on_surface > 0) == moves_surfaces, name, ": the test is too weak");
 }
 
 // Slivers are removed, and what comes out is a mesh as good as the one before in all other respects.
@@ -171,15 +171,15 @@ static void junction_moves()
       labels.insert(trial.complex().boundary.facet(n).labels);
     return labels.size() == 3;
   };
-  int moved = 0, lifted = 0;
+  int moved = 0, detached = 0;
   for(const auto& q : trial.slivers(bound))
     for(int v : trial.movable_vertices(q))
     {
       if(!is_on_junction(v))
         continue;
-      ++lifted;
+      ++detached;
       const Site from = trial.site(v);
-      trial.lift(v);
+      trial.detach(v);
       Site s = site_at(position(from) + 0.1 * trial.mean_edge_length() * random.uniform() * random.direction(), from.weight);
       if(trial.place(s) && std::isfinite(trial.move(s, (std::numeric_limits<double>::infinity)())))
       {
@@ -190,7 +190,7 @@ static void junction_moves()
       else
         trial.reject();
     }
-  std::cout << "junction: " << moved << " of " << lifted << " moves" << std::endl;
+  std::cout << "junction: " << moved << " of " << detached << " moves" << std::endl;
   check::that(moved > 0 && setting.complex.adopt(trial), "no vertex where three subdomains meet moves");
   Mesh_contract<Labeled_c3t3, Labeled_domain>(c3t3, domain, "junction").check_moved(setting.write(), 1e-2);
 }
@@ -202,8 +202,8 @@ static void kept_places()
   const Labeled_domain domain = domains::sphere();
   const Labeled_c3t3 c3t3 = domains::mesh(domain, 0.2);
   Opened_complex<Labeled_c3t3, Labeled_domain> setting(c3t3, domain, Boundary_motion::BY_NORMALS);
-  const auto numbering = setting.complex.state().numbering;
-  std::vector<Site> target = setting.complex.state().sites;
+  const auto numbering = setting.complex.snapshot().numbering;
+  std::vector<Site> target = setting.complex.snapshot().sites;
   Random_source random(7);
   const auto is_kept = [](int v) { return v % 2 == 0; };
   for(int v = numbering->number_of_interior_vertices; v < numbering->number_of_movable_vertices; ++v)
@@ -220,7 +220,7 @@ static void kept_places()
   for(int v = numbering->number_of_interior_vertices; v < numbering->number_of_movable_vertices; ++v)
   {
     ++all[is_kept(v)];
-    same[is_kept(v)] += same_place(setting.complex.state().sites[v], target[v]);
+    same[is_kept(v)] += same_place(setting.complex.snapshot().sites[v], target[v]);
   }
   std::cout << "kept places: " << same[1] << " of " << all[1] << " vertices stay there, " << same[0] << " of " << all[0]
             << " others" << std::endl;
@@ -245,7 +245,7 @@ void limits(const C3t3& c3t3, const Domain& domain)
   Exact_sliver_removal_3 few(trial, failures, 1);
   few.climb(Sliver_steps::number - 1, 2000, [] { return true; });
   const Exact_sliver_removal_parameters p;
-  check::that(few.number_of_tries() <= 2000 + 10 * (p.tries_of_lift + p.tries_per_vertex), few.number_of_tries(), " tries");
+  check::that(few.number_of_tries() <= 2000 + 10 * (p.tries_of_detachment + p.tries_per_vertex), few.number_of_tries(), " tries");
 }
 
 // A box with a wavy surface inside that does not separate subdomains.

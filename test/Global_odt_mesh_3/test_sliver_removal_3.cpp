@@ -16,10 +16,10 @@
 #include <CGAL/Global_odt_mesh_3/internal/geometry/Vertex_tuples.h>
 #include <CGAL/Global_odt_mesh_3/internal/optimization/Limited_memory_bfgs.h>
 #include <CGAL/Global_odt_mesh_3/internal/optimization/Odt_objective_3.h>
+#include <CGAL/Global_odt_mesh_3/internal/slivers/Indexed_relocation_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/slivers/Sliver_removal_3.h>
-#include <CGAL/Global_odt_mesh_3/internal/slivers/Vertex_trial_3.h>
-#include <CGAL/Global_odt_mesh_3/internal/triangulation/Flat_triangulation_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/triangulation/Flips_3.h>
+#include <CGAL/Global_odt_mesh_3/internal/triangulation/Indexed_triangulation_3.h>
 
 #include <algorithm>
 #include <array>
@@ -178,31 +178,31 @@ struct Snapshot
   int number_of_cells;
 
   explicit Snapshot(const Moving_triangulation_3& mesh)
-    : Snapshot(mesh, mesh.topology.number_of_slots())
+    : Snapshot(mesh, mesh.topology.number_of_half_facets())
   {}
 
-  Snapshot(const Moving_triangulation_3& mesh, int number_of_slots)
+  Snapshot(const Moving_triangulation_3& mesh, int number_of_half_facets)
     : sites(mesh.sites)
     , number_of_cells(mesh.topology.number_of_cells())
   {
-    const Flat_triangulation_3& t = mesh.topology;
-    for(int s = 0; s < number_of_slots; ++s)
+    const Indexed_triangulation_3& t = mesh.topology;
+    for(int s = 0; s < number_of_half_facets; ++s)
     {
-      vertices.push_back(t.vertex(Slot(s)));
-      neighbors.push_back(t.is_alive(Slot(s).cell()) ? t.neighbor(Slot(s)).id() : 0);
+      vertices.push_back(t.vertex(Half_facet(s)));
+      neighbors.push_back(t.is_alive(Half_facet(s).cell()) ? t.neighbor(Half_facet(s)).id() : 0);
     }
     for(std::size_t v = 0; v < mesh.sites.size(); ++v)
       incident_cells.push_back(t.incident_cell(static_cast<int>(v)));
     for(int w = 0; w < t.number_of_constrained_facets(); ++w)
       for(int side : { 0, 1 })
-        constrained_slots.push_back(t.constrained_slot(w, side).id());
+        constrained_slots.push_back(t.constrained_half_facet(w, side).id());
   }
 
   bool describes(const Moving_triangulation_3& mesh) const
   {
     const Snapshot now(mesh, static_cast<int>(vertices.size()));
-    for(int s = static_cast<int>(vertices.size()); s < mesh.topology.number_of_slots(); ++s)
-      if(mesh.topology.is_alive(Slot(s).cell()))
+    for(int s = static_cast<int>(vertices.size()); s < mesh.topology.number_of_half_facets(); ++s)
+      if(mesh.topology.is_alive(Half_facet(s).cell()))
         return false;
     return now.vertices == vertices && now.neighbors == neighbors && now.incident_cells == incident_cells
            && now.constrained_slots == constrained_slots && now.number_of_cells == number_of_cells
@@ -212,23 +212,23 @@ struct Snapshot
 };
 
 // Whether some cell has all of these vertices.
-static bool has_cell_with(const Flat_triangulation_3& t, const std::vector<int>& vertices)
+static bool has_cell_with(const Indexed_triangulation_3& t, const std::vector<int>& vertices)
 {
-  std::vector<Slot> star;
+  std::vector<Half_facet> star;
   t.star(vertices[0], star);
-  return std::any_of(star.begin(), star.end(), [&](Slot s)
+  return std::any_of(star.begin(), star.end(), [&](Half_facet s)
   {
     return std::all_of(vertices.begin(), vertices.end(), [&](int v) { return t.has_vertex(s.cell(), v); });
   });
 }
 
 // Flips of either kind, without regard to where the vertices are; how many of each.
-static std::array<int, 2> flip_at_random(Flat_triangulation_3& t, int attempts, std::mt19937& random)
+static std::array<int, 2> flip_at_random(Indexed_triangulation_3& t, int attempts, std::mt19937& random)
 {
   std::array<int, 2> number = {{ 0, 0 }};
   for(int n = 0; n < attempts; ++n)
   {
-    const Slot s(std::uniform_int_distribution<int>(0, t.number_of_slots() - 1)(random));
+    const Half_facet s(std::uniform_int_distribution<int>(0, t.number_of_half_facets() - 1)(random));
     if(!t.is_alive(s.cell()) || t.neighbor(s).is_side())
       continue;
     if(const std::optional<Edge_ring_3> ring = ring_of_degree_3(t, s.cell(), s.index(), (s.index() + 1) % 4))
@@ -251,7 +251,7 @@ static std::array<int, 2> flip_at_random(Flat_triangulation_3& t, int attempts, 
 static void undone_flips(std::mt19937& random)
 {
   Moving_triangulation_3 mesh = random_cube(3, 60, 0, false, random);
-  Flat_triangulation_3& t = mesh.topology;
+  Indexed_triangulation_3& t = mesh.topology;
   std::array<int, 2> number = {{ 0, 0 }};
   for(int n = 0; n < 100; ++n)
   {
@@ -290,7 +290,7 @@ static int cells_beyond_surfaces(const Moving_triangulation_3& mesh)
     for(int i = 0; i < 4 && mesh.topology.is_alive(c); ++i)
     {
       const int* const v = mesh.topology.vertices(c);
-      number += v[i] < mesh.number_of_interior_vertices && mesh.is_beyond_surface(Slot(c, i));
+      number += v[i] < mesh.number_of_interior_vertices && mesh.is_beyond_surface(Half_facet(c, i));
     }
   return number;
 }
@@ -304,7 +304,7 @@ static void vertex_trials(bool weighted, bool has_surface, std::mt19937& random)
   Moving_triangulation_3 mesh = random_cube(4, 200, 0, weighted, random);
   if(has_surface)
     std::fill(mesh.surface_heights.begin(), mesh.surface_heights.end(), 0.);
-  Vertex_trial_3 trial(mesh, bound);
+  Indexed_relocation_3 trial(mesh, bound);
   std::vector<double> edge_length;
   mesh.mean_edge_lengths(edge_length);
   std::uniform_real_distribution<double> u(-1, 1);
@@ -384,12 +384,12 @@ static void trials_in_parts(std::mt19937& random)
   };
   const std::set<std::array<int, 4> > outside = cells_outside();
   const int cells = mesh.topology.number_of_cells();
-  Vertex_trial_3 whole(mesh, bound);
-  std::vector<Flat_triangulation_3> topologies = mesh.topology.split(2, 20);
+  Indexed_relocation_3 whole(mesh, bound);
+  std::vector<Indexed_triangulation_3> topologies = mesh.topology.split(2, 20);
   whole.make_room();
   check::that(mesh.topology.number_of_cell_slots() >= cells + 40 && number_of_cells(mesh) == cells && mesh.topology.is_valid(),
               "a split alters the whole");
-  Vertex_trial_3 trial(whole, topologies[0], parts, 0, true);
+  Indexed_relocation_3 trial(whole, topologies[0], parts, 0, true);
   std::vector<double> edge_length;
   mesh.mean_edge_lengths(edge_length);
   std::uniform_real_distribution<double> u(-1, 1);
@@ -426,7 +426,7 @@ static void marked_trials(std::mt19937& random)
 {
   const double bound = 30;
   Moving_triangulation_3 mesh = random_cube(4, 200, 0, false, random);
-  Vertex_trial_3 trial(mesh, bound);
+  Indexed_relocation_3 trial(mesh, bound);
   std::vector<double> edge_length;
   mesh.mean_edge_lengths(edge_length);
   std::uniform_real_distribution<double> u(-1, 1);

@@ -80,7 +80,7 @@ static std::vector<Eigen::Vector3d> gain_of_polyhedron(const Moving_triangulatio
   for(int c = 0; c < mesh.topology.number_of_cell_slots(); ++c)
     for(int f = 0; mesh.topology.is_alive(c) && f < 4; ++f)
     {
-      const Slot s(c, f);
+      const Half_facet s(c, f);
       if(!mesh.topology.neighbor(s).is_side())
         continue;
       const std::array<int, 3> t = mesh.topology.facet(s);
@@ -102,7 +102,7 @@ static Boundary_complex_3 hull(const Moving_triangulation_3& mesh)
   for(int n = 0; n < mesh.topology.number_of_constrained_facets(); ++n)
     for(int side = 0; side < 2; ++side)
     {
-      const Slot s = mesh.topology.constrained_slot(n, side);
+      const Half_facet s = mesh.topology.constrained_half_facet(n, side);
       if(!s.is_none())
         facets.push_back({ mesh.topology.facet(s), {{ 0, 1 }}, 0 });
     }

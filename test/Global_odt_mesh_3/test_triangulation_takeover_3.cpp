@@ -8,13 +8,13 @@
 #include "mesh_domains.h"
 #include "opened_complex.h"
 
+#include <CGAL/Global_odt_mesh_3/internal/complex/Cell_transfer_3.h>
+#include <CGAL/Global_odt_mesh_3/internal/complex/Certified_region_3.h>
+#include <CGAL/Global_odt_mesh_3/internal/complex/Complex_updater_3.h>
+#include <CGAL/Global_odt_mesh_3/internal/complex/Exact_triangulation_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/geometry/Random_source.h>
 #include <CGAL/Global_odt_mesh_3/internal/geometry/Regularity_filter_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/geometry/Vertex_tuples.h>
-#include <CGAL/Global_odt_mesh_3/internal/restricted/Certified_region_3.h>
-#include <CGAL/Global_odt_mesh_3/internal/restricted/Restricted_complex_3.h>
-#include <CGAL/Global_odt_mesh_3/internal/restricted/Triangulation_takeover_3.h>
-#include <CGAL/Global_odt_mesh_3/internal/restricted/Working_triangulation_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/triangulation/Flips_3.h>
 
 #include <CGAL/Exact_predicates_exact_constructions_kernel.h>
@@ -73,53 +73,52 @@ static void tuple_table()
 }
 
 // The cells by the numbers of their vertices, -1 for the infinite one.
-static std::set<Quadruple> cells(const Numbered_triangulation_3& numbered)
+static std::set<Quadruple> cells(const Working_triangulation_3& working)
 {
-  const Working_triangulation_3& tr = numbered.triangulation();
+  const Exact_triangulation_3& tr = working.triangulation();
   std::set<Quadruple> all;
   for(Cell_handle c : tr.all_cell_handles())
-    all.insert(sorted(numbered.numbers(c)));
+    all.insert(sorted(working.numbers(c)));
   check::that(all.size() == tr.number_of_cells(), "two cells have the same vertices");
   return all;
 }
 
 // Whether nothing is left of marks that were made on the way, and each number has its vertex at its site.
-static bool is_tidy(const Numbered_triangulation_3& numbered, const std::vector<Site>& sites)
+static bool is_tidy(const Working_triangulation_3& working, const std::vector<Site>& sites)
 {
-  const Working_triangulation_3& tr = numbered.triangulation();
+  const Exact_triangulation_3& tr = working.triangulation();
   for(Cell_handle c : tr.all_cell_handles())
-    for(int i = 0; i < 4; ++i)
-      if(c->is_marked(i) || c->tds_data().is_in_conflict())
-        return false;
-  for(int v = 0; v < static_cast<int>(sites.size()); ++v)
-    if(!numbered.is_visible(v) || tr.point(numbered.vertex(v)) != weighted_point(sites[v]))
+    if(c->has_flags() || c->tds_data().is_in_conflict())
       return false;
-  return numbered.is_complete();
+  for(int v = 0; v < static_cast<int>(sites.size()); ++v)
+    if(!working.is_visible(v) || tr.point(working.vertex(v)) != weighted_point(sites[v]))
+      return false;
+  return working.is_complete();
 }
 
-// What is taken over from the mesh for positions that may be others is what insertion gives; how many vertices
-// were inserted for it, or -1 if it was not taken over.
+// What is transferred from the mesh for positions that may be others is what insertion gives; how many vertices
+// were inserted for it, or -1 if it was not transferred.
 static int take_over(const std::string& name, const Moving_triangulation_3& mesh, const std::vector<Site>& sites, Outcome expected)
 {
-  Numbered_triangulation_3 inserted, taken;
+  Working_triangulation_3 inserted, taken;
   inserted.build(sites);
-  Triangulation_takeover_3 takeover(mesh, sites, Thread_policy::for_tag<CGAL::Parallel_tag>(), taken);
-  const bool is_taken = takeover.run();
-  std::cout << name << ": " << (is_taken ? "" : "not ") << "taken over, " << takeover.number_of_inserted_vertices()
+  Cell_transfer_3 transfer(mesh, sites, Thread_policy::for_tag<CGAL::Parallel_tag>(), transferred);
+  const bool is_transferred = transfer.run();
+  std::cout << name << ": " << (is_transferred ? "" : "not ") << "transferred, " << transfer.number_of_inserted_vertices()
             << " of " << sites.size() << " vertices inserted" << std::endl;
-  check::that(expected == ANY || is_taken == (expected == TAKEN_OVER), name, ": ", is_taken ? "" : "not ", "taken over");
-  if(!is_taken)
+  check::that(expected == ANY || is_transferred == (expected == TAKEN_OVER), name, ": ", is_transferred ? "" : "not ", "transferred");
+  if(!is_transferred)
     return -1;
   check::that(inserted.is_complete(), name, ": hidden vertices are overlooked");
-  check::that(cells(taken) == cells(inserted), name, ": not the cells that insertion gives");
-  check::that(taken.triangulation().is_valid(), name, ": the triangulation is not valid");
+  check::that(cells(transferred) == cells(inserted), name, ": not the cells that insertion gives");
+  check::that(transferred.triangulation().is_valid(), name, ": the triangulation is not valid");
   check::that(is_tidy(taken, sites), name, ": marks are left, or vertices are not what they were");
   // Vertices can be moved afterwards.
   for(int v = 0; v < static_cast<int>(sites.size()); v += 97)
-    for(auto* numbered : { &taken, &inserted })
-      numbered->move(v, sites[v]);
-  check::that(cells(taken) == cells(inserted) && taken.triangulation().is_valid(), name, ": vertices cannot be moved");
-  return takeover.number_of_inserted_vertices();
+    for(auto* working : { &taken, &inserted })
+      working->move(v, sites[v]);
+  check::that(cells(transferred) == cells(inserted) && transferred.triangulation().is_valid(), name, ": vertices cannot be moved");
+  return transfer.number_of_inserted_vertices();
 }
 
 // Moves vertices of a mesh, which stays regular.
@@ -160,9 +159,9 @@ static int flip_at_random(Moving_triangulation_3& mesh, double share, unsigned i
 {
   Random_source random(seed);
   int flips = 0;
-  for(int n = 0, end = mesh.topology.number_of_slots(); n < end; ++n)
+  for(int n = 0, end = mesh.topology.number_of_half_facets(); n < end; ++n)
   {
-    const Slot s(n);
+    const Half_facet s(n);
     if(random.uniform() > share || !mesh.topology.is_alive(s.cell()) || mesh.topology.neighbor(s).is_side())
       continue;
     const std::array<double, 3> volumes = mesh.volumes_after_2_3(s);
@@ -175,7 +174,7 @@ static int flip_at_random(Moving_triangulation_3& mesh, double share, unsigned i
 }
 
 // A mesh of a domain after small and large motions, with a surface that moves, so that facets of it change, with wrong
-// flips, and with vertices that have left their stars: all of it is taken over, with more insertions.
+// flips, and with vertices that have left their stars: all of it is transferred, with more insertions.
 template <class C3t3, class Domain>
 void domain_meshes(const std::string& name, const C3t3& c3t3, const Domain& domain, Outcome expected)
 {
@@ -218,7 +217,7 @@ void complexes(const std::string& name, const C3t3& c3t3, const Domain& domain, 
     check::that(without.complex.advance(with.mesh.sites, is_final).has_value() == done, name, ": only one way succeeds");
     if(!done)
       continue;
-    const auto &a = with.complex.state(), &b = without.complex.state();
+    const auto &a = with.complex.snapshot(), &b = without.complex.snapshot();
     check::that(cells(with.complex.triangulation()) == cells(without.complex.triangulation()), name, ": the complexes have other cells");
     const auto in_order = [](const auto& table) { return std::map(table.entries().begin(), table.entries().end()); };
     check::that(a.has_positions(b.sites) && in_order(a.boundary_cells) == in_order(b.boundary_cells), name,
@@ -229,11 +228,11 @@ void complexes(const std::string& name, const C3t3& c3t3, const Domain& domain, 
     for(const Boundary_facet& f : b.boundary.complex().facets())
       facets[1].insert(sorted(f.vertices));
     check::that(facets[0] == facets[1], name, ": the complexes have other facets");
-    with.complex.flatten(with.mesh);
+    with.complex.load_into(with.mesh);
   }
-  std::cout << name << ": " << with.complex.number_of_takeovers() << " takeovers" << std::endl;
-  check::that(with.complex.number_of_takeovers() == 3, name, ": ", with.complex.number_of_takeovers(), " takeovers");
-  check::that(without.complex.number_of_takeovers() == 0, name, ": taken over without a mesh");
+  std::cout << name << ": " << with.complex.number_of_transfers() << " transfers" << std::endl;
+  check::that(with.complex.number_of_transfers() == 3, name, ": ", with.complex.number_of_transfers(), " transfers");
+  check::that(without.complex.number_of_transfers() == 0, name, ": transferred without a mesh");
 }
 
 // Points of a lattice, some of them elsewhere: where spheres pass through more than four, the result is that of insertion.
@@ -294,7 +293,7 @@ static void hidden_vertices()
   take_over("random points, two in one place", mesh, sites, NOT_TAKEN_OVER);
 }
 
-// Weights that change some cells: the others are taken over.
+// Weights that change some cells: the others are transferred.
 static void weighted_vertices()
 {
   const Moving_triangulation_3 mesh = random_points();
@@ -338,8 +337,8 @@ static Moving_triangulation_3 side_by_side(const Moving_triangulation_3& a, cons
   for(const Moving_triangulation_3* part : { &a, &b })
   {
     const bool is_b = part == &b;
-    const int slots = is_b ? a.topology.number_of_slots() : 0, sides = is_b ? a.topology.number_of_sides() : 0;
-    for(int n = 0; n < part->topology.number_of_slots(); ++n)
+    const int slots = is_b ? a.topology.number_of_half_facets() : 0, sides = is_b ? a.topology.number_of_sides() : 0;
+    for(int n = 0; n < part->topology.number_of_half_facets(); ++n)
     {
       const int v = part->topology.cell_vertices()[n], across = part->topology.neighbors()[n];
       const bool is_interior = v < part->number_of_interior_vertices;
@@ -353,14 +352,14 @@ static Moving_triangulation_3 side_by_side(const Moving_triangulation_3& a, cons
 
 static Moving_triangulation_3 with_cells_twice(const Moving_triangulation_3& mesh)
 {
-  const Flat_triangulation_3& t = mesh.topology;
+  const Indexed_triangulation_3& t = mesh.topology;
   std::vector<int> vertices, neighbors;
   for(int copy : { 0, 1 })
-    for(int n = 0; n < t.number_of_slots(); ++n)
+    for(int n = 0; n < t.number_of_half_facets(); ++n)
     {
-      const Slot across(t.neighbors()[n]);
+      const Half_facet across(t.neighbors()[n]);
       vertices.push_back(t.cell_vertices()[n]);
-      neighbors.push_back(across.id() + copy * (across.is_side() ? -t.number_of_sides() : t.number_of_slots()));
+      neighbors.push_back(across.id() + copy * (across.is_side() ? -t.number_of_sides() : t.number_of_half_facets()));
     }
   Moving_triangulation_3 twice = mesh;
   twice.topology.assign(vertices, neighbors, mesh.sites.size(), 2 * t.number_of_sides());
@@ -381,22 +380,22 @@ static void wrong_covers()
   take_over("a vertex without cells", large, sites, NOT_TAKEN_OVER);
 }
 
-// A cell is taken over if it is positive, also without any neighbor that would tell.
+// A cell is transferred if it is positive, also without any neighbor that would tell.
 static void single_cells()
 {
   const std::vector<Site> sites = { { 0, 0, 0, 0 }, { 1, 0, 0, 0 }, { 0, 1, 0, 0 }, { 0, 0, 1, 0 } };
   for(bool is_positive : { true, false })
   {
-    Flat_triangulation_3 flat;
+    Indexed_triangulation_3 flat;
     flat.reserve(4, 1);
     flat.add_cell(0, 1, is_positive ? 2 : 3, is_positive ? 3 : 2);
     for(int i = 0; i < 4; ++i)
-      flat.set_neighbors(Slot(0, i), Slot::side(i, 0));
-    const Working_traits traits;
-    Taken_cells_3 taken(flat, 4, 4, Thread_policy());
-    check::that(taken.is_taken(0), "the cell is not even looked at");
+      flat.set_neighbors(Half_facet(0, i), Half_facet::side(i, 0));
+    const Exact_traits traits;
+    Transferred_cells_3 taken(flat, 4, 4, Thread_policy());
+    check::that(transferred.is_transferred(0), "the cell is not even looked at");
     certify_cells(taken, Exact_regularity_3(sites, traits), Thread_policy());
-    check::that(taken.is_taken(0) == is_positive, is_positive ? "a good cell is rejected" : "an inverted cell is taken");
+    check::that(transferred.is_transferred(0) == is_positive, is_positive ? "a good cell is rejected" : "an inverted cell is taken");
   }
 }
 
@@ -442,21 +441,21 @@ static void hiding_vertices()
   // A ball, a vertex within it, which an octahedron leaves visible, and one that comes to hide it.
   std::vector<Site> sites = { { 0, 0, 0, 1 }, { 0.9, 0, 0, 0 }, { 2, 0.1, 0.1, 0 }, { 3, 0, 0, 0 }, { -3, 0, 0, 0 }, { 0, 3, 0, 0 },
                               { 0, -3, 0, 0 }, { 0, 0, 3, 0 }, { 0, 0, -3, 0 } };
-  Numbered_triangulation_3 numbered;
-  numbered.build(sites);
-  check::that(numbered.is_complete(), "a visible vertex is not there");
-  numbered.move(2, { 1.1, 0, 0, 0 });
-  check::that(!numbered.is_complete() && !numbered.is_visible(1) && numbered.is_visible(2), "a hidden vertex is not noticed");
-  numbered.move(1, { 0, 2, 0, 0 });
-  check::that(numbered.is_complete() && numbered.triangulation().is_valid(), "a hidden vertex cannot be moved");
-  numbered.move(1, { 0, 3, 0, 0 });
-  check::that(!numbered.is_complete() && !numbered.is_visible(1) && numbered.is_visible(5), "a taken place is not noticed");
-  numbered.move(2, sites[2]);
-  numbered.move(1, sites[1]);
+  Working_triangulation_3 working;
+  working.build(sites);
+  check::that(working.is_complete(), "a visible vertex is not there");
+  working.move(2, { 1.1, 0, 0, 0 });
+  check::that(!working.is_complete() && !working.is_visible(1) && working.is_visible(2), "a hidden vertex is not noticed");
+  working.move(1, { 0, 2, 0, 0 });
+  check::that(working.is_complete() && working.triangulation().is_valid(), "a hidden vertex cannot be moved");
+  working.move(1, { 0, 3, 0, 0 });
+  check::that(!working.is_complete() && !working.is_visible(1) && working.is_visible(5), "a taken place is not noticed");
+  working.move(2, sites[2]);
+  working.move(1, sites[1]);
   for(int v = 0; v < static_cast<int>(sites.size()); ++v)
-    check::that(numbered.is_visible(v) && numbered.triangulation().point(numbered.vertex(v)) == weighted_point(sites[v]),
+    check::that(working.is_visible(v) && working.triangulation().point(working.vertex(v)) == weighted_point(sites[v]),
                 "vertex ", v, " is not where it was");
-  check::that(numbered.triangulation().is_valid(), "the triangulation is not valid after all vertices are back");
+  check::that(working.triangulation().is_valid(), "the triangulation is not valid after all vertices are back");
 }
 
 int main()

@@ -80,7 +80,7 @@ void compare(const char* name, const C3t3& input, const Domain& domain)
     C3t3 copy(moved);
     bridge = (std::min)(bridge, seconds([&]
     {
-      typedef odt::Restricted_complex_3<Triangulation, Domain> Complex;
+      typedef odt::Complex_updater_3<Triangulation, Domain> Complex;
       Complex complex(domain, odt::Boundary_motion::NONE);
       odt::Moving_triangulation_3 mesh;
       complex.start(odt::C3t3_reader_3<C3t3, typename Complex::Domain>(copy, complex.domain()).read(mesh, false));

@@ -10,12 +10,12 @@
 #include <CGAL/Global_odt_mesh_3/internal/Mesh_optimizer_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/Odt_parameters.h>
 #include <CGAL/Global_odt_mesh_3/internal/Optimization_attempt_3.h>
+#include <CGAL/Global_odt_mesh_3/internal/complex/Complex_candidate_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/interface/Domain_view_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/interface/Mesh_view_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/interface/Optimization_visitor.h>
 #include <CGAL/Global_odt_mesh_3/internal/interface/User_field_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/parallel/Thread_policy.h>
-#include <CGAL/Global_odt_mesh_3/internal/restricted/Restricted_candidate_3.h>
 
 #include <CGAL/Mesh_optimization_return_code.h>
 

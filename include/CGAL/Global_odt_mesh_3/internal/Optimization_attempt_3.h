@@ -6,20 +6,20 @@
 #ifndef CGAL_GLOBAL_ODT_MESH_3_INTERNAL_OPTIMIZATION_ATTEMPT_3_H
 #define CGAL_GLOBAL_ODT_MESH_3_INTERNAL_OPTIMIZATION_ATTEMPT_3_H
 
-#include <CGAL/Global_odt_mesh_3/internal/Flat_mesh_rounds_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/Iteration_control.h>
 #include <CGAL/Global_odt_mesh_3/internal/Odt_parameters.h>
+#include <CGAL/Global_odt_mesh_3/internal/Optimization_rounds_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/Round_plan.h>
+#include <CGAL/Global_odt_mesh_3/internal/complex/Complex_candidate_3.h>
+#include <CGAL/Global_odt_mesh_3/internal/complex/Complex_updater_3.h>
+#include <CGAL/Global_odt_mesh_3/internal/complex/Snapshot_reader_3.h>
+#include <CGAL/Global_odt_mesh_3/internal/complex/Snapshot_tabulation_3.h>
+#include <CGAL/Global_odt_mesh_3/internal/complex/Surface_projection_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/interface/Domain_view_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/interface/Mesh_view_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/interface/User_field_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/parallel/Stage_clock.h>
 #include <CGAL/Global_odt_mesh_3/internal/parallel/Thread_policy.h>
-#include <CGAL/Global_odt_mesh_3/internal/restricted/Restricted_candidate_3.h>
-#include <CGAL/Global_odt_mesh_3/internal/restricted/Restricted_complex_3.h>
-#include <CGAL/Global_odt_mesh_3/internal/restricted/State_reader_3.h>
-#include <CGAL/Global_odt_mesh_3/internal/restricted/State_tabulation_3.h>
-#include <CGAL/Global_odt_mesh_3/internal/restricted/Surface_projection_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/sizing/Largest_cells_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/slivers/Cell_angles.h>
 #include <CGAL/Global_odt_mesh_3/internal/slivers/Sliver_stage_3.h>
@@ -61,7 +61,7 @@ public:
     , complex_(domain, motion, static_cast<bool>(field), threads)     // to sizes that the input does not have
   {
     const auto in_stage = during(Stage_clock::READ);
-    complex_.start(State_reader_3(input, threads).read(mesh_, motion != Boundary_motion::NONE));
+    complex_.start(Snapshot_reader_3(input, threads).read(mesh_, motion != Boundary_motion::NONE));
     plan_ = std::make_unique<Round_plan>(task, parameters, boundary_moves(), motion == Boundary_motion::BY_DOMAIN);
     code_ = parameters_.do_freeze && plan_->optimizes() ? ALL_VERTICES_FROZEN : CONVERGENCE_REACHED;
   }
@@ -75,14 +75,14 @@ public:
   {
     if(mesh_.number_of_movable_vertices == 0)
       return true;
-    if(complex_.motion() == Boundary_motion::BY_NORMALS && is_surface_rough(complex_.state(), complex_.domain()))
+    if(complex_.motion() == Boundary_motion::BY_NORMALS && is_surface_rough(complex_.snapshot(), complex_.domain()))
       return false;
     control_.start(plan_->usual_most_iterations());
     if(plan_->is_done())
       return remove_slivers();
-    rounds_ = std::make_unique<Flat_mesh_rounds_3>(mesh_, *plan_, parameters_, field_, control_, threads_,
-                                                   complex_.state().numbering->input_numbers);
-    largest_cells_ = std::make_unique<Largest_cells_3>(mesh_, complex_.state().numbering->subdomain, local_size(),
+    rounds_ = std::make_unique<Optimization_rounds_3>(mesh_, *plan_, parameters_, field_, control_, threads_,
+                                                   complex_.snapshot().numbering->input_numbers);
+    largest_cells_ = std::make_unique<Largest_cells_3>(mesh_, complex_.snapshot().numbering->subdomain, local_size(),
                                                        !static_cast<bool>(field_));
     return make_rounds();
   }
@@ -93,9 +93,9 @@ public:
     const auto in_stage = during(Stage_clock::WRITE);
     rounds_.reset();
     mesh_ = Moving_triangulation_3();
-    if(!complex_.state().is_input)
+    if(!complex_.snapshot().is_input)
     {
-      const Mesh_table_3 table = State_tabulation_3(complex_.state(), complex_.triangulation(), threads_)();
+      const Mesh_table_3 table = Snapshot_tabulation_3(complex_.snapshot(), complex_.triangulation(), threads_)();
       complex_.release_triangulation();
       input_.write(table, threads_);
     }
@@ -135,7 +135,7 @@ private:
       if(stage != previous)
         energy = (std::numeric_limits<double>::max)();
       previous = stage;
-      const double before = std::exchange(energy, rounds_->make_round(complex_.state().boundary));
+      const double before = std::exchange(energy, rounds_->make_round(complex_.snapshot().boundary));
       const bool pays = !plan_->stops_without_gain() || energy < (1 - least_gain_of_round) * before;
       plan_->advance();
       if(control_.elapsed() > plan_->end_of_time(stage))
@@ -151,7 +151,7 @@ private:
       if(complex_.motion() != Boundary_motion::BY_NORMALS || !control_.goes_on() || --tries == 0)
         return false;
       // One on the way, which need not pay, and another last one.
-      flatten_for_round();
+      load_for_round();
       energy = (std::numeric_limits<double>::max)();
       plan_->add(Round_plan::MINIMIZE, 2);
     }
@@ -162,18 +162,18 @@ private:
   void store_round()
   {
     complex_.advance(mesh_, false);
-    flatten_for_round();
+    load_for_round();
   }
 
   // A round needs the memory more than the triangulation.
-  void flatten_for_round()
+  void load_for_round()
   {
-    complex_.flatten(mesh_);
+    complex_.load_into(mesh_);
     complex_.release_triangulation();
   }
 
   // After the last round: the interior goes to its minimum, or to where the parameters say, slivers are removed,
-  // and the complex gets its final state. False if no valid one can be made.
+  // and the complex gets its final snapshot. False if no valid one can be made.
   bool conclude(bool pays)
   {
     if(!plan_->optimizes())
@@ -221,17 +221,17 @@ private:
   }
 
   // Whether no vertex has moved since the input.
-  bool is_untouched() const { return complex_.state().is_input && complex_.state().has_positions(mesh_.sites); }
+  bool is_untouched() const { return complex_.snapshot().is_input && complex_.snapshot().has_positions(mesh_.sites); }
 
   Mesh_view_3& input_;
   const Odt_parameters& parameters_;
   const User_field_3& field_;
   Iteration_control& control_;
   Thread_policy threads_;
-  Restricted_complex_3 complex_;
+  Complex_updater_3 complex_;
   Moving_triangulation_3 mesh_;
   std::unique_ptr<Round_plan> plan_;
-  std::unique_ptr<Flat_mesh_rounds_3> rounds_;
+  std::unique_ptr<Optimization_rounds_3> rounds_;
   std::unique_ptr<Largest_cells_3> largest_cells_;        // where there are rounds, too
   Mesh_optimization_return_code code_;
 };

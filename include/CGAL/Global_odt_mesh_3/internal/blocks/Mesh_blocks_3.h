@@ -11,7 +11,7 @@
 #include <CGAL/Global_odt_mesh_3/internal/parallel/Chunked_loops.h>
 #include <CGAL/Global_odt_mesh_3/internal/parallel/Thread_policy.h>
 #include <CGAL/Global_odt_mesh_3/internal/triangulation/Constrained_triangulation_3.h>
-#include <CGAL/Global_odt_mesh_3/internal/triangulation/Slot.h>
+#include <CGAL/Global_odt_mesh_3/internal/triangulation/Half_facet.h>
 
 #include <CGAL/assertions.h>
 
@@ -87,7 +87,7 @@ public:
     for(int v = 0; v < part.number_of_movable_vertices; ++v)
       mesh_.sites[b.vertices[v]] = part.sites[v];
     part.topology.compact();
-    const std::size_t slots = part.topology.number_of_slots();
+    const std::size_t slots = part.topology.number_of_half_facets();
     b.cell_vertices.assign(part.topology.cell_vertices(), part.topology.cell_vertices() + slots);
     b.neighbors.assign(part.topology.neighbors(), part.topology.neighbors() + slots);
     for(int& v : b.cell_vertices)
@@ -107,13 +107,13 @@ public:
       b.first_cell = cells;
       cells += static_cast<int>(b.neighbors.size() / 4);
     }
-    std::vector<int> seam(mesh_.topology.number_of_slots());          // where slots at seams are now
+    std::vector<int> seam(mesh_.topology.number_of_half_facets());          // where slots at seams are now
     Arrays arrays;
     mesh_.topology.take_memory(arrays.cell_vertices, arrays.neighbors);
     arrays.cell_vertices.resize(4 * std::size_t(cells));
     arrays.neighbors.resize(4 * std::size_t(cells));
     arrays.vertex_cell.assign(mesh_.sites.size(), -1);
-    arrays.constrained_slots.assign(mesh_.topology.number_of_sides(), Slot().id());
+    arrays.constrained_slots.assign(mesh_.topology.number_of_sides(), Half_facet().id());
     const int number = partition_.number_of_blocks();
     threads_.for_each_chunk(number, [&](int n) { assemble(n, arrays, seam); });
     threads_.for_each_chunk(number, [&](int n)
@@ -137,7 +137,7 @@ private:
   struct Facet
   {
     int constrained_facet;      // or negative
-    Slot slot, beyond;          // at a seam, of the mesh before
+    Half_facet slot, beyond;          // at a seam, of the mesh before
 
     bool is_seam() const { return constrained_facet < 0; }
   };
@@ -152,7 +152,7 @@ private:
     int first_cell = 0;
   };
 
-  // As Flat_triangulation_3 has them.
+  // As Indexed_triangulation_3 has them.
   struct Arrays
   {
     std::vector<int> cell_vertices, neighbors, vertex_cell, constrained_slots;
@@ -168,7 +168,7 @@ private:
     {
       const int slot = s + 4 * b.first_cell;
       arrays.cell_vertices[slot] = b.cell_vertices[s];
-      const Slot across(b.neighbors[s]);
+      const Half_facet across(b.neighbors[s]);
       if(!across.is_side())
       {
         arrays.neighbors[slot] = across.id() + 4 * b.first_cell;
@@ -180,7 +180,7 @@ private:
         seam[f.slot.id()] = slot;
         continue;
       }
-      const Slot side = Slot::side(f.constrained_facet, across.side());
+      const Half_facet side = Half_facet::side(f.constrained_facet, across.side());
       arrays.neighbors[slot] = side.id();
       arrays.constrained_slots[side.side_id()] = slot;
     }
@@ -206,7 +206,7 @@ private:
     const int c = cell_in_block(block, cell);
     return c >= 0 && c < partition_.cells().size(block);
   }
-  Slot slot_in_block(int block, Slot s) const { return Slot(cell_in_block(block, s.cell()), s.index()); }
+  Half_facet slot_in_block(int block, Half_facet s) const { return Half_facet(cell_in_block(block, s.cell()), s.index()); }
 
   template <class F>
   void for_each_cell(int block, const F& f) const
@@ -246,15 +246,15 @@ private:
       for(int i = 0; i < 4; ++i)
       {
         cell_vertices.push_back(number(block, mesh_.topology.vertices(c)[i]));
-        load_neighbor(block, Slot(c, i), b.facets, neighbors);
+        load_neighbor(block, Half_facet(c, i), b.facets, neighbors);
       }
     });
     part.topology.assign(std::move(cell_vertices), std::move(neighbors), b.vertices.size(), 2 * b.facets.size());
   }
 
-  void load_neighbor(int block, Slot s, std::vector<Facet>& facets, std::vector<int>& neighbors) const
+  void load_neighbor(int block, Half_facet s, std::vector<Facet>& facets, std::vector<int>& neighbors) const
   {
-    const Slot across = mesh_.topology.neighbor(s), here = slot_in_block(block, s);
+    const Half_facet across = mesh_.topology.neighbor(s), here = slot_in_block(block, s);
     const int number = static_cast<int>(facets.size());
     if(!across.is_side())
     {
@@ -262,19 +262,19 @@ private:
         neighbors[here.id()] = slot_in_block(block, across).id();
       else
       {
-        neighbors[here.id()] = Slot::side(number, 0).id();
+        neighbors[here.id()] = Half_facet::side(number, 0).id();
         facets.push_back({ -1, s, across });
       }
       return;
     }
-    const Slot beyond = mesh_.topology.constrained_slot(across.other_side());
+    const Half_facet beyond = mesh_.topology.constrained_half_facet(across.other_side());
     const bool has_both = !beyond.is_none() && is_in_block(block, beyond.cell());
     if(has_both && slot_in_block(block, beyond) < here)
       return;
-    neighbors[here.id()] = Slot::side(number, across.side()).id();
+    neighbors[here.id()] = Half_facet::side(number, across.side()).id();
     if(has_both)
-      neighbors[slot_in_block(block, beyond).id()] = Slot::side(number, across.other_side().side()).id();
-    facets.push_back({ across.constrained_facet(), Slot(), Slot() });
+      neighbors[slot_in_block(block, beyond).id()] = Half_facet::side(number, across.other_side().side()).id();
+    facets.push_back({ across.constrained_facet(), Half_facet(), Half_facet() });
   }
 
   Constrained_triangulation_3& mesh_;

@@ -16,7 +16,7 @@
 #include <CGAL/Global_odt_mesh_3/internal/door/Named_parameters.h>
 #include <CGAL/Global_odt_mesh_3/internal/door/Odt_mesh_optimizer_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/door/User_fields_3.h>
-#include <CGAL/Global_odt_mesh_3/internal/triangulation/Flat_triangulation_3.h>
+#include <CGAL/Global_odt_mesh_3/internal/triangulation/Indexed_triangulation_3.h>
 
 #include <CGAL/Mesh_3/Mesh_global_optimizer.h>
 #include <CGAL/Mesh_3/Mesh_sizing_field.h>
@@ -90,7 +90,7 @@ optimize(C3T3& c3t3, const MeshDomain& domain, Odt_task task, const Odt_paramete
   fields.check();
   CGAL_GLOBAL_ODT_MESH_3_CHECK_PARAMETER(!Mesh_3::internal::has_non_protecting_weights(c3t3.triangulation(), domain),
                                          "c3t3 must not have weights on vertices off the features");
-  CGAL_GLOBAL_ODT_MESH_3_CHECK_PARAMETER(c3t3.triangulation().number_of_cells() <= Flat_triangulation_3::most_cells,
+  CGAL_GLOBAL_ODT_MESH_3_CHECK_PARAMETER(c3t3.triangulation().number_of_cells() <= Indexed_triangulation_3::most_cells,
                                          "c3t3 must not have more than 268,435,456 cells");
   if constexpr (is_periodic<C3T3>)
     return optimize_periodic(c3t3, domain, p);

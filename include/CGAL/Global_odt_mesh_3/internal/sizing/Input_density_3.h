@@ -7,8 +7,8 @@
 #define CGAL_GLOBAL_ODT_MESH_3_INTERNAL_SIZING_INPUT_DENSITY_3_H
 
 #include <CGAL/Global_odt_mesh_3/internal/density/Density_3.h>
+#include <CGAL/Global_odt_mesh_3/internal/triangulation/Half_facet.h>
 #include <CGAL/Global_odt_mesh_3/internal/triangulation/Moving_triangulation_3.h>
-#include <CGAL/Global_odt_mesh_3/internal/triangulation/Slot.h>
 
 #include <Eigen/Core>
 #include <Eigen/Geometry>
@@ -119,7 +119,7 @@ private:
       double lowest = 0;
       for(int i = 0; i < 4; ++i)
       {
-        const Slot across = topology_.neighbor(Slot(c, i));
+        const Half_facet across = topology_.neighbor(Half_facet(c, i));
         if(b[i] < lowest && !across.is_side() && across.cell() != previous)
         {
           lowest = b[i];
@@ -161,7 +161,7 @@ private:
 
   static constexpr int max_steps = 200;
 
-  Flat_triangulation_3 topology_;
+  Indexed_triangulation_3 topology_;
   std::vector<Site> sites_;
   int number_of_movable_vertices_;
   std::vector<double> size_;

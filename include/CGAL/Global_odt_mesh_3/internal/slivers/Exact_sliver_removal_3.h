@@ -6,12 +6,12 @@
 #ifndef CGAL_GLOBAL_ODT_MESH_3_INTERNAL_SLIVERS_EXACT_SLIVER_REMOVAL_3_H
 #define CGAL_GLOBAL_ODT_MESH_3_INTERNAL_SLIVERS_EXACT_SLIVER_REMOVAL_3_H
 
+#include <CGAL/Global_odt_mesh_3/internal/complex/Exact_relocation_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/geometry/Random_source.h>
 #include <CGAL/Global_odt_mesh_3/internal/geometry/Site.h>
 #include <CGAL/Global_odt_mesh_3/internal/geometry/Sliver_steps.h>
 #include <CGAL/Global_odt_mesh_3/internal/geometry/Vertex_places.h>
 #include <CGAL/Global_odt_mesh_3/internal/geometry/Vertex_tuples.h>
-#include <CGAL/Global_odt_mesh_3/internal/restricted/Restricted_trial_3.h>
 
 #include <Eigen/Core>
 
@@ -44,11 +44,11 @@ struct Exact_sliver_removal_parameters
   int most_passes = 30;                     // with each bound
   int most_failures_of_worst = 120;         // for the cell with the smallest angle, which should rise by so many degrees:
   double rise_of_worst = 2;
-  std::size_t tries_of_lift = 8;            // to lift a vertex and put it back takes as long as so many tries
+  std::size_t tries_of_detachment = 8;            // to detach a vertex and put it back takes as long as so many tries
 };
 
 // Removes the cells with small dihedral angles by trials of single vertices of the exact complex, by bounds that rise
-// step by step. As the facets on surfaces are exchanged along with the cells, it removes those that the flat mesh, where
+// step by step. As the facets on surfaces are exchanged along with the cells, it removes those that the indexed mesh, where
 // facets are constrained, cannot. No trial is accepted that makes the smallest angle around it smaller, or more
 // cells fall below one of the steps before; so that a higher bound never leads to less.
 //
@@ -62,7 +62,7 @@ public:
   typedef std::map<Quadruple, int> Failures;
 
   // Cells that have failed often enough are left alone. The trial is to be moved by this object only.
-  Exact_sliver_removal_3(Restricted_trial_3& trial, Failures& failures, unsigned int seed,
+  Exact_sliver_removal_3(Exact_relocation_3& trial, Failures& failures, unsigned int seed,
                          const Exact_sliver_removal_parameters& parameters = Exact_sliver_removal_parameters())
     : trial_(trial)
     , failures_(failures)
@@ -71,7 +71,7 @@ public:
   {}
 
   std::size_t number_of_moves() const { return number_of_moves_; }
-  // Of places, with what lifting vertices costs.
+  // Of places, with what detaching vertices costs.
   std::size_t number_of_tries() const { return number_of_tries_; }
 
   // Until there are no cells below the step, nothing improves them any more, the tries are used up, or `may_go_on()`,
@@ -193,7 +193,7 @@ private:
     for(std::size_t n = 0; n < (std::min)(steps.size(), parameters_.most_steps); ++n)
     {
       Site s = steps[n].site;
-      lift(steps[n].vertex);
+      detach(steps[n].vertex);
       ++number_of_tries_;
       if(trial_.place(s) && trial_.move(s, -least_improvement) < -least_improvement)
       {
@@ -246,7 +246,7 @@ private:
   {
     if(best_vertex_ < 0)
       return false;
-    lift(best_vertex_);
+    detach(best_vertex_);
     // Only where the dual point of a cell is just on a surface, the domain may answer otherwise now.
     const bool is_accepted = trial_.move(best_site_, 0) < 0;
     if(is_accepted)
@@ -256,11 +256,11 @@ private:
     return is_accepted;
   }
 
-  // Whether one was found, and accepted, that leaves no deficit. `place(n)`, asked when the vertex is lifted, gives one or none.
+  // Whether one was found, and accepted, that leaves no deficit. `place(n)`, asked when the vertex is detached, gives one or none.
   template <class Place>
   bool try_places(int v, std::size_t number, const Place& place)
   {
-    lift(v);
+    detach(v);
     for(std::size_t n = 0; n < number; ++n)
     {
       std::optional<Site> wanted = place(n);
@@ -284,10 +284,10 @@ private:
     return false;
   }
 
-  void lift(int v)
+  void detach(int v)
   {
-    number_of_tries_ += parameters_.tries_of_lift;
-    trial_.lift(v);
+    number_of_tries_ += parameters_.tries_of_detachment;
+    trial_.detach(v);
   }
 
   void accept()
@@ -301,7 +301,7 @@ private:
     }
   }
 
-  Restricted_trial_3& trial_;
+  Exact_relocation_3& trial_;
   Failures& failures_;
   Exact_sliver_removal_parameters parameters_;
   Random_source random_;

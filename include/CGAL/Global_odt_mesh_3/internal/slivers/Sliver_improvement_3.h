@@ -10,9 +10,9 @@
 #include <CGAL/Global_odt_mesh_3/internal/geometry/Random_source.h>
 #include <CGAL/Global_odt_mesh_3/internal/geometry/Site.h>
 #include <CGAL/Global_odt_mesh_3/internal/parallel/Thread_policy.h>
-#include <CGAL/Global_odt_mesh_3/internal/slivers/Vertex_trial_3.h>
+#include <CGAL/Global_odt_mesh_3/internal/slivers/Indexed_relocation_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/triangulation/Constrained_triangulation_3.h>
-#include <CGAL/Global_odt_mesh_3/internal/triangulation/Flat_triangulation_3.h>
+#include <CGAL/Global_odt_mesh_3/internal/triangulation/Indexed_triangulation_3.h>
 
 #include <Eigen/Core>
 
@@ -77,7 +77,7 @@ public:
   }
 
   // In a part of the mesh, where vertices on surfaces may have to stay. Parts may be improved at the same time.
-  Sliver_improvement_3(Sliver_improvement_3& whole, Flat_triangulation_3& topology, const Mesh_parts_3& parts, int part,
+  Sliver_improvement_3(Sliver_improvement_3& whole, Indexed_triangulation_3& topology, const Mesh_parts_3& parts, int part,
                        bool surfaces_move, unsigned int seed, std::size_t most_tries)
     : mesh_(whole.mesh_)
     , parameters_(whole.parameters_)
@@ -338,7 +338,7 @@ private:
 
   Constrained_triangulation_3& mesh_;
   Sliver_removal_parameters parameters_;
-  Vertex_trial_3 trial_;
+  Indexed_relocation_3 trial_;
   Vertex_motion_3* motion_;
   Random_source random_;
   std::shared_ptr<Records> records_;        // of the whole mesh

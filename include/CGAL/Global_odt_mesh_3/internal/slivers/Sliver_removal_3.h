@@ -12,7 +12,7 @@
 #include <CGAL/Global_odt_mesh_3/internal/parallel/Thread_policy.h>
 #include <CGAL/Global_odt_mesh_3/internal/slivers/Sliver_improvement_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/triangulation/Constrained_triangulation_3.h>
-#include <CGAL/Global_odt_mesh_3/internal/triangulation/Flat_triangulation_3.h>
+#include <CGAL/Global_odt_mesh_3/internal/triangulation/Indexed_triangulation_3.h>
 
 #include <algorithm>
 #include <cstddef>
@@ -25,7 +25,7 @@ namespace internal {
 
 // Removes the cells with dihedral angles below a bound by moving single vertices: each vertex of
 // such a cell tries random positions around it, and the one that lowers the deficit of the angles
-// most is taken. That disturbs few vertices, so that the energy hardly rises. Where no vertex
+// most is transferred. That disturbs few vertices, so that the energy hardly rises. Where no vertex
 // helps alone, all those of a cell are displaced at once, and stay so if that leads to less deficit.
 //
 // Large meshes are first treated in parts, on threads, with other seams each time: inside, and then at surfaces. What is left
@@ -95,7 +95,7 @@ private:
       if(const int part = parts.part(mesh_.topology.cell(c)); part != Mesh_parts_3::none && (at_surfaces || is_inside(c)))
         slivers[part].push_back(c);
     const std::size_t tries_for_each = (parameters_.most_tries - improvement_.number_of_tries()) / all.size();
-    std::vector<Flat_triangulation_3> topologies = mesh_.topology.split(number_of_parts, parameters_.free_cells_of_part);
+    std::vector<Indexed_triangulation_3> topologies = mesh_.topology.split(number_of_parts, parameters_.free_cells_of_part);
     improvement_.make_room();
     std::deque<Sliver_improvement_3> improvements;
     for(int n = 0; n < number_of_parts; ++n)

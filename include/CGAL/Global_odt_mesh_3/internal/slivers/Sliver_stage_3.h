@@ -6,18 +6,18 @@
 #ifndef CGAL_GLOBAL_ODT_MESH_3_INTERNAL_SLIVERS_SLIVER_STAGE_3_H
 #define CGAL_GLOBAL_ODT_MESH_3_INTERNAL_SLIVERS_SLIVER_STAGE_3_H
 
+#include <CGAL/Global_odt_mesh_3/internal/complex/Angle_check_3.h>
+#include <CGAL/Global_odt_mesh_3/internal/complex/Complex_snapshot_3.h>
+#include <CGAL/Global_odt_mesh_3/internal/complex/Complex_updater_3.h>
+#include <CGAL/Global_odt_mesh_3/internal/complex/Exact_relocation_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/geometry/Sliver_steps.h>
-#include <CGAL/Global_odt_mesh_3/internal/restricted/Angle_check_3.h>
-#include <CGAL/Global_odt_mesh_3/internal/restricted/Restricted_complex_3.h>
-#include <CGAL/Global_odt_mesh_3/internal/restricted/Restricted_state_3.h>
-#include <CGAL/Global_odt_mesh_3/internal/restricted/Restricted_trial_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/slivers/Cell_angles.h>
 #include <CGAL/Global_odt_mesh_3/internal/slivers/Exact_sliver_removal_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/slivers/Sliver_improvement_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/slivers/Sliver_removal_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/surface/Boundary_geometry_3.h>
+#include <CGAL/Global_odt_mesh_3/internal/triangulation/Half_facet.h>
 #include <CGAL/Global_odt_mesh_3/internal/triangulation/Moving_triangulation_3.h>
-#include <CGAL/Global_odt_mesh_3/internal/triangulation/Slot.h>
 
 #include <Eigen/Core>
 
@@ -31,7 +31,7 @@ namespace CGAL {
 namespace Global_odt_mesh_3 {
 namespace internal {
 
-// Removal of slivers from a complex, step by step: those of the flat mesh first, where a try takes microseconds but
+// Removal of slivers from a complex, step by step: those of the indexed mesh first, where a try takes microseconds but
 // facets on surfaces are constrained, and then those of the exact complex that is made of it. What a step has reached
 // is not given up by the next; and as no step depends on the bound that is wanted, a higher one never leads to less.
 class Sliver_stage_3
@@ -40,7 +40,7 @@ class Sliver_stage_3
 public:
   // `bound` is the dihedral angle, in degrees, that cells should exceed, or 0 for as much as can be had. The mesh is
   // that of the complex, with positions that the complex need not have yet.
-  Sliver_stage_3(Restricted_complex_3& complex, Moving_triangulation_3& mesh, double bound, unsigned int seed,
+  Sliver_stage_3(Complex_updater_3& complex, Moving_triangulation_3& mesh, double bound, unsigned int seed,
                  std::size_t most_tries)
     : complex_(complex)
     , mesh_(mesh)
@@ -54,10 +54,10 @@ public:
   bool run(const Has_time& has_time, const May_go_on& may_go_on)
   {
     remove_from_mesh(first_step, has_time);
-    const bool is_stored = complex_.state().has_positions(mesh_.sites);
-    if((!is_stored || !complex_.state().is_input) && !complex_.advance(mesh_, true))
+    const bool is_stored = complex_.snapshot().has_positions(mesh_.sites);
+    if((!is_stored || !complex_.snapshot().is_input) && !complex_.advance(mesh_, true))
       return false;
-    complex_.flatten(mesh_);
+    complex_.load_into(mesh_);
     measure(first_step);
     bool goes_on = may_go_on() && climb_in_complex(first_step, has_time);
     int repetitions = most_repetitions;
@@ -102,7 +102,7 @@ private:
                && double(reached_.below[step]) < most_slivers * mesh_.topology.number_of_cells());
   }
 
-  // Whether the next step may be taken.
+  // Whether the next step may be transferred.
   template <class Has_time>
   bool climb(int step, const Has_time& has_time)
   {
@@ -111,7 +111,7 @@ private:
     const Angle_check_3 angles(mesh_, Sliver_steps::angles[step - 1], mesh_.threads());
     if(!remove_from_mesh(step, has_time))
       return climb_in_complex(step, has_time);
-    std::optional<Restricted_state_3> replaced = complex_.advance(mesh_, angles);
+    std::optional<Complex_snapshot_3> replaced = complex_.advance(mesh_, angles);
     if(climb_in_complex(step, has_time))
       return true;
     if(replaced)
@@ -124,7 +124,7 @@ private:
   bool climb_in_complex(int step, const Has_time& has_time)
   {
     remove_from_complex(step, has_time);
-    complex_.flatten(mesh_);
+    complex_.load_into(mesh_);
     const Cell_angles now(mesh_, (std::min)(step + 1, Sliver_steps::number - 1), mesh_.threads());
     const bool is_better = now.is_better_than(reached_, step);
     if(is_better)
@@ -153,7 +153,7 @@ private:
   template <class Has_time>
   void remove_from_complex(int step, const Has_time& has_time)
   {
-    Restricted_trial_3 trial = complex_.make_trial(mesh_.size_bound);
+    Exact_relocation_3 trial = complex_.make_trial(mesh_.size_bound);
     Exact_sliver_removal_3 removal(trial, failures_, seed_++);
     const std::size_t most_tries = tries_left() / tries_for_an_exact_one;
     removal.climb(step, std::size_t(share_of_climb * double(most_tries)), has_time);
@@ -168,7 +168,7 @@ private:
   {
     if(v < mesh_.number_of_interior_vertices)
       return true;
-    const Umbrella_shape& shape = complex_.state().boundary.shape(v, 0);
+    const Umbrella_shape& shape = complex_.snapshot().boundary.shape(v, 0);
     if(!shape.is_smooth && !is_rough())
       return false;
     const Site from = mesh_.sites[v];
@@ -197,16 +197,16 @@ private:
   bool keeps_facets_close(int v, const Site& s)
   {
     const Moving_triangulation_3& mesh = mesh_;
-    std::vector<Slot> star;
+    std::vector<Half_facet> star;
     mesh.topology.star(v, star);
-    for(Slot slot : star)
+    for(Half_facet slot : star)
       for(int i : facet_indices(slot.index()))
       {
-        const Slot facet = slot.in_cell(i), across = mesh.topology.neighbor(facet);
+        const Half_facet facet = slot.in_cell(i), across = mesh.topology.neighbor(facet);
         if(!across.is_side())
           continue;
         // A constrained facet with cells on both sides is looked at from the first.
-        const Slot first = mesh.topology.constrained_slot(across.constrained_facet(), 0);
+        const Half_facet first = mesh.topology.constrained_half_facet(across.constrained_facet(), 0);
         if(!first.is_none() && first != facet)
           continue;
         Eigen::Vector3d centroid = Eigen::Vector3d::Zero();
@@ -218,7 +218,7 @@ private:
     return true;
   }
 
-  Restricted_complex_3& complex_;
+  Complex_updater_3& complex_;
   Moving_triangulation_3& mesh_;
   double bound_;
   unsigned int seed_;

@@ -9,8 +9,8 @@
 #include <CGAL/Global_odt_mesh_3/internal/parallel/Buckets.h>
 #include <CGAL/Global_odt_mesh_3/internal/parallel/Chunked_loops.h>
 #include <CGAL/Global_odt_mesh_3/internal/parallel/Thread_policy.h>
+#include <CGAL/Global_odt_mesh_3/internal/triangulation/Half_facet.h>
 #include <CGAL/Global_odt_mesh_3/internal/triangulation/Moving_triangulation_3.h>
-#include <CGAL/Global_odt_mesh_3/internal/triangulation/Slot.h>
 
 #include <CGAL/assertions.h>
 
@@ -63,18 +63,18 @@ public:
   void for_each_facet(const F& f) const
   {
     const Buckets by_second_vertex(number_of_cells(), by_first_vertex_.number_of_buckets(),
-                                   [this](int n) { return vertices_[Slot(n, 1).id()]; }, threads_);
+                                   [this](int n) { return vertices_[Half_facet(n, 1).id()]; }, threads_);
     threads_.for_each_chunk(chunks_.number(), [&](int chunk)
     {
-      std::vector<Keyed_slot> facets;
+      std::vector<Keyed_half_facet> facets;
       for(int v = chunks_.begin(chunk); v < chunks_.end(chunk); ++v)
       {
         list_facets(v, by_second_vertex, facets);
         for(std::size_t n = 0; n < facets.size(); )
         {
-          const Keyed_slot& s = facets[n++];
+          const Keyed_half_facet& s = facets[n++];
           const bool has_mate = n < facets.size() && facets[n].first == s.first;
-          f(chunk, Slot(s.second), has_mate ? Slot(facets[n++].second) : Slot());
+          f(chunk, Half_facet(s.second), has_mate ? Half_facet(facets[n++].second) : Half_facet());
           CGAL_assertion(n == facets.size() || facets[n].first != s.first);
         }
       }
@@ -83,7 +83,7 @@ public:
 
 private:
   // A facet's vertices but the first one, and where the facet is.
-  typedef std::pair<std::uint64_t, int> Keyed_slot;
+  typedef std::pair<std::uint64_t, int> Keyed_half_facet;
 
   // A chunk is to be worth the trouble of a thread.
   static constexpr int least_vertices = 1000, most_chunks = 64;
@@ -102,23 +102,23 @@ private:
     for(const auto& c : around)
     {
       numbers_[place] = c.second;
-      std::copy(c.first.begin(), c.first.end(), vertices_.begin() + Slot(place++, 0).id());
+      std::copy(c.first.begin(), c.first.end(), vertices_.begin() + Half_facet(place++, 0).id());
     }
   }
 
   // The facets whose first vertex is v, those with the same vertices side by side.
-  void list_facets(int v, const Buckets& by_second_vertex, std::vector<Keyed_slot>& facets) const
+  void list_facets(int v, const Buckets& by_second_vertex, std::vector<Keyed_half_facet>& facets) const
   {
     facets.clear();
     for(int n = by_first_vertex_.begin(v); n < by_first_vertex_.end(v); ++n)
       for(int i = 1; i < 4; ++i)
-        facets.push_back(keyed(Slot(n, i)));
+        facets.push_back(keyed(Half_facet(n, i)));
     for(int p = by_second_vertex.begin(v); p < by_second_vertex.end(v); ++p)
-      facets.push_back(keyed(Slot(by_second_vertex.numbers()[p], 0)));
+      facets.push_back(keyed(Half_facet(by_second_vertex.numbers()[p], 0)));
     std::sort(facets.begin(), facets.end());
   }
 
-  Keyed_slot keyed(Slot s) const
+  Keyed_half_facet keyed(Half_facet s) const
   {
     const int v = vertices_[s.in_cell(s.index() < 2 ? 2 : 1).id()], w = vertices_[s.in_cell(s.index() < 3 ? 3 : 2).id()];
     return { std::uint64_t((std::min)(v, w)) << 32 | std::uint64_t((std::max)(v, w)), s.id() };

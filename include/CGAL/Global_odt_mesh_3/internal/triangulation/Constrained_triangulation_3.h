@@ -10,8 +10,8 @@
 #include <CGAL/Global_odt_mesh_3/internal/geometry/Cell_products_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/geometry/Circumradius_bound_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/geometry/Site.h>
-#include <CGAL/Global_odt_mesh_3/internal/triangulation/Flat_triangulation_3.h>
-#include <CGAL/Global_odt_mesh_3/internal/triangulation/Slot.h>
+#include <CGAL/Global_odt_mesh_3/internal/triangulation/Half_facet.h>
+#include <CGAL/Global_odt_mesh_3/internal/triangulation/Indexed_triangulation_3.h>
 
 #include <CGAL/assertions.h>
 
@@ -36,7 +36,7 @@ namespace internal {
 // over the constrained facet where the dual line of the constrained facet crosses both.
 struct Constrained_triangulation_3
 {
-  Flat_triangulation_3 topology;
+  Indexed_triangulation_3 topology;
   std::vector<Site> sites;
   std::vector<double> surface_heights;     // positive toward side 1
   int number_of_interior_vertices = 0;
@@ -84,7 +84,7 @@ struct Constrained_triangulation_3
   }
 
   // Six times the volumes of the cells that flip_2_3() would make.
-  std::array<double, 3> volumes_after_2_3(Slot s) const
+  std::array<double, 3> volumes_after_2_3(Half_facet s) const
   {
     const int a = topology.vertex(s), b = topology.vertex(topology.neighbor(s));
     const std::array<int, 3> f = topology.facet(s);
@@ -107,22 +107,22 @@ struct Constrained_triangulation_3
   }
 
   // Appends the facet if flips may remove it.
-  void push_facet(Slot s, std::vector<Slot>& facets) const
+  void push_facet(Half_facet s, std::vector<Half_facet>& facets) const
   {
     if(!topology.neighbor(s).is_side())
       facets.push_back(s);
   }
 
   // The same for those of a cell.
-  void push_facets(int cell, std::vector<Slot>& facets) const
+  void push_facets(int cell, std::vector<Half_facet>& facets) const
   {
     for(int i = 0; i < 4; ++i)
-      push_facet(Slot(cell, i), facets);
+      push_facet(Half_facet(cell, i), facets);
   }
 
   // Whether the dual point of a cell with vertices `v` is beyond the surface at the facet opposite to
   // vertex i, which is looked at from that side.
-  bool is_beyond_surface(const Cell_products& t, const int* v, int i, Slot side) const
+  bool is_beyond_surface(const Cell_products& t, const int* v, int i, Half_facet side) const
   {
     const std::array<int, 3>& f = facet_indices(i);
     const Site& origin = sites[v[0]];
@@ -142,9 +142,9 @@ struct Constrained_triangulation_3
   }
 
   // The same for a slot, whose facet need not be constrained.
-  bool is_beyond_surface(Slot s) const
+  bool is_beyond_surface(Half_facet s) const
   {
-    const Slot across = topology.neighbor(s);
+    const Half_facet across = topology.neighbor(s);
     return across.is_side() && is_beyond_surface(products(s.cell()), topology.vertices(s.cell()), s.index(), across);
   }
 
@@ -170,10 +170,10 @@ struct Constrained_triangulation_3
   // The same of one vertex.
   double mean_edge_length(int v) const
   {
-    std::vector<Slot> star;
+    std::vector<Half_facet> star;
     topology.star(v, star);
     double sum = 0;
-    for(Slot s : star)
+    for(Half_facet s : star)
       for(int w : topology.facet(s))
         sum += std::sqrt(squared_distance(v, w));
     return sum / (3 * double((std::max)(std::size_t(1), star.size())));

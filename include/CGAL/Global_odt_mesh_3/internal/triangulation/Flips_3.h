@@ -6,8 +6,8 @@
 #ifndef CGAL_GLOBAL_ODT_MESH_3_INTERNAL_TRIANGULATION_FLIPS_3_H
 #define CGAL_GLOBAL_ODT_MESH_3_INTERNAL_TRIANGULATION_FLIPS_3_H
 
-#include <CGAL/Global_odt_mesh_3/internal/triangulation/Flat_triangulation_3.h>
-#include <CGAL/Global_odt_mesh_3/internal/triangulation/Slot.h>
+#include <CGAL/Global_odt_mesh_3/internal/triangulation/Half_facet.h>
+#include <CGAL/Global_odt_mesh_3/internal/triangulation/Indexed_triangulation_3.h>
 
 #include <CGAL/assertions.h>
 
@@ -19,7 +19,7 @@ namespace Global_odt_mesh_3 {
 namespace internal {
 
 // The cells around an edge of degree three: cell after cell, the slot of the vertex that the next cell does not have.
-typedef std::array<Slot, 3> Edge_ring_3;
+typedef std::array<Half_facet, 3> Edge_ring_3;
 
 // Where a vertex is in a triangle that has it.
 inline int index_in(const std::array<int, 3>& triangle, int v)
@@ -29,18 +29,18 @@ inline int index_in(const std::array<int, 3>& triangle, int v)
 }
 
 // The ring of the edge between vertices i and j of `cell`, if it has degree three.
-inline std::optional<Edge_ring_3> ring_of_degree_3(const Flat_triangulation_3& t, int cell, int i, int j)
+inline std::optional<Edge_ring_3> ring_of_degree_3(const Indexed_triangulation_3& t, int cell, int i, int j)
 {
   int leave = 0;
   while(leave == i || leave == j)
     ++leave;
   Edge_ring_3 ring;
-  Slot s(cell, leave);
-  int kept = t.vertex(Slot(cell, 6 - i - j - leave));
+  Half_facet s(cell, leave);
+  int kept = t.vertex(Half_facet(cell, 6 - i - j - leave));
   for(int n = 0; n < 3; ++n)
   {
     ring[n] = s;
-    const Slot across = t.neighbor(s);
+    const Half_facet across = t.neighbor(s);
     if(across.is_side())
       return std::nullopt;
     // The next cell has the kept vertex and is left by the facet opposite to it.
@@ -54,7 +54,7 @@ inline std::optional<Edge_ring_3> ring_of_degree_3(const Flat_triangulation_3& t
 
 // The ends a, b of the edge of a ring, such that (a, b, p0, p1) is oriented as the first cell, p0 and p1 being the
 // vertices of the first two slots.
-inline std::array<int, 2> edge_of_ring(const Flat_triangulation_3& t, const Edge_ring_3& ring)
+inline std::array<int, 2> edge_of_ring(const Indexed_triangulation_3& t, const Edge_ring_3& ring)
 {
   const std::array<int, 3> f = t.facet(ring[0]);
   const int m = index_in(f, t.vertex(ring[1]));
@@ -66,17 +66,17 @@ inline constexpr std::array<int, 2> outer_facets_2_3 = {{ 0, 1 }};
 inline constexpr std::array<int, 3> outer_facets_3_2 = {{ 1, 2, 3 }};
 
 // Replaces the two cells at a facet by the three around the edge between the two apices.
-inline std::array<int, 3> flip_2_3(Flat_triangulation_3& t, Slot s)
+inline std::array<int, 3> flip_2_3(Indexed_triangulation_3& t, Half_facet s)
 {
-  const Slot other = t.neighbor(s);
+  const Half_facet other = t.neighbor(s);
   CGAL_assertion(!other.is_side());
   const int a = t.vertex(s), b = t.vertex(other);
   const std::array<int, 3> p = t.facet(s);
-  std::array<Slot, 3> above, below;   // what lies beyond the facets of the two cells opposite to p
+  std::array<Half_facet, 3> above, below;   // what lies beyond the facets of the two cells opposite to p
   for(int k = 0; k < 3; ++k)
   {
     above[k] = t.neighbor(s.in_cell(facet_indices(s.index())[k]));
-    const Slot q = other.in_cell(facet_indices(other.index())[k]);
+    const Half_facet q = other.in_cell(facet_indices(other.index())[k]);
     below[index_in(p, t.vertex(q))] = t.neighbor(q);
   }
   const int first = s.cell(), second = other.cell();
@@ -85,20 +85,20 @@ inline std::array<int, 3> flip_2_3(Flat_triangulation_3& t, Slot s)
   const std::array<int, 3> cells = {{ first, second, t.add_cell(a, b, p[0], p[1]) }};
   for(int k = 0; k < 3; ++k)
   {
-    t.set_neighbors(Slot(cells[k], 0), below[k]);
-    t.set_neighbors(Slot(cells[k], 1), above[k]);
-    t.set_neighbors(Slot(cells[k], 2), Slot(cells[(k + 1) % 3], 3));
+    t.set_neighbors(Half_facet(cells[k], 0), below[k]);
+    t.set_neighbors(Half_facet(cells[k], 1), above[k]);
+    t.set_neighbors(Half_facet(cells[k], 2), Half_facet(cells[(k + 1) % 3], 3));
   }
   return cells;
 }
 
 // Replaces the three cells around an edge by the two on either side of the triangle of the other vertices.
-inline std::array<int, 2> flip_3_2(Flat_triangulation_3& t, const Edge_ring_3& ring)
+inline std::array<int, 2> flip_3_2(Indexed_triangulation_3& t, const Edge_ring_3& ring)
 {
   // The n-th cell has the vertices p[n] and p[n+1] of the triangle.
   const std::array<int, 3> p = {{ t.vertex(ring[0]), t.vertex(ring[1]), t.vertex(ring[2]) }};
   const std::array<int, 2> edge = edge_of_ring(t, ring);
-  std::array<Slot, 3> above, below;   // beyond the facets opposite to the second end and to the first
+  std::array<Half_facet, 3> above, below;   // beyond the facets opposite to the second end and to the first
   for(int n = 0; n < 3; ++n)
   {
     const int k = (n + 2) % 3;        // the vertex of the triangle that this cell lacks
@@ -109,11 +109,11 @@ inline std::array<int, 2> flip_3_2(Flat_triangulation_3& t, const Edge_ring_3& r
   t.remove_cell(ring[2].cell());
   t.set_cell(c, edge[0], p[0], p[1], p[2]);
   t.set_cell(d, edge[1], p[0], p[2], p[1]);
-  t.set_neighbors(Slot(c, 0), Slot(d, 0));
+  t.set_neighbors(Half_facet(c, 0), Half_facet(d, 0));
   for(int k = 0; k < 3; ++k)
   {
-    t.set_neighbors(Slot(c, 1 + k), above[k]);
-    t.set_neighbors(Slot(d, 1 + (3 - k) % 3), below[k]);
+    t.set_neighbors(Half_facet(c, 1 + k), above[k]);
+    t.set_neighbors(Half_facet(d, 1 + (3 - k) % 3), below[k]);
   }
   return {{ c, d }};
 }

@@ -13,8 +13,8 @@
 #include <CGAL/Global_odt_mesh_3/internal/parallel/Chunked_sums.h>
 #include <CGAL/Global_odt_mesh_3/internal/parallel/Thread_policy.h>
 #include <CGAL/Global_odt_mesh_3/internal/triangulation/Constrained_triangulation_3.h>
-#include <CGAL/Global_odt_mesh_3/internal/triangulation/Flat_triangulation_3.h>
-#include <CGAL/Global_odt_mesh_3/internal/triangulation/Slot.h>
+#include <CGAL/Global_odt_mesh_3/internal/triangulation/Half_facet.h>
+#include <CGAL/Global_odt_mesh_3/internal/triangulation/Indexed_triangulation_3.h>
 
 #include <algorithm>
 #include <array>
@@ -63,7 +63,7 @@ public:
 
   // The cells that are not positive, slots of the facets that are not locally regular, and vertices of the interior
   // that push dual points through the surface.
-  void lists(std::vector<int>& inverted, std::vector<Slot>& irregular, std::vector<int>& intruders) const
+  void lists(std::vector<int>& inverted, std::vector<Half_facet>& irregular, std::vector<int>& intruders) const
   {
     inverted.clear();
     irregular.clear();
@@ -88,7 +88,7 @@ private:
   {
     double energy = 0;
     std::vector<int> inverted, intruders;
-    std::vector<Slot> irregular;
+    std::vector<Half_facet> irregular;
 
     void clear()
     {
@@ -128,7 +128,7 @@ private:
     for(int slot = begin; slot < end; slot += 4)
     {
       const int* const v = vertices + slot;
-      if(v[0] == Flat_triangulation_3::no_vertex)
+      if(v[0] == Indexed_triangulation_3::no_vertex)
         continue;
       const Cell_products t(s[v[0]], s[v[1]], s[v[2]], s[v[3]]);
       const Cell_energy e = energy(t, slot / 4, v, s);
@@ -160,14 +160,14 @@ private:
     const int* const v = mesh.topology.cell_vertices() + slot;
     for(int i = 0; i < 4; ++i)
     {
-      const Slot across(mesh.topology.neighbors()[slot + i]);
+      const Half_facet across(mesh.topology.neighbors()[slot + i]);
       if(across.is_side() && v[i] < mesh.number_of_interior_vertices && mesh.is_beyond_surface(t, v, i, across))
         intruders.push_back(v[i]);
     }
   }
 
   static void test_facets(const Constrained_triangulation_3& mesh, int begin, const Cell_sphere* spheres,
-                          const int* facets, int number_of_facets, std::vector<Slot>& irregular)
+                          const int* facets, int number_of_facets, std::vector<Half_facet>& irregular)
   {
     const int* const vertices = mesh.topology.cell_vertices();
     const int* const neighbors = mesh.topology.neighbors();
@@ -179,7 +179,7 @@ private:
       const Site& q = s[vertices[neighbors[slot]]];
       const double power = spheres[(slot - begin) / 4].power(origin, q);
       if(power < 0 && mesh.is_irregular(power, mesh.squared_distance(origin, q)))
-        irregular.push_back(Slot(slot));
+        irregular.push_back(Half_facet(slot));
     }
   }
 

@@ -9,7 +9,7 @@
 #include <CGAL/Global_odt_mesh_3/internal/geometry/Cell_products_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/triangulation/Constrained_triangulation_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/triangulation/Flips_3.h>
-#include <CGAL/Global_odt_mesh_3/internal/triangulation/Slot.h>
+#include <CGAL/Global_odt_mesh_3/internal/triangulation/Half_facet.h>
 
 #include <algorithm>
 #include <array>
@@ -31,7 +31,7 @@ template <class Flips>
 class Lawson_flips_3
 {
 public:
-  Lawson_flips_3(const Constrained_triangulation_3& mesh, Flips& flips, std::vector<Slot>& irregular)
+  Lawson_flips_3(const Constrained_triangulation_3& mesh, Flips& flips, std::vector<Half_facet>& irregular)
     : mesh_(mesh)
     , flips_(flips)
     , irregular_(irregular)
@@ -42,7 +42,7 @@ public:
   bool make_regular()
   {
     std::size_t budget = 1000 + 40 * irregular_.size();
-    std::vector<Slot> waiting;
+    std::vector<Half_facet> waiting;
     for(bool has_flipped = true; has_flipped; irregular_.swap(waiting))
     {
       has_flipped = false;
@@ -50,7 +50,7 @@ public:
       {
         if(budget == 0)
           return give_up();
-        const Slot s = irregular_.back();
+        const Half_facet s = irregular_.back();
         irregular_.pop_back();
         if(!is_irregular(s))
           continue;
@@ -73,22 +73,22 @@ private:
     return false;
   }
 
-  bool is_irregular(Slot s)
+  bool is_irregular(Half_facet s)
   {
     const int c = s.cell();
     if(!mesh_.topology.is_alive(c))
       return false;
-    const Slot across = mesh_.topology.neighbor(s);
+    const Half_facet across = mesh_.topology.neighbor(s);
     if(across.is_side())
       return false;
-    const int origin = mesh_.topology.vertex(Slot(c, 0)), q = mesh_.topology.vertex(across);
+    const int origin = mesh_.topology.vertex(Half_facet(c, 0)), q = mesh_.topology.vertex(across);
     const Cell_products t = mesh_.products(c);
     determinant_ = t.determinant;
     return mesh_.is_irregular(t.power(mesh_.sites[origin], mesh_.sites[q]), mesh_.squared_distance(origin, q));
   }
 
   // By a flip, if there is one. The facets between the cells that it makes are regular.
-  bool remove_facet(Slot s)
+  bool remove_facet(Half_facet s)
   {
     const double volume = determinant_ + mesh_.products(mesh_.topology.neighbor(s).cell()).determinant;
     const std::array<double, 3> after = mesh_.volumes_after_2_3(s);
@@ -100,7 +100,7 @@ private:
         return false;
       for(int c : flips_.flip_2_3(s))
         for(int i : outer_facets_2_3)
-          mesh_.push_facet(Slot(c, i), irregular_);
+          mesh_.push_facet(Half_facet(c, i), irregular_);
       return true;
     }
     // The edge across from the k-th vertex of the facet is reflex.
@@ -113,7 +113,7 @@ private:
       return false;
     for(int c : flips_.flip_3_2(*ring))
       for(int i : outer_facets_3_2)
-        mesh_.push_facet(Slot(c, i), irregular_);
+        mesh_.push_facet(Half_facet(c, i), irregular_);
     return true;
   }
 
@@ -125,7 +125,7 @@ private:
 
   const Constrained_triangulation_3& mesh_;
   Flips& flips_;
-  std::vector<Slot>& irregular_;
+  std::vector<Half_facet>& irregular_;
   bool is_refused_ = false;
   double determinant_ = 0;        // of the cell of the facet that was last looked at
 };

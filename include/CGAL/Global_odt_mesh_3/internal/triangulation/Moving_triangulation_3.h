@@ -14,13 +14,13 @@
 #include <CGAL/Global_odt_mesh_3/internal/parallel/Chunked_loops.h>
 #include <CGAL/Global_odt_mesh_3/internal/parallel/Thread_policy.h>
 #include <CGAL/Global_odt_mesh_3/internal/triangulation/Constrained_triangulation_3.h>
-#include <CGAL/Global_odt_mesh_3/internal/triangulation/Flat_triangulation_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/triangulation/Flips_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/triangulation/Fused_pass_3.h>
+#include <CGAL/Global_odt_mesh_3/internal/triangulation/Half_facet.h>
+#include <CGAL/Global_odt_mesh_3/internal/triangulation/Indexed_triangulation_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/triangulation/Kept_sites.h>
 #include <CGAL/Global_odt_mesh_3/internal/triangulation/Lawson_flips_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/triangulation/Position_control_3.h>
-#include <CGAL/Global_odt_mesh_3/internal/triangulation/Slot.h>
 #include <CGAL/Global_odt_mesh_3/internal/triangulation/Untangling_flips_3.h>
 
 #include <CGAL/assertions.h>
@@ -198,10 +198,10 @@ private:
     });
   }
 
-  bool permits_2_3(Slot) const { return true; }
+  bool permits_2_3(Half_facet) const { return true; }
   bool permits_3_2(const Edge_ring_3&) const { return true; }
 
-  std::array<int, 3> flip_2_3(Slot s)
+  std::array<int, 3> flip_2_3(Half_facet s)
   {
     ++statistics_.flips;
     add_cell(s.cell(), -1);
@@ -215,7 +215,7 @@ private:
   std::array<int, 2> flip_3_2(const Edge_ring_3& ring)
   {
     ++statistics_.flips;
-    for(Slot s : ring)
+    for(Half_facet s : ring)
       add_cell(s.cell(), -1);
     const std::array<int, 2> cells = internal::flip_3_2(topology, ring);
     for(int c : cells)
@@ -266,7 +266,7 @@ private:
     for(const auto& o : others)
     {
       topology.star(o.first, star_);
-      for(Slot s : star_)
+      for(Half_facet s : star_)
         cells.insert(s.cell());
     }
     for(int c : cells)
@@ -289,23 +289,23 @@ private:
       inverted_.push_back(c);
     else
       for(int i = 0; i < 4; ++i)
-        if(topology.vertices(c)[i] < number_of_interior_vertices && is_beyond_surface(Slot(c, i)))
+        if(topology.vertices(c)[i] < number_of_interior_vertices && is_beyond_surface(Half_facet(c, i)))
           intruders_.push_back(topology.vertices(c)[i]);
   }
 
   // Moves `v` if all its cells, those of its star, become positive.
-  bool relocate(int v, const std::vector<Slot>& star, const Site& s)
+  bool relocate(int v, const std::vector<Half_facet>& star, const Site& s)
   {
-    CGAL_assertion(std::all_of(star.begin(), star.end(), [&](Slot t) { return topology.vertex(t) == v; }));
+    CGAL_assertion(std::all_of(star.begin(), star.end(), [&](Half_facet t) { return topology.vertex(t) == v; }));
     const Site old = sites[v];
-    for(Slot t : star)
+    for(Half_facet t : star)
       add_cell(t.cell(), -1);
     replace(v, s);
-    const bool positive = std::all_of(star.begin(), star.end(), [this](Slot t)
+    const bool positive = std::all_of(star.begin(), star.end(), [this](Half_facet t)
                                       { return products(t.cell()).determinant > 0; });
     if(!positive)
       sites[v] = old;
-    for(Slot t : star)
+    for(Half_facet t : star)
     {
       add_cell(t.cell(), 1);
       if(positive)
@@ -329,7 +329,7 @@ private:
   Fused_pass_3::Gradient gradient_;   // the last part is what repairs add
   double energy_ = 0, kept_energy_ = 0, energy_of_pass_ = 0;
   std::vector<int> inverted_, intruders_, stuck_, retreated_;
-  std::vector<Slot> irregular_, star_;
+  std::vector<Half_facet> irregular_, star_;
   Kept_sites kept_sites_;
   std::map<int, Site> asked_for_sites_;   // of vertices that repairs have moved
   Statistics statistics_;

@@ -7,7 +7,7 @@
 #define CGAL_GLOBAL_ODT_MESH_3_INTERNAL_TRIANGULATION_POSITION_CONTROL_3_H
 
 #include <CGAL/Global_odt_mesh_3/internal/geometry/Site.h>
-#include <CGAL/Global_odt_mesh_3/internal/triangulation/Slot.h>
+#include <CGAL/Global_odt_mesh_3/internal/triangulation/Half_facet.h>
 
 #include <algorithm>
 #include <array>
@@ -108,7 +108,7 @@ public:
   {
     const Site to = mesh_.sites[v];
     mesh_.topology.star(v, star_);
-    const auto is_beyond = [this](Slot s) { return mesh_.is_beyond_surface(s); };
+    const auto is_beyond = [this](Half_facet s) { return mesh_.is_beyond_surface(s); };
     if(std::none_of(star_.begin(), star_.end(), is_beyond))       // any more, after flips
       return;
     for(double part : parameters_.parts_before_surface)
@@ -122,7 +122,7 @@ private:
   {
     for(int i = 0; i < 4; ++i)
     {
-      const int v = mesh_.topology.vertex(Slot(cell, i));
+      const int v = mesh_.topology.vertex(Half_facet(cell, i));
       if(v >= mesh_.number_of_interior_vertices)
         continue;
       mesh_.topology.star(v, star_);
@@ -136,7 +136,7 @@ private:
   Site centroid_of_link(int v) const
   {
     Site centroid = { 0, 0, 0, mesh_.sites[v].weight };
-    for(Slot s : star_)
+    for(Half_facet s : star_)
       for(int j = 0; j < 4; ++j)
         if(j != s.index())
         {
@@ -170,7 +170,7 @@ private:
       if(vertices[n] >= mesh_.number_of_movable_vertices)
         continue;
       mesh_.topology.star(vertices[n], star_);
-      for(Slot s : star_)
+      for(Half_facet s : star_)
         vertices.insert(vertices.end(), mesh_.topology.vertices(s.cell()), mesh_.topology.vertices(s.cell()) + 4);
     }
   }
@@ -189,7 +189,7 @@ private:
 
   Mesh& mesh_;
   Position_parameters_3 parameters_;
-  std::vector<Slot> star_;
+  std::vector<Half_facet> star_;
 };
 
 } // namespace internal

@@ -8,7 +8,7 @@
 
 #include <CGAL/Global_odt_mesh_3/internal/triangulation/Constrained_triangulation_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/triangulation/Flips_3.h>
-#include <CGAL/Global_odt_mesh_3/internal/triangulation/Slot.h>
+#include <CGAL/Global_odt_mesh_3/internal/triangulation/Half_facet.h>
 
 #include <algorithm>
 #include <array>
@@ -29,7 +29,7 @@ class Untangling_flips_3
 {
 public:
   Untangling_flips_3(const Constrained_triangulation_3& mesh, Flips& flips, std::vector<int>& inverted,
-                     std::vector<Slot>& irregular)
+                     std::vector<Half_facet>& irregular)
     : mesh_(mesh)
     , flips_(flips)
     , inverted_(inverted)
@@ -63,7 +63,7 @@ private:
     best_facet_.reset();
     best_ring_.reset();
     for(int i = 0; i < 4; ++i)
-      consider_2_3(Slot(c, i));
+      consider_2_3(Half_facet(c, i));
     for(int i = 0; i < 3; ++i)
       for(int j = i + 1; j < 4; ++j)
         if(const std::optional<Edge_ring_3> ring = ring_of_degree_3(mesh_.topology, c, i, j))
@@ -75,9 +75,9 @@ private:
     return best_ring_ || best_facet_;
   }
 
-  void consider_2_3(Slot s)
+  void consider_2_3(Half_facet s)
   {
-    const Slot across = mesh_.topology.neighbor(s);
+    const Half_facet across = mesh_.topology.neighbor(s);
     if(across.is_side() || mesh_.topology.vertex(across) == mesh_.topology.vertex(s))
       return;
     const std::array<double, 3> after = mesh_.volumes_after_2_3(s);
@@ -93,7 +93,7 @@ private:
   void consider_3_2(const Edge_ring_3& ring)
   {
     double gain = 0;
-    for(Slot s : ring)
+    for(Half_facet s : ring)
       gain += negative_part(mesh_.products(s.cell()).determinant);
     const int p0 = mesh_.topology.vertex(ring[0]), p1 = mesh_.topology.vertex(ring[1]), p2 = mesh_.topology.vertex(ring[2]);
     if(p0 == p2 || p1 == p2)
@@ -122,9 +122,9 @@ private:
   const Constrained_triangulation_3& mesh_;
   Flips& flips_;
   std::vector<int>& inverted_;
-  std::vector<Slot>& irregular_;
+  std::vector<Half_facet>& irregular_;
   double best_gain_ = 0;
-  std::optional<Slot> best_facet_;
+  std::optional<Half_facet> best_facet_;
   std::optional<Edge_ring_3> best_ring_;
 };
 

@@ -1,0 +1,254 @@
+// Copyright (c) 2026 The Global_odt_mesh_3 authors.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_GLOBAL_ODT_MESH_3_INTERNAL_OPTIMIZATION_ROUNDS_3_H
+#define CGAL_GLOBAL_ODT_MESH_3_INTERNAL_OPTIMIZATION_ROUNDS_3_H
+
+#include <CGAL/Global_odt_mesh_3/internal/Iteration_control.h>
+#include <CGAL/Global_odt_mesh_3/internal/Mesh_density_3.h>
+#include <CGAL/Global_odt_mesh_3/internal/Odt_parameters.h>
+#include <CGAL/Global_odt_mesh_3/internal/Round_plan.h>
+#include <CGAL/Global_odt_mesh_3/internal/blocks/Block_annealing_3.h>
+#include <CGAL/Global_odt_mesh_3/internal/interface/User_field_3.h>
+#include <CGAL/Global_odt_mesh_3/internal/optimization/Convergence_monitor.h>
+#include <CGAL/Global_odt_mesh_3/internal/optimization/Global_search.h>
+#include <CGAL/Global_odt_mesh_3/internal/optimization/Limited_memory_bfgs.h>
+#include <CGAL/Global_odt_mesh_3/internal/optimization/Odt_objective_3.h>
+#include <CGAL/Global_odt_mesh_3/internal/parallel/Stage_clock.h>
+#include <CGAL/Global_odt_mesh_3/internal/parallel/Thread_policy.h>
+#include <CGAL/Global_odt_mesh_3/internal/surface/Surface_cvt_objective_3.h>
+#include <CGAL/Global_odt_mesh_3/internal/surface/Surface_cvt_term_3.h>
+#include <CGAL/Global_odt_mesh_3/internal/surface/Surface_triangulation_3.h>
+#include <CGAL/Global_odt_mesh_3/internal/triangulation/Cell_order.h>
+#include <CGAL/Global_odt_mesh_3/internal/triangulation/Moving_triangulation_3.h>
+
+#include <CGAL/Mesh_optimization_return_code.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <functional>
+#include <memory>
+#include <utility>
+#include <variant>
+#include <vector>
+
+namespace CGAL {
+namespace Global_odt_mesh_3 {
+namespace internal {
+
+// What happens to the indexed mesh in the rounds of a plan, and after them.
+class Optimization_rounds_3
+{
+public:
+  // Refers to its arguments, also to the numbers that vertices have in the input.
+  Optimization_rounds_3(Moving_triangulation_3& mesh, const Round_plan& plan, const Odt_parameters& parameters,
+                     const User_field_3& field, Iteration_control& control, const Thread_policy& threads,
+                     const std::vector<int>& input_numbers)
+    : mesh_(mesh)
+    , plan_(plan)
+    , parameters_(parameters)
+    , control_(control)
+    , threads_(threads)
+  {
+    const auto in_stage = during(Stage_clock::DENSITY);
+    density_.prepare(mesh_, field, parameters_.quadrature, input_numbers);
+    minimizer_parameters_ = minimizer_parameters(mesh_.quadrature());
+    surface_term_ = std::make_unique<Surface_cvt_term_3>(mesh_.number_of_interior_vertices, mesh_.number_of_surface_vertices(),
+                                                         parameters_.surface_weight, density_.on_surface(), threads_);
+    search_ = std::make_unique<Global_search>(parameters_.annealing_schedule, parameters_.random_seed, minimizer_parameters_,
+                                              threads_);
+    const int blocks = Block_annealing_3::usual_number_of_blocks(mesh_.sites.size());
+    const auto* momentum = std::get_if<Momentum_annealing_schedule>(&parameters_.annealing_schedule);
+    // Blocks would ask the field of the user as of other vertices.
+    if(momentum != nullptr && blocks > 1 && !field)
+      search_in_blocks_ = std::make_unique<Block_annealing_3>(mesh_, blocks, parameters_.random_seed, *momentum, threads_);
+  }
+
+  // At a vertex where it is now.
+  double local_size(int v) const { return density_.size(v, mesh_.sites[v]); }
+
+  // The next one of the plan, on these boundaries. Gives the energy that is reached.
+  double make_round(const Boundary_geometry_3& boundary)
+  {
+    const auto in_stage = during(clocked(plan_.stage()));
+    boundary_ = &boundary;
+    if(plan_.stage() == Round_plan::REMESH)
+    {
+      {
+        Odt_objective_3 objective(mesh_, surface_motions(false));
+        minimize(objective);
+      }
+      return remesh_surfaces();
+    }
+    if(plan_.stage() == Round_plan::SEARCH && search_in_blocks_)
+      search_round_in_blocks();
+    Odt_objective_3 objective(mesh_, surface_motions(true), surface_term());
+    if(plan_.stage() == Round_plan::MINIMIZE)
+      minimize(objective);
+    else if(!search_in_blocks_)
+      search_round(objective);
+    return objective.value();
+  }
+
+  // The interior goes to its minimum, or to where the parameters say, and `code` becomes the reason why it ends there,
+  // unless the user or time do not let it go on. False if that is not possible.
+  bool minimize_interior(Mesh_optimization_return_code& code)
+  {
+    const auto in_stage = during(Stage_clock::MINIMIZE);
+    Odt_objective_3 objective(mesh_);
+    if(!objective.is_feasible())
+      return false;
+    Limited_memory_bfgs minimizer(minimizer_parameters_, threads_);
+    Convergence_monitor monitor(parameters_.freeze_bound, parameters_.do_freeze);
+    Cell_order order(mesh_);
+    for(const double reported = control_.reported(); ; end_iteration(order))
+    {
+      const double displacement = monitor.measure(mesh_, objective);
+      const double progress = monitor.progress(displacement, parameters_.convergence);
+      if(parameters_.do_freeze && objective.number_of_frozen_vertices() == mesh_.number_of_movable_vertices)
+        code = ALL_VERTICES_FROZEN;
+      else if(displacement < parameters_.convergence)
+        code = CONVERGENCE_REACHED;
+      else if(!control_.begin_iteration(reported + (1 - reported) * progress))
+        return true;
+      else if(minimizer.iterate(objective) == Limited_memory_bfgs::NO_STEP_FOUND)
+        code = CANT_IMPROVE_ANYMORE;
+      else
+        continue;
+      return true;
+    }
+  }
+
+private:
+  static constexpr double longest_way_in_round = 0.3;     // of a surface vertex, over its shortest edge on the surface
+  static constexpr double share_of_rounds = 0.8;          // of the progress that is reported
+
+  Stage_clock::In_stage during(Stage_clock::Stage stage) const { return Stage_clock::In_stage(threads_.clock(), stage); }
+
+  static Stage_clock::Stage clocked(Round_plan::Stage stage)
+  {
+    return stage == Round_plan::REMESH ? Stage_clock::REMESH
+         : stage == Round_plan::SEARCH ? Stage_clock::SEARCH : Stage_clock::MINIMIZE;
+  }
+
+  // The fraction of the search that is behind at iteration n of the round.
+  double search_progress(double n) const
+  {
+    // The noise fades away within the time that there is.
+    const double time = control_.progress_between(search_begin_, plan_.end_of_time(Round_plan::SEARCH));
+    return (std::max)(plan_.search_progress(n), time);
+  }
+
+  void begin_search_round()
+  {
+    if(plan_.search_progress(0) == 0)
+      search_begin_ = control_.elapsed();
+  }
+
+  void search_round(Odt_objective_3& objective)
+  {
+    begin_search_round();
+    Cell_order order(mesh_);
+    search_->make_round(objective, plan_.iterations(), [this](int n) { return search_progress(n); },
+                        [this] { return begin_iteration(); }, [this, &order] { end_iteration(order); });
+  }
+
+  void search_round_in_blocks()
+  {
+    begin_search_round();
+    const Odt_objective_3::Term term = surface_term();
+    if(term && !surface_term_->has_scale())
+      Odt_objective_3(mesh_, surface_motions(true), term);
+    search_in_blocks_->start(surface_motions(true), term ? surface_term_.get() : nullptr);
+    for(int n = 0, iterations; n < plan_.iterations() && search_progress(n) < 1 && begin_iteration(); n += iterations)
+    {
+      iterations = (std::min)(int(Block_annealing_3::iterations_in_block), plan_.iterations() - n);
+      const int steps = (iterations * Block_annealing_3::steps_in_block) / Block_annealing_3::iterations_in_block;
+      std::vector<double> done;
+      for(int k = 0; k < steps; ++k)
+        done.push_back(search_progress(n + double(k) * iterations / steps));
+      search_in_blocks_->iterate(done, [this] { return control_.may_go_on(); });
+      control_.end_iteration();
+      // Those that have been made along with it.
+      for(int k = 1; k < iterations && control_.goes_on() && begin_iteration(); ++k)
+        control_.end_iteration();
+      if(!control_.goes_on())
+        return;
+    }
+  }
+
+  void minimize(Odt_objective_3& objective)
+  {
+    Limited_memory_bfgs minimizer(minimizer_parameters_, threads_);
+    Cell_order order(mesh_);
+    bool goes_down = true;
+    for(int n = 0; n < plan_.iterations() && goes_down && begin_iteration(); ++n)
+    {
+      goes_down = minimizer.iterate(objective) == Limited_memory_bfgs::STEP_TAKEN;
+      end_iteration(order);
+    }
+  }
+
+  // A round of the restricted CVT of the surfaces (section 5.1 of the paper); the interior follows
+  // in the next. Gives the energy that is reached.
+  double remesh_surfaces()
+  {
+    Surface_cvt_objective_3 objective(boundary_->complex(), mesh_.sites, mesh_.number_of_interior_vertices,
+                                      surface_motions(true), density_.on_surface(), threads_);
+    Limited_memory_bfgs minimizer(minimizer_parameters_, threads_);
+    bool goes_down = control_.goes_on();
+    for(int n = 0; n < Round_plan::iterations_on_surface && goes_down && begin_iteration(); ++n)
+    {
+      goes_down = minimizer.iterate(objective) == Limited_memory_bfgs::STEP_TAKEN;
+      control_.end_iteration();
+    }
+    return objective.value();
+  }
+
+  // Of no length if surface vertices are to stay.
+  std::vector<Tangential_motion> surface_motions(bool moves) const
+  {
+    return tangential_motions(mesh_, *boundary_, moves ? longest_way_in_round : 0);
+  }
+
+  Odt_objective_3::Term surface_term()
+  {
+    if(mesh_.number_of_surface_vertices() == 0 || !(parameters_.surface_weight > 0))
+      return Odt_objective_3::Term();
+    surface_term_->follow(boundary_->complex(), mesh_.sites);
+    return std::ref(*surface_term_);
+  }
+
+  bool begin_iteration()
+  {
+    const double done = double(control_.number_of_iterations()) / plan_.number_of_iterations();
+    return control_.begin_iteration(share_of_rounds * (std::min)(1., done));
+  }
+
+  void end_iteration(Cell_order& order)
+  {
+    control_.end_iteration();
+    order.maintain(mesh_);
+  }
+
+  Moving_triangulation_3& mesh_;
+  const Round_plan& plan_;
+  const Odt_parameters& parameters_;
+  Iteration_control& control_;
+  Thread_policy threads_;
+  const Boundary_geometry_3* boundary_ = nullptr;         // of this round
+  Mesh_density_3 density_;
+  Limited_memory_bfgs_parameters minimizer_parameters_;
+  std::unique_ptr<Surface_cvt_term_3> surface_term_;
+  std::unique_ptr<Global_search> search_;
+  std::unique_ptr<Block_annealing_3> search_in_blocks_;   // or null
+  double search_begin_ = 0;                               // in fractions of the time
+};
+
+} // namespace internal
+} // namespace Global_odt_mesh_3
+} // namespace CGAL
+
+#endif // CGAL_GLOBAL_ODT_MESH_3_INTERNAL_OPTIMIZATION_ROUNDS_3_H

@@ -1,0 +1,246 @@
+// Copyright (c) 2026 The Global_odt_mesh_3 authors.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_GLOBAL_ODT_MESH_3_INTERNAL_COMPLEX_CELL_LABELS_3_H
+#define CGAL_GLOBAL_ODT_MESH_3_INTERNAL_COMPLEX_CELL_LABELS_3_H
+
+#include <CGAL/Global_odt_mesh_3/internal/complex/Complex_candidate_3.h>
+#include <CGAL/Global_odt_mesh_3/internal/complex/Defect_report_3.h>
+#include <CGAL/Global_odt_mesh_3/internal/complex/Exact_triangulation_3.h>
+#include <CGAL/Global_odt_mesh_3/internal/geometry/Cell_products_3.h>
+#include <CGAL/Global_odt_mesh_3/internal/geometry/Site.h>
+#include <CGAL/Global_odt_mesh_3/internal/interface/Domain_view_3.h>
+#include <CGAL/Global_odt_mesh_3/internal/parallel/Chunked_loops.h>
+
+#include <Eigen/Core>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Global_odt_mesh_3 {
+namespace internal {
+
+// Labels the cells of a candidate, and reports those that have no label that fits.
+//
+// Where a vertex has no boundary facet, its subdomain is the label, and the dual point has to be there. A cell with all
+// vertices on the boundary is labelled by the side on which its dual point lies. On the way, that is as seen
+// from the vertices on the boundary where these agree and see it clearly, unless a cell would be wrong. In the end the
+// domain is asked, even far from the boundary, since details that the samples miss leave holes that no facet goes around.
+class Cell_labels_3
+{
+public:
+  Cell_labels_3(Complex_candidate_3& candidate, const Domain_view_3& domain)
+    : candidate_(candidate)
+    , domain_(domain)
+  {}
+
+  Defect_report_3 label_cells()
+  {
+    Defect_report_3 report(candidate_);
+    const std::vector<Cell_handle>& cells = candidate_.working.cells();
+    const auto find_cells_in_question = [&](int n, std::vector<int>& found)
+    {
+      const bool is_labelled = cells[n]->has_flag(IS_SETTLED) || label_by_vertices(cells[n]);
+      if(!is_labelled || cells[n]->has_flag(MAY_HAVE_BOUNDARY_FACETS))
+        found.push_back(n);
+    };
+    candidate_.flipped_cells.clear();
+    candidate_.flipped_facets.clear();
+    const std::vector<int> in_question
+      = collect_in_chunks(static_cast<int>(cells.size()), candidate_.threads, find_cells_in_question);
+    typedef std::pair<Cell_handle, Findings> Doubt;
+    const auto label_where_clear = [&](int n, std::vector<Doubt>& found)
+    {
+      const Cell_handle c = cells[in_question[n]];
+      if(c->has_flag(IS_SETTLED))
+        return;
+      const Findings findings = examine(c);
+      if(!settle(c, findings))
+        found.emplace_back(c, findings);
+    };
+    for(const Doubt& d : domain_.collect<Doubt>(in_question.size(), label_where_clear))
+      label_or_report(d.first, d.second, report);
+    collect_cells_at_boundary(in_question);
+    return report;
+  }
+
+private:
+  // What is known of a cell: the label that its vertices off the boundary have, if any, unless these have several,
+  // and that of its dual point.
+  struct Findings
+  {
+    bool has_several_labels = false;
+    int label = no_subdomain, label_of_dual = no_subdomain;
+  };
+
+  // The sine between the direction to a dual point and the tangential planes that is clear enough.
+  static constexpr double clear_margin = 0.05, clear_margin_on_rough_surface = 0.5;
+  // Six times the volume, over the cube of the longest edge at a vertex, of a cell whose dual point is sure to nine digits.
+  static constexpr double certain_volume = 1e-6;
+  static constexpr int no_subdomain = Complex_snapshot_3::no_subdomain;
+
+  bool is_on_boundary(int v) const { return candidate_.numbering.is_on_boundary(v); }
+
+  // The one label of the vertices that are not on the boundary, or no_subdomain if there are none; false if
+  // they have several.
+  bool find_label(const Quadruple& q, int& label) const
+  {
+    label = no_subdomain;
+    for(int v : q)
+    {
+      const int l = v < 0 ? Domain_view_3::outside : candidate_.numbering.subdomain[v];
+      if(l == no_subdomain || l == label)
+        continue;
+      if(label != no_subdomain)
+        return false;
+      label = l;
+    }
+    return true;
+  }
+
+  // Begins anew with a cell, and labels it if its vertices are enough for that; whether it has done so.
+  bool label_by_vertices(Cell_handle c) const
+  {
+    c->clear_flags();
+    const Quadruple q = candidate_.numbers(c);
+    const bool is_infinite = std::find(q.begin(), q.end(), -1) != q.end();
+    const auto on_boundary
+      = is_infinite ? 0 : std::count_if(q.begin(), q.end(), [this](int v) { return is_on_boundary(v); });
+    if(on_boundary >= 3)
+      c->set_flag(MAY_HAVE_BOUNDARY_FACETS);
+    const bool is_in_question = on_boundary > 0 || (!is_infinite && candidate_.is_final);
+    int label;
+    if(is_in_question || !find_label(q, label))
+      return false;
+    c->set_label(label);
+    c->set_flag(IS_SETTLED);
+    return true;
+  }
+
+  Findings examine(Cell_handle c) const
+  {
+    Findings found;
+    const Quadruple q = candidate_.numbers(c);
+    found.has_several_labels = !find_label(q, found.label);
+    if(found.has_several_labels)
+      return found;
+    const bool is_boundary_cell = found.label == no_subdomain;
+    if(is_boundary_cell)
+      found.label_of_dual = known_label_of_dual(q);
+    if(found.label_of_dual == no_subdomain && !candidate_.is_final && (!is_boundary_cell || candidate_.boundary_moves()))
+      found.label_of_dual = label_seen_from_boundary(q);
+    // What the vertices see is not enough to send any of them back.
+    const bool is_enough = is_boundary_cell ? found.label_of_dual != no_subdomain : found.label_of_dual == found.label;
+    if(!is_enough)
+      found.label_of_dual = domain_.label(coordinates(candidate_.triangulation().dual(c)));
+    return found;
+  }
+
+  // Labels a cell that the domain agrees about; or else it is left alone.
+  bool settle(Cell_handle c, const Findings& found) const
+  {
+    const bool is_boundary_cell = found.label == no_subdomain;
+    if(found.has_several_labels || (!is_boundary_cell && found.label != found.label_of_dual))
+      return false;
+    c->set_label(found.label_of_dual);
+    if(is_boundary_cell)
+      c->set_flag(IS_BOUNDARY_CELL);
+    c->set_flag(IS_SETTLED);
+    return true;
+  }
+
+  void label_or_report(Cell_handle c, const Findings& found, Defect_report_3& report)
+  {
+    const Quadruple q = candidate_.numbers(c);
+    if(found.has_several_labels)
+    {
+      report.send_back(q);
+      return;
+    }
+    c->set_label(found.label);
+    // What was wrong in the input may stay so.
+    if(candidate_.numbering.is_input_cell(q, candidate_.sites))
+      c->set_flag(IS_SETTLED);
+    else
+      report_cell_beyond_surface(candidate_, q, found.label, report);
+  }
+
+  // Those among the cells with these numbers.
+  void collect_cells_at_boundary(const std::vector<int>& numbers)
+  {
+    const std::vector<Cell_handle>& cells = candidate_.working.cells();
+    candidate_.cells_at_boundary = collect_in_chunks<Cell_handle>(static_cast<int>(numbers.size()), candidate_.threads,
+                                                                  [&](int n, std::vector<Cell_handle>& found)
+    {
+      if(cells[numbers[n]]->has_flag(MAY_HAVE_BOUNDARY_FACETS))
+        found.push_back(cells[numbers[n]]);
+    });
+    candidate_.boundary_cells.clear();
+    for(Cell_handle c : candidate_.cells_at_boundary)
+      if(c->has_flag(IS_BOUNDARY_CELL))
+        candidate_.boundary_cells.emplace_back(c, c->label());
+  }
+
+  // The label of the dual point of a cell with all vertices on the boundary, or no_subdomain if it takes the domain to know.
+  // An unchanged cell may be so flat that its dual point depends, by rounding, on the order of the vertices, which may be
+  // another than in the snapshot. One of the input gets the order that it has there when the snapshot is written; others
+  // keep their labels only if the boundary has to stay.
+  int known_label_of_dual(const Quadruple& q) const
+  {
+    if(!candidate_.is_unchanged(q))
+      return no_subdomain;
+    const int of_snapshot = candidate_.snapshot.label_of_dual(q);
+    if(!candidate_.is_thorough() || (candidate_.snapshot.has_labels_of_domain && is_dual_point_certain(q)))
+      return of_snapshot;
+    if(const Vertex_numbering_3::Input_cell* const c = candidate_.numbering.input_cell(q, candidate_.sites))
+      return c->label;
+    return candidate_.snapshot.has_labels_of_domain && !candidate_.boundary_moves() ? of_snapshot : no_subdomain;
+  }
+
+  bool is_dual_point_certain(const Quadruple& q) const
+  {
+    const Cell_products t = products(q);
+    return std::abs(t.determinant) > certain_volume * t.cubed_length();
+  }
+
+  Cell_products products(const Quadruple& q) const
+  {
+    const std::vector<Site>& sites = candidate_.sites;
+    return Cell_products(sites[q[0]], sites[q[1]], sites[q[2]], sites[q[3]]);
+  }
+
+  // The label of the dual point if all vertices on the boundary agree about it.
+  int label_seen_from_boundary(const Quadruple& q) const
+  {
+    const std::vector<Site>& sites = candidate_.sites;
+    const double margin = candidate_.motion == Boundary_motion::BY_DOMAIN ? clear_margin_on_rough_surface : clear_margin;
+    const Cell_products t = products(q);
+    const Eigen::Vector3d dual = position(sites[q[0]]) + Eigen::Vector3d(t.nx, t.ny, t.nz) / (2 * t.determinant);
+    int label = no_subdomain;
+    for(int v : q)
+    {
+      if(!is_on_boundary(v))
+        continue;
+      const int l = candidate_.measured_boundary.label_toward(v, dual - position(sites[v]), margin);
+      if(l == no_subdomain || (label != no_subdomain && l != label))
+        return no_subdomain;
+      label = l;
+    }
+    return label;
+  }
+
+  Complex_candidate_3& candidate_;
+  const Domain_view_3& domain_;
+};
+
+} // namespace internal
+} // namespace Global_odt_mesh_3
+} // namespace CGAL
+
+#endif // CGAL_GLOBAL_ODT_MESH_3_INTERNAL_COMPLEX_CELL_LABELS_3_H

@@ -1,0 +1,300 @@
+// Copyright (c) 2026 The Global_odt_mesh_3 authors.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_GLOBAL_ODT_MESH_3_INTERNAL_COMPLEX_COMPLEX_UPDATER_3_H
+#define CGAL_GLOBAL_ODT_MESH_3_INTERNAL_COMPLEX_COMPLEX_UPDATER_3_H
+
+#include <CGAL/Global_odt_mesh_3/internal/complex/Angle_check_3.h>
+#include <CGAL/Global_odt_mesh_3/internal/complex/Boundary_extraction_3.h>
+#include <CGAL/Global_odt_mesh_3/internal/complex/Boundary_flips_3.h>
+#include <CGAL/Global_odt_mesh_3/internal/complex/Candidate_repair_3.h>
+#include <CGAL/Global_odt_mesh_3/internal/complex/Cell_labels_3.h>
+#include <CGAL/Global_odt_mesh_3/internal/complex/Complex_candidate_3.h>
+#include <CGAL/Global_odt_mesh_3/internal/complex/Complex_snapshot_3.h>
+#include <CGAL/Global_odt_mesh_3/internal/complex/Defect_report_3.h>
+#include <CGAL/Global_odt_mesh_3/internal/complex/Exact_relocation_3.h>
+#include <CGAL/Global_odt_mesh_3/internal/complex/Exact_triangulation_3.h>
+#include <CGAL/Global_odt_mesh_3/internal/complex/Facet_checks_3.h>
+#include <CGAL/Global_odt_mesh_3/internal/complex/Snapshot_triangulation_3.h>
+#include <CGAL/Global_odt_mesh_3/internal/complex/Surface_centers_3.h>
+#include <CGAL/Global_odt_mesh_3/internal/complex/Surface_projection_3.h>
+#include <CGAL/Global_odt_mesh_3/internal/complex/Topology_check_3.h>
+#include <CGAL/Global_odt_mesh_3/internal/complex/Working_triangulation_3.h>
+#include <CGAL/Global_odt_mesh_3/internal/geometry/Circumradius_bound_3.h>
+#include <CGAL/Global_odt_mesh_3/internal/geometry/Site.h>
+#include <CGAL/Global_odt_mesh_3/internal/interface/Domain_view_3.h>
+#include <CGAL/Global_odt_mesh_3/internal/parallel/Stage_clock.h>
+#include <CGAL/Global_odt_mesh_3/internal/parallel/Thread_policy.h>
+#include <CGAL/Global_odt_mesh_3/internal/triangulation/Moving_triangulation_3.h>
+
+#include <Eigen/Core>
+
+#include <cstddef>
+#include <optional>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Global_odt_mesh_3 {
+namespace internal {
+
+// A complex that goes from one valid snapshot to the next.
+//
+// advance() makes a candidate for new positions and checks it. Vertices that alter the topology of the
+// boundary, pierce it, get hidden, leave a cell of their subdomain with its dual point in
+// another, or make a facet too thin or too far from the surface, go back toward where they were, until
+// all is well. Then the candidate takes the snapshot's place; or else, also if anything throws, the snapshot is as it was.
+class Complex_updater_3
+{
+public:
+  // If vertices have long ways to go, facets may be thin until the final snapshot.
+  Complex_updater_3(const Domain_view_3& domain, Boundary_motion motion, bool has_long_ways = false,
+                       const Thread_policy& threads = Thread_policy())
+    : domain_(domain)
+    , motion_(motion)
+    , threads_(threads)
+    , has_long_ways_(has_long_ways)
+    , fidelity_(domain_)
+  {}
+
+  // The checks refer to the domain.
+  Complex_updater_3(const Complex_updater_3&) = delete;
+  Complex_updater_3& operator=(const Complex_updater_3&) = delete;
+
+  void start(Complex_snapshot_3 input)
+  {
+    snapshot_ = std::move(input);
+    places_on_surface_ = Places_on_surface(snapshot_.numbering->number_of_interior_vertices,
+                                           snapshot_.numbering->number_of_surface_vertices());
+    if(motion_ != Boundary_motion::NONE && snapshot_.numbering->number_of_movable_vertices > 0)
+    {
+      fidelity_.measure(snapshot_);
+      shapes_.measure(snapshot_.boundary.complex(), snapshot_.sites);
+    }
+  }
+
+  const Complex_snapshot_3& snapshot() const { return snapshot_; }
+  const Domain_view_3& domain() const { return domain_; }
+  Boundary_motion motion() const { return motion_; }
+  bool is_surface_rough() const { return motion_ == Boundary_motion::BY_DOMAIN; }
+
+  // That of the snapshot, which is made if there is none.
+  Working_triangulation_3& triangulation()
+  {
+    if(!is_of_snapshot_)
+      restore_triangulation(snapshot_, threads_, triangulation_);
+    is_of_snapshot_ = true;
+    return triangulation_;
+  }
+
+  // Until somebody asks for the triangulation, there is none.
+  void release_triangulation()
+  {
+    is_of_snapshot_ = false;
+    triangulation_.release();
+  }
+
+  // Loads the snapshot into a mesh.
+  void load_into(Moving_triangulation_3& mesh)
+  {
+    const Working_triangulation_3& working = triangulation();
+    const Stage_clock::In_stage in_stage(threads_.clock(), Stage_clock::FLATTEN);
+    index_snapshot(snapshot_, working, threads_, mesh);
+  }
+
+  // Moves a site for a vertex on a surface to that surface; false if that cannot be done.
+  bool put_on_surface(int v, Site& s) { return internal::put_on_surface(domain_, snapshot_.boundary, v, s); }
+
+  // For the next snapshot, the place is one where put_on_surface() has put the vertex.
+  void keep_on_surface(int v, const Site& s) { places_on_surface_.keep(v, s); }
+
+  // Whether that is close enough to the surface for the centroid of a boundary facet.
+  bool is_close_to_surface(const Eigen::Vector3d& point) const { return fidelity_.is_close(point); }
+
+  // Trials of single vertices, which have the triangulation until the snapshot adopts them.
+  Exact_relocation_3 make_trial(const Circumradius_bound_3& size_bound = Circumradius_bound_3())
+  {
+    Working_triangulation_3& working = edited_triangulation();
+    return Exact_relocation_3(snapshot_, working, domain_, fidelity_, shapes_, motion_ != Boundary_motion::NONE, size_bound, threads_);
+  }
+
+  // Goes to where trials of this snapshot have led. False if that cannot be done: then the snapshot is as it was.
+  bool adopt(const Exact_relocation_3& trial)
+  {
+    const Editable_complex_3& trials = trial.complex();
+    if(snapshot_.has_positions(trials.sites))
+      return true;
+    Complex_candidate_3 candidate(snapshot_, triangulation_, trials.sites, motion_, true, threads_);
+    trials.give(candidate);
+    if(!complete_trials(candidate))
+      return false;
+    replace_snapshot(candidate);
+    return true;
+  }
+
+  // How often candidates have been checked.
+  std::size_t number_of_checks() const { return number_of_checks_; }
+
+  // How often most of a candidate's cells were those of a mesh.
+  std::size_t number_of_transfers() const { return number_of_transfers_; }
+
+  // Goes to new positions of the movable vertices, as far as possible, and gives the snapshot that is replaced,
+  // or nothing if nothing could be done.
+  // In a final snapshot, all vertices are on their surfaces and all boundary facets have surface centers.
+  std::optional<Complex_snapshot_3> advance(const std::vector<Site>& target, bool is_final) { return advance(target, nullptr, is_final); }
+
+  // The same for positions of a mesh that is regular as far as its constraints permit, which is faster.
+  std::optional<Complex_snapshot_3> advance(const Moving_triangulation_3& mesh, bool is_final)
+  {
+    return advance(mesh.sites, &mesh, is_final);
+  }
+
+  // The same for a final snapshot without slivers that the check forbids.
+  std::optional<Complex_snapshot_3> advance(const Moving_triangulation_3& mesh, const Angle_check_3& angles)
+  {
+    return advance(mesh.sites, &mesh, true, &angles);
+  }
+
+  // Goes back to a snapshot that has been replaced.
+  void return_to(Complex_snapshot_3 earlier)
+  {
+    is_of_snapshot_ = false;
+    snapshot_ = std::move(earlier);
+  }
+
+private:
+  static constexpr int most_attempts = 40;
+  // Then a valid complex matters more than the shape of facets.
+  static constexpr int attempts_at_good_facets = 10;
+
+  // That of the snapshot, for those that change it.
+  Working_triangulation_3& edited_triangulation()
+  {
+    triangulation();
+    is_of_snapshot_ = false;
+    return triangulation_;
+  }
+
+  // Gives the one before.
+  Complex_snapshot_3 replace_snapshot(Complex_candidate_3& candidate)
+  {
+    Complex_snapshot_3 before = std::exchange(snapshot_, candidate.finish());
+    is_of_snapshot_ = true;
+    return before;
+  }
+
+  // Nothing is transferred from no mesh.
+  void build(Complex_candidate_3& candidate, const Moving_triangulation_3* mesh)
+  {
+    const Stage_clock::In_stage in_stage(threads_.clock(), Stage_clock::TRIANGULATE);
+    number_of_transfers_ += candidate.build(mesh);
+  }
+
+  std::optional<Complex_snapshot_3> advance(const std::vector<Site>& target, const Moving_triangulation_3* mesh, bool is_final,
+                               const Angle_check_3* angles = nullptr)
+  {
+    const Stage_clock::In_stage in_stage(threads_.clock(), Stage_clock::CHECK);
+    is_of_snapshot_ = false;
+    Complex_candidate_3 candidate(snapshot_, triangulation_, target, motion_, is_final, threads_);
+    if(!complete(candidate, mesh, angles))
+      return std::nullopt;
+    return replace_snapshot(candidate);
+  }
+
+  // Whether the candidate is valid, perhaps with some vertices back where they were.
+  bool complete(Complex_candidate_3& candidate, const Moving_triangulation_3* mesh, const Angle_check_3* angles)
+  {
+    Surface_projection_3 projection(candidate, domain_, places_on_surface_);
+    if(candidate.boundary_moves())
+      projection.project_all();
+    places_on_surface_.forget();
+    build(candidate, mesh);
+    Candidate_repair_3 repair(candidate, projection, [&] { build(candidate, nullptr); });
+    for(int attempt = 0; attempt < most_attempts; ++attempt)
+    {
+      const bool wants_good_facets = (candidate.is_final || !has_long_ways_) && attempt < attempts_at_good_facets;
+      Defect_report_3 report = check(candidate, wants_good_facets);
+      if(angles != nullptr && candidate.working.is_complete())
+        angles->check(candidate, report);
+      if(report.is_clean())
+        return true;
+      if(report.is_beyond_repair() || !repair.apply(report, attempt))
+        return false;
+    }
+    return false;
+  }
+
+  // Whether a candidate that trials have led to is valid.
+  bool complete_trials(Complex_candidate_3& candidate)
+  {
+    if(candidate.boundary_moves())
+      Flat_boundary_cells_3(candidate, domain_, fidelity_, shapes_).exempt();
+    for(int v = candidate.numbering.number_of_interior_vertices; v < candidate.numbering.number_of_movable_vertices; ++v)
+      if(!candidate.is_reverted(v))
+        candidate.surface_position(v) = { true, 0, candidate.sites[v] };
+    return topology_changes(candidate).empty() && Surface_centers_3(candidate, domain_).find_surface_centers().is_clean()
+           && fidelity_.check(candidate).is_clean();
+  }
+
+  // Completes the candidate until something is found wrong. Facets that are too thin may be found good enough.
+  Defect_report_3 check(Complex_candidate_3& candidate, bool wants_good_facets)
+  {
+    ++number_of_checks_;
+    if(!candidate.working.is_complete())
+      return hidden_vertices(candidate);
+    const Defect_report_3 labels = Cell_labels_3(candidate, domain_).label_cells();
+    if(!labels.is_clean())
+      return labels;
+    Boundary_extraction_3 extraction(candidate, domain_);
+    extraction.find_boundary();
+    Defect_report_3 topology = candidate.boundary_moves() ? check_topology(candidate) : check_facets_stay(candidate);
+    if(!topology.is_clean())
+    {
+      if(candidate.boundary_moves() && wants_good_facets)
+        shapes_.check(candidate, topology);
+      return topology;
+    }
+    if(candidate.boundary_moves() && candidate.is_final)
+      Flat_boundary_cells_3(candidate, domain_, fidelity_, shapes_).exempt();
+    else if(candidate.boundary_moves())
+      Boundary_flips_3(candidate, domain_, extraction, fidelity_, shapes_).flip();
+    const Defect_report_3 centers = Surface_centers_3(candidate, domain_).find_surface_centers();
+    if(!candidate.boundary_moves() || !centers.is_clean())
+      return centers;
+    Defect_report_3 report = fidelity_.check(candidate);
+    if(wants_good_facets)
+      shapes_.check(candidate, report);
+    return report;
+  }
+
+  static Defect_report_3 hidden_vertices(const Complex_candidate_3& candidate)
+  {
+    Defect_report_3 report(candidate);
+    for(int v = 0; v < candidate.numbering.number_of_vertices(); ++v)
+      if(!candidate.working.is_visible(v))
+        report.send_back(std::vector<int>(1, v));
+    if(report.offending_vertices().empty())
+      report.give_up();
+    return report;
+  }
+
+  const Domain_view_3& domain_;
+  Boundary_motion motion_;
+  Thread_policy threads_;
+  bool has_long_ways_;
+  Fidelity_check_3 fidelity_;
+  Facet_shape_check_3 shapes_;
+  Complex_snapshot_3 snapshot_;
+  Working_triangulation_3 triangulation_;
+  bool is_of_snapshot_ = false;              // whether that is the triangulation of the snapshot, with its labels
+  Places_on_surface places_on_surface_;
+  std::size_t number_of_checks_ = 0, number_of_transfers_ = 0;
+};
+
+} // namespace internal
+} // namespace Global_odt_mesh_3
+} // namespace CGAL
+
+#endif // CGAL_GLOBAL_ODT_MESH_3_INTERNAL_COMPLEX_COMPLEX_UPDATER_3_H

@@ -1,0 +1,248 @@
+// Copyright (c) 2026 The Global_odt_mesh_3 authors.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_GLOBAL_ODT_MESH_3_INTERNAL_COMPLEX_FACET_EXCHANGE_3_H
+#define CGAL_GLOBAL_ODT_MESH_3_INTERNAL_COMPLEX_FACET_EXCHANGE_3_H
+
+#include <CGAL/Global_odt_mesh_3/internal/complex/Detached_vertex_3.h>
+#include <CGAL/Global_odt_mesh_3/internal/complex/Editable_complex_3.h>
+#include <CGAL/Global_odt_mesh_3/internal/complex/Facet_checks_3.h>
+#include <CGAL/Global_odt_mesh_3/internal/geometry/Facet_geometry_3.h>
+#include <CGAL/Global_odt_mesh_3/internal/geometry/Site.h>
+#include <CGAL/Global_odt_mesh_3/internal/geometry/Vertex_tuples.h>
+#include <CGAL/Global_odt_mesh_3/internal/surface/Exchangeable_boundary_3.h>
+
+#include <Eigen/Core>
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <set>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Global_odt_mesh_3 {
+namespace internal {
+
+// What a vertex at another place makes of the boundary, and whether that may be so.
+class Facet_exchange_3
+{
+public:
+  // If `changes` is false, the boundary has to stay as it is.
+  Facet_exchange_3(Editable_complex_3& complex, const Detached_vertex_3& detached, const Fidelity_check_3& fidelity,
+                   const Facet_shape_check_3& shapes, bool changes)
+    : complex_(complex)
+    , detached_(detached)
+    , fidelity_(fidelity)
+    , least_angle_((std::max)(shapes.smallest_angle(), small_angle))
+    , changes_(changes)
+  {}
+
+  // For cells that have been found and labelled: whether the boundary keeps its topology, is close
+  // to the surface, and has no flatter facets than before.
+  bool is_permitted()
+  {
+    removed_.clear();
+    added_.clear();
+    moved_.clear();
+    if(!find_facets())
+      return false;
+    if(!changes_)
+      return removed_.empty() && added_.empty();
+    if(!complex_.boundary.keeps_topology(removed_, added_))
+      return false;
+    const double least = (std::min)(least_angle_, smallest_angle_before());
+    std::vector<Triple> facets = moved_;
+    for(const Facet& f : added_)
+      facets.push_back(f.vertices);
+    return std::all_of(facets.begin(), facets.end(), [&](const Triple& t)
+                       { return smallest_angle(t) >= least && fidelity_.is_close(centroid(t, complex_.sites)); });
+  }
+
+  void apply() { complex_.boundary.exchange(removed_, added_); }
+
+private:
+  typedef Detached_vertex_3::Cell Cell;
+  typedef Exchangeable_boundary_3::Facet Facet;
+
+  // Degrees. Below that, a facet is worse for the surface than a sliver for the cells, even if the input has worse ones.
+  static constexpr double small_angle = 25;
+
+  // A facet of one of some cells.
+  struct Side
+  {
+    Triple facet;
+    int cell, index;
+    bool operator<(const Side& o) const { return facet != o.facet ? facet < o.facet : cell < o.cell; }
+  };
+
+  // Sorted, those of facets between two of the cells one after the other.
+  static std::vector<Side> sides(const std::vector<Cell>& cells)
+  {
+    std::vector<Side> result;
+    for(int n = 0; n < static_cast<int>(cells.size()); ++n)
+      for(int i = 0; i < 4; ++i)
+      {
+        const Quadruple& q = cells[n].vertices;
+        const Triple t = sorted(Triple{{ q[(i + 1) % 4], q[(i + 2) % 4], q[(i + 3) % 4] }});
+        if(t[0] >= 0)
+          result.push_back({ t, n, i });
+      }
+    std::sort(result.begin(), result.end());
+    return result;
+  }
+
+  // Finds the facets that would go, come, and stay at the vertex; false if one has no patch or is not to stay.
+  bool find_facets()
+  {
+    const std::vector<std::pair<Triple, int> > hull = labels_beyond_old_cells();
+    const std::vector<Side> after = sides(detached_.new_cells());
+    auto h = hull.begin();
+    for(std::size_t n = 0; n < after.size(); ++n)
+    {
+      const Side& s = after[n];
+      const Side* other = n + 1 < after.size() && after[n + 1].facet == s.facet ? &after[++n] : nullptr;
+      if(other == nullptr && (h == hull.end() || h->first != s.facet))
+        return false;
+      const std::array<int, 2> labels = {{ detached_.new_cells()[s.cell].label,
+                                           other != nullptr ? detached_.new_cells()[other->cell].label : (h++)->second }};
+      const bool is_on_boundary = labels[0] != labels[1]
+                                  || (complex_.snapshot.has_unseparating_facets && crosses_surface(s, other));
+      if(is_on_boundary && !add_facet(s.facet, sorted(labels)))
+        return false;
+    }
+    return true;
+  }
+
+  // For each facet of the hull of the old cells, which is that of the new ones, the label beyond. All facets are taken
+  // for removed.
+  std::vector<std::pair<Triple, int> > labels_beyond_old_cells()
+  {
+    const std::vector<Side> before = sides(detached_.old_cells());
+    std::vector<std::pair<Triple, int> > hull;
+    for(std::size_t n = 0; n < before.size(); ++n)
+    {
+      const Triple& t = before[n].facet;
+      const int facet = complex_.boundary.find(t), label = detached_.old_cells()[before[n].cell].label;
+      if(facet >= 0)
+        removed_.push_back(facet);
+      if(n + 1 < before.size() && before[n + 1].facet == t)
+      {
+        ++n;
+        continue;
+      }
+      const std::array<int, 2> labels = facet < 0 ? std::array<int, 2>{{ label, label }}
+                                                  : complex_.boundary.facet(facet).labels;
+      hull.emplace_back(t, labels[0] == label ? labels[1] : labels[0]);
+    }
+    return hull;
+  }
+
+  // Whether the dual segment between the cells of a facet crosses a surface.
+  bool crosses_surface(const Side& s, const Side* other)
+  {
+    if(std::none_of(s.facet.begin(), s.facet.end(), [this](int v) { return complex_.numbering.is_on_boundary(v); }))
+      return false;
+    const auto is_infinite = [](const Cell& c) { return *std::min_element(c.vertices.begin(), c.vertices.end()) < 0; };
+    const std::vector<Cell>& cells = detached_.new_cells();
+    if(is_infinite(cells[s.cell]) || (other != nullptr && is_infinite(cells[other->cell])))
+      return false;
+    const Eigen::Vector3d from = cells[s.cell].dual;
+    Eigen::Vector3d to;
+    if(other != nullptr)
+      to = cells[other->cell].dual;
+    else
+    {
+      const Cell_handle c = detached_.beyond(s.cell, s.index);
+      if(complex_.triangulation().is_infinite(c))
+        return false;
+      to = coordinates(complex_.triangulation().dual(c));
+    }
+    const double length = (to - from).norm();
+    Eigen::Vector3d middle = (from + to) / 2;
+    int patch;
+    return length > 0 && complex_.domain.intersect(middle, (to - from) / length, length / 2, patch);
+  }
+
+  // Takes it for one that stays, or else for one that comes; false if it has no patch.
+  bool add_facet(const Triple& t, const std::array<int, 2>& labels)
+  {
+    const auto old = std::find_if(removed_.begin(), removed_.end(),
+                                  [&](int n) { return complex_.boundary.facet(n).vertices == t; });
+    if(old != removed_.end() && complex_.boundary.facet(*old).labels == labels)
+    {
+      if(std::find(t.begin(), t.end(), detached_.vertex()) != t.end())
+        moved_.push_back(t);
+      else if(complex_.snapshot.far_facets.count(t) > 0)         // has to go along with its cell
+        return false;
+      removed_.erase(old);
+      return true;
+    }
+    int patch;
+    if(!find_patch(t, labels, patch))
+      return false;
+    added_.push_back({ t, labels, patch });
+    return true;
+  }
+
+  // The patch on which all vertices agree; false if there is none.
+  bool find_patch(const Triple& t, const std::array<int, 2>& labels, int& patch)
+  {
+    std::set<int> common;
+    for(std::size_t k = 0; k < 3; ++k)
+    {
+      std::set<int> here;
+      for(int n : complex_.boundary.around(t[k]))
+      {
+        const Facet& f = complex_.boundary.facet(n);
+        if(f.labels == labels && f.patch != Boundary_facet::no_patch && (k == 0 || common.count(f.patch) > 0))
+          here.insert(f.patch);
+      }
+      common.swap(here);
+    }
+    if(common.empty())
+      return false;
+    patch = *common.begin();
+    if(common.size() == 1)
+      return true;
+    const Facet_dual_3 dual(t, complex_.sites);
+    Eigen::Vector3d p = dual.center;
+    return complex_.domain.intersect(p, dual.normal, dual.radius, patch) && common.count(patch) > 0;
+  }
+
+  // Of the facets that go or stay at the vertex.
+  double smallest_angle_before()
+  {
+    double least = 180;
+    const Site to = std::exchange(complex_.sites[detached_.vertex()], detached_.from());
+    for(int n : removed_)
+      least = (std::min)(least, smallest_angle(complex_.boundary.facet(n).vertices));
+    for(const Triple& t : moved_)
+      least = (std::min)(least, smallest_angle(t));
+    complex_.sites[detached_.vertex()] = to;
+    return least;
+  }
+
+  double smallest_angle(const Triple& t) const
+  {
+    return smallest_angle_of_facet({{ complex_.sites[t[0]], complex_.sites[t[1]], complex_.sites[t[2]] }});
+  }
+
+  Editable_complex_3& complex_;
+  const Detached_vertex_3& detached_;
+  const Fidelity_check_3& fidelity_;
+  double least_angle_;
+  bool changes_;
+  std::vector<int> removed_;          // numbers of facets
+  std::vector<Facet> added_;
+  std::vector<Triple> moved_;         // those that stay, at the vertex
+};
+
+} // namespace internal
+} // namespace Global_odt_mesh_3
+} // namespace CGAL
+
+#endif // CGAL_GLOBAL_ODT_MESH_3_INTERNAL_COMPLEX_FACET_EXCHANGE_3_H

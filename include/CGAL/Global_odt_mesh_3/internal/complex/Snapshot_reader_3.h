@@ -1,0 +1,237 @@
+// Copyright (c) 2026 The Global_odt_mesh_3 authors.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_GLOBAL_ODT_MESH_3_INTERNAL_COMPLEX_SNAPSHOT_READER_3_H
+#define CGAL_GLOBAL_ODT_MESH_3_INTERNAL_COMPLEX_SNAPSHOT_READER_3_H
+
+#include <CGAL/Global_odt_mesh_3/internal/complex/Complex_snapshot_3.h>
+#include <CGAL/Global_odt_mesh_3/internal/complex/Estimated_surface_center_3.h>
+#include <CGAL/Global_odt_mesh_3/internal/complex/Snapshot_triangulation_3.h>
+#include <CGAL/Global_odt_mesh_3/internal/complex/Vertex_numbering_3.h>
+#include <CGAL/Global_odt_mesh_3/internal/geometry/Facet_geometry_3.h>
+#include <CGAL/Global_odt_mesh_3/internal/geometry/Site.h>
+#include <CGAL/Global_odt_mesh_3/internal/geometry/Spatial_order.h>
+#include <CGAL/Global_odt_mesh_3/internal/geometry/Vertex_tuples.h>
+#include <CGAL/Global_odt_mesh_3/internal/interface/Domain_view_3.h>
+#include <CGAL/Global_odt_mesh_3/internal/interface/Mesh_table_3.h>
+#include <CGAL/Global_odt_mesh_3/internal/interface/Mesh_view_3.h>
+#include <CGAL/Global_odt_mesh_3/internal/parallel/Chunked_loops.h>
+#include <CGAL/Global_odt_mesh_3/internal/parallel/Thread_policy.h>
+#include <CGAL/Global_odt_mesh_3/internal/surface/Boundary_complex_3.h>
+#include <CGAL/Global_odt_mesh_3/internal/surface/Boundary_geometry_3.h>
+#include <CGAL/Global_odt_mesh_3/internal/triangulation/Index_triangulation_3.h>
+#include <CGAL/Global_odt_mesh_3/internal/triangulation/Indexed_triangulation_3.h>
+#include <CGAL/Global_odt_mesh_3/internal/triangulation/Moving_triangulation_3.h>
+
+#include <Eigen/Core>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <memory>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Global_odt_mesh_3 {
+namespace internal {
+
+// The cells of a table, with other numbers for vertices.
+struct Cells_of_table_3
+{
+  const Mesh_table_3& table;
+  const std::vector<int>& numbers;
+
+  int number(int vertex) const { return vertex == Mesh_table_3::infinite ? vertex : numbers[vertex]; }
+
+  bool is_infinite(int n) const
+  {
+    const Quadruple& v = table.cells[n].vertices;
+    return std::find(v.begin(), v.end(), int(Mesh_table_3::infinite)) != v.end();
+  }
+
+  bool is_inside(int n) const { return label(n) != Domain_view_3::outside && !is_infinite(n); }
+  int label(int n) const { return table.cells[n].label; }
+  bool is_marked(int n, int i) const { return table.cells[n].facets & 1 << i; }
+
+  Quadruple vertices(int n) const
+  {
+    const Quadruple& v = table.cells[n].vertices;
+    return {{ number(v[0]), number(v[1]), number(v[2]), number(v[3]) }};
+  }
+
+  Cell_across across(int n, int i) const
+  {
+    const int d = table.cells[n].neighbors[i];
+    const Quadruple& back = table.cells[d].neighbors;
+    const auto k = std::find(back.begin(), back.end(), n) - back.begin();
+    return { is_inside(d), number(table.cells[d].vertices[k]) };
+  }
+};
+
+// Reads a mesh: the first snapshot, still without a triangulation, and the indexed mesh of it.
+class Snapshot_reader_3
+{
+public:
+  explicit Snapshot_reader_3(Mesh_view_3& input, const Thread_policy& threads = Thread_policy())
+    : threads_(threads)
+    , table_(input.read(threads))
+    , numbering_(std::make_shared<Vertex_numbering_3>())
+  {
+    snapshot_.numbering = numbering_;
+    numbering_->input = &input;
+    snapshot_.is_input = true;
+  }
+
+  // Vertices of the interior move, unless a boundary facet touches them; those that surfaces run smoothly
+  // through move if `boundary_moves`.
+  Complex_snapshot_3 read(Moving_triangulation_3& mesh, bool boundary_moves)
+  {
+    mesh = Moving_triangulation_3();
+    mesh.set_threads(threads_);
+    if(table_.cells.empty())
+      return std::move(snapshot_);
+    for(std::size_t v = 0; v < table_.sites.size(); ++v)
+      numbers_.push_back(static_cast<int>(v));
+    // Which vertices move is seen from the cells and facets around them.
+    const Constrained_facets around = index(mesh.topology);
+    number_vertices(boundary(around), mesh.topology, boundary_moves);
+    Constrained_facets facets = index(mesh.topology);
+    for(Constrained_facet& f : facets)
+      f.vertices = rotated(f.vertices);
+    Constrained_facets in_order = facets;
+    threads_.sort(in_order.begin(), in_order.end(), [](const auto& a, const auto& b)
+                  { return sorted(a.vertices) < sorted(b.vertices); });
+    snapshot_.boundary = Boundary_geometry_3(std::make_shared<const Boundary_complex_3>(boundary(in_order)), snapshot_.sites);
+    for(int v = numbering_->number_of_interior_vertices; v < numbering_->number_of_movable_vertices; ++v)
+      snapshot_.surface_positions.push_back({ true, 0, snapshot_.sites[v] });
+    snapshot_.number_facets();
+    read_surface_centers(in_order);
+    read_labels();
+    load_positions(snapshot_, facets, threads_, mesh);
+    return std::move(snapshot_);
+  }
+
+private:
+  static_assert(int(Mesh_table_3::no_patch) == int(Boundary_facet::no_patch), "facets without a patch");
+
+  // With the numbers that vertices have.
+  Constrained_facets index(Indexed_triangulation_3& flat) const
+  {
+    return index_cells(Cells_of_table_3{ table_, numbers_ }, table_.cells.size(), table_.sites.size(), threads_, flat);
+  }
+
+  Boundary_complex_3 boundary(const Constrained_facets& constrained_facets) const
+  {
+    std::vector<Boundary_facet> facets;
+    facets.reserve(constrained_facets.size());
+    for(const Constrained_facet& f : constrained_facets)
+    {
+      const Mesh_table_3::Cell& c = table_.cells[f.cell];
+      const Mesh_table_3::Facet* const on_surface = table_.facet(f.cell, f.index);
+      facets.push_back({ f.vertices, {{ c.label, table_.cells[c.neighbors[f.index]].label }},
+                         on_surface != nullptr ? on_surface->patch : int(Boundary_facet::no_patch) });
+    }
+    return Boundary_complex_3(std::move(facets), table_.sites.size(), threads_);
+  }
+
+  // Along Hilbert curves, the vertices of the interior first, then
+  // those that move on surfaces, then the rest.
+  void number_vertices(const Boundary_complex_3& boundary, const Indexed_triangulation_3& flat, bool boundary_moves)
+  {
+    const auto has_dimension = [&](std::size_t v, int dimension)
+    { return table_.dimensions[v] == dimension && table_.sites[v].weight == 0; };
+    const auto is_interior = [&](std::size_t v)
+    {
+      const int n = static_cast<int>(v);
+      return has_dimension(v, 3) && flat.incident_cell(n) >= 0 && !boundary.has_facets(n);
+    };
+    const auto slides = [&](std::size_t v)
+    {
+      const int n = static_cast<int>(v);
+      return has_dimension(v, 2) && boundary.number_of_umbrellas(n) == 1 && boundary.umbrella(n, 0).is_disk;
+    };
+    std::vector<std::size_t> order = hilbert_order(table_.sites);
+    const auto boundary_begin = std::stable_partition(order.begin(), order.end(), is_interior);
+    const auto fixed_begin = boundary_moves ? std::stable_partition(boundary_begin, order.end(), slides)
+                                            : boundary_begin;
+    numbering_->number_of_interior_vertices = static_cast<int>(boundary_begin - order.begin());
+    numbering_->number_of_movable_vertices = static_cast<int>(fixed_begin - order.begin());
+    for(std::size_t n : order)
+    {
+      numbers_[n] = static_cast<int>(snapshot_.sites.size());
+      numbering_->input_numbers.push_back(static_cast<int>(n));
+      numbering_->dimensions.push_back(table_.dimensions[n]);
+      snapshot_.sites.push_back(table_.sites[n]);
+    }
+    numbering_->input_sites = snapshot_.sites;
+  }
+
+  // A complex that was not made by the mesher, or comes from a file, may lack surface centers, which is seen from their
+  // indices: the points are then not even numbers that are the same each time. A point of the dual line stands in,
+  // without being told to anybody.
+  void read_surface_centers(const Constrained_facets& facets)
+  {
+    for(const Constrained_facet& f : facets)
+    {
+      const Mesh_table_3::Facet* const on_surface = table_.facet(f.cell, f.index);
+      const bool has_center = on_surface != nullptr && on_surface->patch_of_center == on_surface->patch
+                              && is_on_dual_line(on_surface->center, f.vertices);
+      const Eigen::Vector3d point = has_center ? on_surface->center
+                                               : estimated_surface_center(f.vertices, snapshot_.boundary, snapshot_.sites);
+      const int patch = on_surface != nullptr ? on_surface->patch : int(Boundary_facet::no_patch);
+      const int source = on_surface != nullptr ? on_surface->source : int(Mesh_table_3::no_facet);
+      snapshot_.centers.push_back({ point, patch, source, true, true });
+    }
+  }
+
+  bool is_on_dual_line(const Eigen::Vector3d& point, const Triple& facet) const
+  {
+    constexpr double most_spread = 1e-4;      // of the powers of the center with respect to the vertices
+    Eigen::Vector3d power;
+    for(int k = 0; k < 3; ++k)
+    {
+      const Site& s = snapshot_.sites[facet[k]];
+      power[k] = squared_distance(s, point) - s.weight;
+    }
+    return power.maxCoeff() - power.minCoeff() <= most_spread * std::abs(power[0]);
+  }
+
+  void read_labels()
+  {
+    snapshot_.has_labels_of_domain = true;
+    std::vector<int>& subdomain = numbering_->subdomain;
+    subdomain.assign(snapshot_.sites.size(), int(Complex_snapshot_3::no_subdomain));
+    const Cells_of_table_3 cells{ table_, numbers_ };
+    for(std::size_t n = 0; n < table_.cells.size(); ++n)
+      for(int v : cells.vertices(static_cast<int>(n)))
+        if(v >= 0 && !snapshot_.boundary.complex().has_facets(v))
+          subdomain[v] = table_.cells[n].label;
+    const auto find_boundary_cells = [&](int n, std::vector<int>& found)
+    {
+      const Quadruple q = cells.vertices(n);
+      if(std::all_of(q.begin(), q.end(), [this](int v) { return v >= 0 && numbering_->is_on_boundary(v); }))
+        found.push_back(n);
+    };
+    for(int n : collect_in_chunks(static_cast<int>(table_.cells.size()), threads_, find_boundary_cells))
+    {
+      const Quadruple q = cells.vertices(n);
+      snapshot_.boundary_cells.insert(sorted(q), table_.cells[n].label);
+      numbering_->input_boundary_cells.insert(sorted(q), { q, table_.cells[n].label });
+    }
+  }
+
+  Thread_policy threads_;
+  const Mesh_table_3 table_;
+  std::vector<int> numbers_;                // that the vertices of the table have
+  std::shared_ptr<Vertex_numbering_3> numbering_;
+  Complex_snapshot_3 snapshot_;
+};
+
+} // namespace internal
+} // namespace Global_odt_mesh_3
+} // namespace CGAL
+
+#endif // CGAL_GLOBAL_ODT_MESH_3_INTERNAL_COMPLEX_SNAPSHOT_READER_3_H

@@ -1,0 +1,183 @@
+// Copyright (c) 2026 The Global_odt_mesh_3 authors.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_GLOBAL_ODT_MESH_3_INTERNAL_COMPLEX_SNAPSHOT_TABULATION_3_H
+#define CGAL_GLOBAL_ODT_MESH_3_INTERNAL_COMPLEX_SNAPSHOT_TABULATION_3_H
+
+#include <CGAL/Global_odt_mesh_3/internal/complex/Complex_snapshot_3.h>
+#include <CGAL/Global_odt_mesh_3/internal/complex/Snapshot_triangulation_3.h>
+#include <CGAL/Global_odt_mesh_3/internal/complex/Vertex_numbering_3.h>
+#include <CGAL/Global_odt_mesh_3/internal/complex/Working_triangulation_3.h>
+#include <CGAL/Global_odt_mesh_3/internal/geometry/Site.h>
+#include <CGAL/Global_odt_mesh_3/internal/interface/Domain_view_3.h>
+#include <CGAL/Global_odt_mesh_3/internal/interface/Mesh_table_3.h>
+#include <CGAL/Global_odt_mesh_3/internal/parallel/Chunked_loops.h>
+#include <CGAL/Global_odt_mesh_3/internal/parallel/Chunked_sums.h>
+#include <CGAL/Global_odt_mesh_3/internal/parallel/Thread_policy.h>
+#include <CGAL/Global_odt_mesh_3/internal/surface/Boundary_complex_3.h>
+
+#include <Eigen/Core>
+
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <vector>
+
+namespace CGAL {
+namespace Global_odt_mesh_3 {
+namespace internal {
+
+// Makes a snapshot the table to be written to the mesh from which the first one has come.
+class Snapshot_tabulation_3
+{
+public:
+  // The triangulation is that of the snapshot.
+  Snapshot_tabulation_3(const Complex_snapshot_3& snapshot, Working_triangulation_3& working, const Thread_policy& threads)
+    : snapshot_(snapshot)
+    , numbering_(*snapshot.numbering)
+    , working_(working)
+    , threads_(threads)
+    , cells_(working.cells())
+    , facets_(find_boundary_facets(snapshot, working, threads))
+  {}
+
+  // The cells have no labels afterwards.
+  Mesh_table_3 operator()()
+  {
+    restore_orders();
+    Mesh_table_3 table;
+    table.sites.resize(snapshot_.sites.size());
+    for(std::size_t v = 0; v < snapshot_.sites.size(); ++v)
+      table.sites[input_number(static_cast<int>(v))] = snapshot_.sites[v];
+    measure_circumradii(table);
+    tabulate_cells(table);
+    tabulate_facets(table);
+    return table;
+  }
+
+private:
+  struct Circumradii
+  {
+    double sum = 0, number = 0;
+
+    Circumradii& operator+=(const Circumradii& o)
+    {
+      sum += o.sum;
+      number += o.number;
+      return *this;
+    }
+  };
+
+  int input_number(int v) const { return v < 0 ? int(Mesh_table_3::infinite) : numbering_.input_numbers[v]; }
+
+  // Of the vertices of cells that are in the same subdomain as in the input: on this order depends, by rounding, the dual
+  // point of a flat cell, and hence whether the domain finds it in that subdomain.
+  void restore_orders()
+  {
+    std::vector<Vertex_handle> opposite;
+    for(const Facet& f : facets_)
+      opposite.push_back(f.first->vertex(f.second));
+    for(const auto& b : snapshot_.boundary_cells.entries())
+    {
+      const Vertex_numbering_3::Input_cell* const from = numbering_.input_cell(b.first, snapshot_.sites);
+      if(from == nullptr)
+        continue;
+      std::array<Vertex_handle, 4> v;
+      for(int i = 0; i < 4; ++i)
+        v[i] = working_.vertex(from->vertices[i]);
+      Cell_handle to;
+      if(working_.triangulation().is_cell(v[0], v[1], v[2], v[3], to) && to->label() == from->label)
+        reorder(to, v);
+    }
+    for(std::size_t n = 0; n < opposite.size(); ++n)
+      facets_[n].second = facets_[n].first->index(opposite[n]);
+  }
+
+  static void reorder(Cell_handle c, const std::array<Vertex_handle, 4>& v)
+  {
+    std::array<Cell_handle, 4> neighbors;
+    for(int i = 0; i < 4; ++i)
+      neighbors[i] = c->neighbor(c->index(v[i]));
+    for(int i = 0; i < 4; ++i)
+    {
+      c->set_vertex(i, v[i]);
+      c->set_neighbor(i, neighbors[i]);
+    }
+  }
+
+  // Of the cells in the complex around each vertex.
+  void measure_circumradii(Mesh_table_3& table) const
+  {
+    constexpr int least_length = 10000, most_chunks = 16;
+    const Chunks chunks(static_cast<int>(cells_.size()), least_length, most_chunks);
+    Chunked_sums<Circumradii> circumradii;
+    circumradii.resize(snapshot_.sites.size(), chunks.number());
+    threads_.for_each_chunk(chunks.number(), [&](int k)
+    {
+      for(int n = chunks.begin(k); n < chunks.end(k); ++n)
+        if(cells_[n]->label() != Domain_view_3::outside)
+          add_circumradius(cells_[n], circumradii.part(k));
+    });
+    table.mean_circumradii.assign(snapshot_.sites.size(), 0);
+    circumradii.for_each_sum(0, circumradii.number_of_blocks(), [&](int v, const Circumradii& r)
+    {
+      if(r.number > 0)
+        table.mean_circumradii[input_number(v)] = r.sum / r.number;
+    });
+  }
+
+  void add_circumradius(Cell_handle c, const Chunked_sums<Circumradii>::Part& sums) const
+  {
+    const Eigen::Vector3d p = coordinates(working_.triangulation().dual(c));
+    for(int v : Working_triangulation_3::numbers(c))
+      sums.add(v, { std::sqrt(squared_distance(snapshot_.sites[v], p)), 1 });
+  }
+
+  // All that is asked for of cells afterwards is their places, which they have instead of labels.
+  void tabulate_cells(Mesh_table_3& table) const
+  {
+    table.cells.resize(cells_.size());
+    for_each_in_chunks(static_cast<int>(cells_.size()), threads_, [&](int n)
+    {
+      table.cells[n].label = cells_[n]->label();
+      cells_[n]->set_label(n);
+    });
+    for_each_in_chunks(static_cast<int>(cells_.size()), threads_, [&](int n)
+    {
+      const Quadruple v = Working_triangulation_3::numbers(cells_[n]);
+      for(int i = 0; i < 4; ++i)
+      {
+        table.cells[n].vertices[i] = input_number(v[i]);
+        table.cells[n].neighbors[i] = cells_[n]->neighbor(i)->label();
+      }
+    });
+  }
+
+  void tabulate_facets(Mesh_table_3& table) const
+  {
+    for(std::size_t n = 0; n < facets_.size(); ++n)
+    {
+      const int patch = snapshot_.boundary.complex().facets()[n].patch;
+      if(patch == Boundary_facet::no_patch)
+        continue;
+      const Complex_snapshot_3::Surface_center& c = snapshot_.centers[n];
+      const int patch_of_center = c.patch == Domain_view_3::other_patch ? patch : c.patch;
+      table.facets.push_back({ facets_[n].first->label(), facets_[n].second, patch, c.point, patch_of_center, c.source });
+    }
+  }
+
+  const Complex_snapshot_3& snapshot_;
+  const Vertex_numbering_3& numbering_;
+  Working_triangulation_3& working_;
+  const Thread_policy threads_;
+  const std::vector<Cell_handle>& cells_;
+  std::vector<Facet> facets_;                 // on the boundary, on side 0
+};
+
+} // namespace internal
+} // namespace Global_odt_mesh_3
+} // namespace CGAL
+
+#endif // CGAL_GLOBAL_ODT_MESH_3_INTERNAL_COMPLEX_SNAPSHOT_TABULATION_3_H

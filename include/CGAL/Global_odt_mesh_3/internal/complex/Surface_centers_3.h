@@ -1,0 +1,190 @@
+// Copyright (c) 2026 The Global_odt_mesh_3 authors.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_GLOBAL_ODT_MESH_3_INTERNAL_COMPLEX_SURFACE_CENTERS_3_H
+#define CGAL_GLOBAL_ODT_MESH_3_INTERNAL_COMPLEX_SURFACE_CENTERS_3_H
+
+#include <CGAL/Global_odt_mesh_3/internal/complex/Complex_candidate_3.h>
+#include <CGAL/Global_odt_mesh_3/internal/complex/Defect_report_3.h>
+#include <CGAL/Global_odt_mesh_3/internal/complex/Estimated_surface_center_3.h>
+#include <CGAL/Global_odt_mesh_3/internal/geometry/Facet_geometry_3.h>
+#include <CGAL/Global_odt_mesh_3/internal/geometry/Site.h>
+#include <CGAL/Global_odt_mesh_3/internal/surface/Boundary_geometry_3.h>
+
+#include <Eigen/Core>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <vector>
+
+namespace CGAL {
+namespace Global_odt_mesh_3 {
+namespace internal {
+
+// Finds where the dual line of a facet meets the surface: on the dual segment if that joins two subdomains.
+class Surface_center_search_3
+{
+public:
+  typedef Complex_candidate_3::Surface_center Surface_center;
+
+  Surface_center_search_3(Complex_candidate_3& candidate, const Domain_view_3& domain)
+    : candidate_(candidate)
+    , domain_(domain)
+  {}
+
+  // Puts the center of a facet with these vertices, which is expected where it is, onto the surface; false if there is none.
+  bool find_center(const Facet& facet, const Triple& t, Surface_center& center)
+  {
+    search(facet, t, center);
+    remember(t, center);
+    return center.is_exact;
+  }
+
+  // The same in two steps, the first of which threads may do for several facets.
+  void remember(const Triple& t, const Surface_center& center) { candidate_.known_centers[t] = center; }
+
+  void search(const Facet& facet, const Triple& t, Surface_center& center) const
+  {
+    center.is_exact = false;
+    const auto known = candidate_.known_centers.find(t);
+    if(known != candidate_.known_centers.end() && (!known->second.is_exact || is_between_subdomains(facet, t, known->second)))
+    {
+      if(known->second.is_exact)
+        center = known->second;
+      return;
+    }
+    const Eigen::Vector3d expected = center.point;
+    const Facet_dual_3 dual(t, candidate_.sites);
+    for(const auto& s : segments_to_search)
+      if(put_on_segment(expected + s[0] * dual.radius * dual.normal, dual.normal, s[1] * dual.radius, center))
+        break;
+    if(!center.is_exact || !is_between_subdomains(facet, t, center))
+      put_on_dual_segment(facet, dual, center);
+  }
+
+  // Whether a center is on the dual segment, unless that is infinite or joins no two subdomains.
+  bool is_between_subdomains(const Facet& facet, const Triple& t, const Surface_center& center) const
+  {
+    const Cell_handle c = facet.first, d = c->neighbor(facet.second);
+    if(is_infinite(c) || is_infinite(d) || c->label() == d->label())
+      return true;
+    const Facet_dual_3 dual(t, candidate_.sites);
+    const auto ends = std::minmax({ dual.height(dual_point(c)), dual.height(dual_point(d)) });
+    const double height = dual.height(center.point);
+    return ends.first <= height && height <= ends.second;
+  }
+
+private:
+
+  // The middle from where the surface is expected, and half the length, over the radius of the facet.
+  // Both ends of a segment across a thin part are outside, hence those to one side only.
+  static constexpr double segments_to_search[][2] = { { 0, 0.3 }, { 0, 1 }, { 0.15, 0.15 }, { -0.15, 0.15 },
+                                                      { 0.5, 0.5 }, { -0.5, 0.5 }, { 0, 3 } };
+
+  // Leaves what is known of the facet's centroid.
+  bool put_on_segment(Eigen::Vector3d middle, const Eigen::Vector3d& direction, double half_length, Surface_center& center) const
+  {
+    int patch;
+    if(!domain_.intersect(middle, direction, half_length, patch))
+      return false;
+    center.point = middle;
+    center.patch = patch;
+    center.source = Mesh_table_3::no_facet;
+    center.is_exact = true;
+    return true;
+  }
+
+  // Where the surface is far from the facet, it is crossed between the dual points of its cells.
+  void put_on_dual_segment(const Facet& facet, const Facet_dual_3& dual, Surface_center& center) const
+  {
+    const Cell_handle c = facet.first, d = c->neighbor(facet.second);
+    if(is_infinite(c) || is_infinite(d))
+      return;
+    const double from = dual.height(dual_point(c)), to = dual.height(dual_point(d));
+    put_on_segment(dual.point_at((from + to) / 2), dual.normal, std::abs(to - from) / 2, center);
+  }
+
+  bool is_infinite(Cell_handle c) const { return candidate_.triangulation().is_infinite(c); }
+
+  // Threads must not make cells remember theirs.
+  Eigen::Vector3d dual_point(Cell_handle c) const
+  {
+    const Exact_triangulation_3& tr = candidate_.triangulation();
+    return coordinates(tr.geom_traits().construct_weighted_circumcenter_3_object()(
+      tr.point(c, 0), tr.point(c, 1), tr.point(c, 2), tr.point(c, 3)));
+  }
+
+  Complex_candidate_3& candidate_;
+  const Domain_view_3& domain_;
+};
+
+// Finds or, on the way, estimates the surface centers of a candidate: the points of the surface on the
+// dual lines of its boundary facets. Reports facets without a center.
+class Surface_centers_3
+{
+public:
+  Surface_centers_3(Complex_candidate_3& candidate, const Domain_view_3& domain)
+    : candidate_(candidate)
+    , domain_(domain)
+  {}
+
+  Defect_report_3 find_surface_centers()
+  {
+    Defect_report_3 report(candidate_);
+    candidate_.boundary = Boundary_geometry_3(candidate_.boundary_complex, candidate_.sites);
+    candidate_.centers.resize(candidate_.facets.size());
+    Surface_center_search_3 search(candidate_, domain_);
+    std::vector<char> is_searched(candidate_.facets.size(), false);
+    domain_.for_each(candidate_.facets.size(), [&](int n)
+    {
+      Surface_center& center = candidate_.centers[n];
+      center = known_center(vertices(n), candidate_.old_facets[n]);
+      if(!candidate_.is_final)
+        return;
+      const bool is_good = center.is_exact && (!candidate_.boundary_moves()
+                                               || search.is_between_subdomains(candidate_.facets[n], vertices(n), center));
+      is_searched[n] = !is_good;
+      if(!is_searched[n])
+        return;
+      // One that is not found anew stays as it was.
+      const Surface_center known = center;
+      search.search(candidate_.facets[n], vertices(n), center);
+      if(!center.is_exact)
+        center = known;
+    });
+    for(std::size_t n = 0; n < candidate_.facets.size(); ++n)
+    {
+      if(!is_searched[n])
+        continue;
+      search.remember(vertices(n), candidate_.centers[n]);
+      if(!candidate_.centers[n].is_exact)
+        report.send_back(vertices(n));
+    }
+    return report;
+  }
+
+private:
+  typedef Complex_candidate_3::Surface_center Surface_center;
+
+  const Triple& vertices(std::size_t facet) const { return candidate_.boundary_complex->facets()[facet].vertices; }
+
+  // That of the snapshot if nothing has changed, or else an estimate.
+  Surface_center known_center(const Triple& t, int old) const
+  {
+    if(old >= 0 && candidate_.is_unchanged(t))
+      return candidate_.snapshot.centers[old];
+    return { estimated_surface_center(t, candidate_.boundary, candidate_.sites), Boundary_facet::no_patch };
+  }
+
+  Complex_candidate_3& candidate_;
+  const Domain_view_3& domain_;
+};
+
+} // namespace internal
+} // namespace Global_odt_mesh_3
+} // namespace CGAL
+
+#endif // CGAL_GLOBAL_ODT_MESH_3_INTERNAL_COMPLEX_SURFACE_CENTERS_3_H

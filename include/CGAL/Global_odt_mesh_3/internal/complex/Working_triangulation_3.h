@@ -1,0 +1,319 @@
+// Copyright (c) 2026 The Global_odt_mesh_3 authors.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_GLOBAL_ODT_MESH_3_INTERNAL_COMPLEX_WORKING_TRIANGULATION_3_H
+#define CGAL_GLOBAL_ODT_MESH_3_INTERNAL_COMPLEX_WORKING_TRIANGULATION_3_H
+
+#include <CGAL/Global_odt_mesh_3/internal/complex/Exact_triangulation_3.h>
+#include <CGAL/Global_odt_mesh_3/internal/geometry/Site.h>
+#include <CGAL/Global_odt_mesh_3/internal/geometry/Spatial_order.h>
+#include <CGAL/Global_odt_mesh_3/internal/geometry/Vertex_tuples.h>
+#include <CGAL/Global_odt_mesh_3/internal/interface/Mesh_table_3.h>
+#include <CGAL/Global_odt_mesh_3/internal/parallel/Thread_policy.h>
+#include <CGAL/Global_odt_mesh_3/internal/surface/Boundary_complex_3.h>
+#include <CGAL/Global_odt_mesh_3/internal/triangulation/All_cells.h>
+#include <CGAL/Global_odt_mesh_3/internal/triangulation/Half_facet.h>
+
+#include <CGAL/assertions.h>
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <iterator>
+#include <numeric>
+#include <unordered_set>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Global_odt_mesh_3 {
+namespace internal {
+
+// The exact regular triangulation of the vertices of a complex, and its vertices by their numbers.
+class Working_triangulation_3
+{
+public:
+  const Exact_triangulation_3& triangulation() const { return tr_; }
+  Exact_triangulation_3& triangulation() { return tr_; }
+  Vertex_handle vertex(int v) const
+  {
+    CGAL_assertion(vertices_[v] != Vertex_handle());
+    return vertices_[v];
+  }
+  std::size_t number_of_vertices() const { return vertices_.size(); }
+
+  // All cells, listed when they are asked for first after a function of this class has changed vertices.
+  const std::vector<Cell_handle>& cells() const
+  {
+    if(cells_.empty())
+      cells_ = all_cells(tr_);
+    return cells_;
+  }
+
+  // After changes that this class has not made itself.
+  void set_cells(std::vector<Cell_handle> cells) { cells_ = std::move(cells); }
+
+  static int number(Vertex_handle h) { return h->number(); }
+
+  // Of the vertices of a cell, -1 for the infinite one.
+  static Quadruple numbers(Cell_handle c)
+  {
+    return {{ number(c->vertex(0)), number(c->vertex(1)), number(c->vertex(2)), number(c->vertex(3)) }};
+  }
+
+  // The vertices of a finite facet, clockwise seen from its cell, from the lowest on: in an order that does not depend on
+  // that of the cell.
+  static Triple vertices(const Facet& f)
+  {
+    const Triple& k = facet_indices(f.second);
+    return rotated({{ number(f.first->vertex(k[0])), number(f.first->vertex(k[1])),
+                                        number(f.first->vertex(k[2])) }});
+  }
+
+  // Whether a facet is looked at from this cell, and not from the other: the one whose other vertex has the higher number.
+  bool is_first_side(const Facet& f) const
+  {
+    const Vertex_handle here = f.first->vertex(f.second), beyond = tr_.mirror_vertex(f.first, f.second);
+    return !tr_.is_infinite(here) && (tr_.is_infinite(beyond) || number(beyond) < number(here));
+  }
+
+  void build(const std::vector<Site>& sites)
+  {
+    clear(sites.size());
+    std::vector<int> all(sites.size());
+    std::iota(all.begin(), all.end(), 0);
+    insert(all, sites);
+  }
+
+  // Without any vertices, but with room for them.
+  void clear(std::size_t number_of_vertices)
+  {
+    tr_.clear();
+    cells_.clear();
+    vertices_.assign(number_of_vertices, Vertex_handle());
+  }
+
+  // The same, and its memory is free.
+  void release()
+  {
+    clear(0);
+    vertices_.shrink_to_fit();
+    cells_.shrink_to_fit();
+  }
+
+  // Weighted points come first, so that those that they would hide are noticed
+  // when they are inserted.
+  void insert(const std::vector<int>& numbers, const std::vector<Site>& sites)
+  {
+    std::vector<Site> inserted;
+    inserted.reserve(numbers.size());
+    for(int v : numbers)
+      inserted.push_back(sites[v]);
+    std::vector<std::size_t> order = insertion_order(inserted);
+    std::stable_partition(order.begin(), order.end(), [&](std::size_t n) { return inserted[n].weight != 0; });
+    Cell_handle hint;
+    for(std::size_t n : order)
+      insert(numbers[n], inserted[n], hint);
+  }
+
+  // A vertex that has no cell yet.
+  void create_vertex(int v, const Site& s)
+  {
+    cells_.clear();
+    vertices_[v] = tr_.tds().create_vertex();
+    vertices_[v]->set_point(weighted_point(s));
+    vertices_[v]->set_number(v);
+  }
+
+  // Whether each number has a vertex of its own.
+  bool is_complete() const
+  {
+    return tr_.number_of_vertices() == vertices_.size()
+           && std::find(vertices_.begin(), vertices_.end(), Vertex_handle()) == vertices_.end();
+  }
+
+  // Whether the vertex is in the triangulation, and not hidden.
+  bool is_visible(int v) const { return vertices_[v] != Vertex_handle(); }
+
+  // Whether so many vertices are moved one by one faster than a new triangulation is built.
+  bool is_worth_moving(std::size_t number_of_moves) const
+  {
+    constexpr double most_moved_one_by_one = 1 / 20.;
+    return is_complete() && double(number_of_moves) <= most_moved_one_by_one * double(vertices_.size());
+  }
+
+  void move(int v, const Site& s)
+  {
+    if(is_visible(v))
+      remove(v);
+    Cell_handle hint;
+    insert(v, s, hint);
+  }
+
+  // Whether each vertex is at its site.
+  bool is_at(const std::vector<Site>& sites) const
+  {
+    return sites.size() == vertices_.size() && is_complete() && elsewhere(sites).empty();
+  }
+
+  // Goes to these sites by moving vertices; false if that is not the way, and then nothing is built that is of any use.
+  bool go_to(const std::vector<Site>& sites)
+  {
+    if(sites.size() != vertices_.size() || !is_complete())
+      return false;
+    const std::vector<int> moved = elsewhere(sites);
+    if(!is_worth_moving(moved.size()))
+      return false;
+    for(int v : moved)
+      move(v, sites[v]);
+    return is_complete();
+  }
+
+  // Takes the vertex out of the triangulation.
+  void remove(int v)
+  {
+    cells_.clear();
+    tr_.remove(vertices_[v]);
+    vertices_[v] = Vertex_handle();
+  }
+
+  // Puts it back, at or near a cell.
+  void insert_near(int v, const Site& s, Cell_handle start) { insert(v, s, start); }
+
+  // Becomes the triangulation of a table, whatever that is like, in which its vertices are numbered otherwise.
+  void copy(const Mesh_table_3& table, const std::vector<int>& numbers_in_table, const Thread_policy& threads)
+  {
+    clear(table.sites.size());
+    tr_.tds().clear();
+    tr_.tds().set_dimension(3);
+    tr_.set_infinite_vertex(tr_.tds().create_vertex());
+    std::vector<Vertex_handle> in_table(table.sites.size());
+    for(std::size_t v = 0; v < table.sites.size(); ++v)
+    {
+      create_vertex(static_cast<int>(v), table.sites[numbers_in_table[v]]);
+      in_table[numbers_in_table[v]] = vertices_[v];
+    }
+    const std::vector<Mesh_table_3::Cell>& rows = table.cells;
+    cells_.reserve(rows.size());
+    while(cells_.size() < rows.size())
+      cells_.push_back(tr_.tds().create_cell());
+    connect_cells(table, in_table, cells_, threads, tr_);
+  }
+
+  // Of a vertex, unless it is hidden.
+  std::vector<int> neighbors(int v) const
+  {
+    std::vector<Vertex_handle> handles;
+    if(is_visible(v))
+      tr_.finite_adjacent_vertices(vertices_[v], std::back_inserter(handles));
+    std::vector<int> numbers;
+    for(Vertex_handle h : handles)
+      numbers.push_back(number(h));
+    return numbers;
+  }
+
+private:
+  // The vertices that are not at these sites.
+  std::vector<int> elsewhere(const std::vector<Site>& sites) const
+  {
+    std::vector<int> found;
+    for(int v = 0; v < static_cast<int>(sites.size()); ++v)
+      if(!same_place(sites[v], weighted_site(vertices_[v]->point())))
+        found.push_back(v);
+    return found;
+  }
+
+  void insert(int v, const Site& s, Cell_handle& hint)
+  {
+    const Weighted_point p = weighted_point(s);
+    cells_.clear();
+    const std::size_t before = tr_.number_of_vertices();
+    const Vertex_handle h = hint == Cell_handle() ? tr_.insert(p) : tr_.insert(p, hint);
+    vertices_[v] = Vertex_handle();
+    if(h == Vertex_handle())
+      return;
+    // Unless it is that of another number at the same place.
+    if(tr_.number_of_vertices() > before || std::find(vertices_.begin(), vertices_.end(), h) == vertices_.end())
+    {
+      vertices_[v] = h;
+      h->set_number(v);
+      if(tr_.number_of_vertices() != before + 1)
+        forget_hidden_vertices();
+    }
+    hint = h->cell();
+  }
+
+  // Of vertices that another one hides, nothing is left in the triangulation.
+  void forget_hidden_vertices()
+  {
+    std::vector<Vertex_handle> visible(vertices_.size());
+    for(Vertex_handle h : tr_.finite_vertex_handles())
+    {
+      const int v = number(h);
+      if(0 <= v && v < static_cast<int>(visible.size()) && vertices_[v] == h)
+        visible[v] = h;
+    }
+    vertices_ = std::move(visible);
+  }
+
+  Exact_triangulation_3 tr_;
+  std::vector<Vertex_handle> vertices_;
+  mutable std::vector<Cell_handle> cells_;      // or none
+};
+
+// Tells the cells of a boundary facet, which do not know it, whether it is in the complex.
+inline void mark_facet(const Boundary_facet& of_boundary, const Facet& facet, const Working_triangulation_3& working)
+{
+  if(of_boundary.patch != Boundary_facet::no_patch)
+    for(const Facet& f : { facet, working.triangulation().mirror_facet(facet) })
+      f.first->set_facet_in_complex(f.second);
+}
+
+// Some vertices of a triangulation, by their numbers, then their neighbors, and so on, ring by ring.
+class Vertex_rings_3
+{
+public:
+  // Numbers below zero, of the infinite vertex, do not matter.
+  template <class Vertices>
+  Vertex_rings_3(const Working_triangulation_3& triangulation, const Vertices& vertices)
+    : triangulation_(triangulation)
+  {
+    for(int v : vertices)
+      if(v >= 0)
+        add(v);
+  }
+
+  // All vertices, and those that the last ring has added.
+  const std::vector<int>& vertices() const { return vertices_; }
+  std::vector<int> last_ring() const { return std::vector<int>(vertices_.begin() + begin_, vertices_.end()); }
+
+  // Adds the neighbors of those that have been added last.
+  void grow()
+  {
+    const std::vector<int> ring = last_ring();
+    begin_ = vertices_.size();
+    for(int v : ring)
+      for(int w : triangulation_.neighbors(v))
+        add(w);
+  }
+
+private:
+  void add(int v)
+  {
+    if(known_.insert(v).second)
+      vertices_.push_back(v);
+  }
+
+  const Working_triangulation_3& triangulation_;
+  std::vector<int> vertices_;
+  std::size_t begin_ = 0;               // of the last ring
+  std::unordered_set<int> known_;
+};
+
+} // namespace internal
+} // namespace Global_odt_mesh_3
+} // namespace CGAL
+
+#endif // CGAL_GLOBAL_ODT_MESH_3_INTERNAL_COMPLEX_WORKING_TRIANGULATION_3_H
