@@ -201,7 +201,7 @@ private:
     if(largest_cells_)
       mesh_.size_bound = largest_cells_->bound(mesh_, local_size());
     Sliver_stage_3 stage(complex_, mesh_, parameters_.sliver_bound, parameters_.random_seed,
-                                  most_tries_for_slivers());
+                         most_tries_for_slivers());
     if(!stage.run([this] { return control_.has_time(); }, [this] { return control_.may_go_on(); }))
       return false;
     if(!control_.goes_on())

@@ -44,8 +44,8 @@ class Optimization_rounds_3
 public:
   // Refers to its arguments, also to the numbers that vertices have in the input.
   Optimization_rounds_3(Moving_triangulation_3& mesh, const Round_plan& plan, const Odt_parameters& parameters,
-                     const User_field_3& field, Iteration_control& control, const Thread_policy& threads,
-                     const std::vector<int>& input_numbers)
+                        const User_field_3& field, Iteration_control& control, const Thread_policy& threads,
+                        const std::vector<int>& input_numbers)
     : mesh_(mesh)
     , plan_(plan)
     , parameters_(parameters)

@@ -110,7 +110,7 @@ class Boundary_flips_3
 {
 public:
   Boundary_flips_3(Complex_candidate_3& candidate, const Domain_view_3& domain, Boundary_extraction_3& extraction,
-                     const Fidelity_check_3& fidelity, const Facet_shape_check_3& shapes)
+                   const Fidelity_check_3& fidelity, const Facet_shape_check_3& shapes)
     : candidate_(candidate)
     , extraction_(extraction)
     , flat_cells_(candidate, domain, fidelity, shapes)

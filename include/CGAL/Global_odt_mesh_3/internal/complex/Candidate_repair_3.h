@@ -67,7 +67,7 @@ public:
   }
 
 private:
-  // In these, vertices go back half way first; then home, along with more and more neighbors.
+  // In these, vertices go back half way first; then they revert, along with more and more neighbors.
   static constexpr int patient_attempts = 10, attempts_per_ring = 3;
   static constexpr int halfway_returns = 2, halfway_returns_on_surface = 1;
 

@@ -38,7 +38,7 @@ class Cell_transfer_3
 public:
   // The indexed mesh may be at other positions.
   Cell_transfer_3(const Constrained_triangulation_3& mesh, const std::vector<Site>& sites,
-                           const Thread_policy& threads, Working_triangulation_3& working)
+                  const Thread_policy& threads, Working_triangulation_3& working)
     : sites_(sites)
     , threads_(threads)
     , working_(working)

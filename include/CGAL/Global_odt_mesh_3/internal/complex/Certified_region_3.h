@@ -80,7 +80,7 @@ class Transferred_cells_3
 public:
   // At first, nearly all vertices of the interior are left out.
   Transferred_cells_3(const Indexed_triangulation_3& flat, int number_of_interior_vertices, int number_of_vertices,
-                const Thread_policy& threads)
+                      const Thread_policy& threads)
     : indexed_(flat)
     , threads_(threads)
     , is_left_out_(number_of_vertices, false)

@@ -83,7 +83,7 @@ struct Complex_candidate_3
   std::map<int, int> vertices_sent_back, pushed_vertices;     // and how often
 
   Complex_candidate_3(const Complex_snapshot_3& from, Working_triangulation_3& triangulation, const std::vector<Site>& target,
-                         Boundary_motion how, bool is_last, const Thread_policy& policy)
+                      Boundary_motion how, bool is_last, const Thread_policy& policy)
     : snapshot(from)
     , numbering(*from.numbering)
     , motion(how)
@@ -158,10 +158,10 @@ struct Complex_candidate_3
     return std::all_of(vertices.begin(), vertices.end(), [this](int v) { return same_place(sites[v], snapshot.sites[v]); });
   }
 
-  // Where the vertex is now, on the surface, is its home from now on.
+  // Where the vertex is now, on the surface, is its revert site from now on.
   void settle(int v) { set_revert_site(v, sites[v]); }
 
-  // From now on, home is where the vertex was in the input.
+  // From now on, the vertex reverts to where it was in the input.
   void revert_to_input(int v) { set_revert_site(v, numbering.input_sites[v]); }
 
   // The candidate becomes a snapshot, which the cells of the triangulation know.

@@ -51,7 +51,7 @@ class Complex_updater_3
 public:
   // If vertices have long ways to go, facets may be thin until the final snapshot.
   Complex_updater_3(const Domain_view_3& domain, Boundary_motion motion, bool has_long_ways = false,
-                       const Thread_policy& threads = Thread_policy())
+                    const Thread_policy& threads = Thread_policy())
     : domain_(domain)
     , motion_(motion)
     , threads_(threads)
@@ -117,7 +117,8 @@ public:
   Exact_relocation_3 make_trial(const Circumradius_bound_3& size_bound = Circumradius_bound_3())
   {
     Working_triangulation_3& working = edited_triangulation();
-    return Exact_relocation_3(snapshot_, working, domain_, fidelity_, shapes_, motion_ != Boundary_motion::NONE, size_bound, threads_);
+    return Exact_relocation_3(snapshot_, working, domain_, fidelity_, shapes_, motion_ != Boundary_motion::NONE, size_bound,
+                              threads_);
   }
 
   // Goes to where trials of this snapshot have led. False if that cannot be done: then the snapshot is as it was.
@@ -143,7 +144,10 @@ public:
   // Goes to new positions of the movable vertices, as far as possible, and gives the snapshot that is replaced,
   // or nothing if nothing could be done.
   // In a final snapshot, all vertices are on their surfaces and all boundary facets have surface centers.
-  std::optional<Complex_snapshot_3> advance(const std::vector<Site>& target, bool is_final) { return advance(target, nullptr, is_final); }
+  std::optional<Complex_snapshot_3> advance(const std::vector<Site>& target, bool is_final)
+  {
+    return advance(target, nullptr, is_final);
+  }
 
   // The same for positions of a mesh that is regular as far as its constraints permit, which is faster.
   std::optional<Complex_snapshot_3> advance(const Moving_triangulation_3& mesh, bool is_final)
@@ -193,7 +197,7 @@ private:
   }
 
   std::optional<Complex_snapshot_3> advance(const std::vector<Site>& target, const Moving_triangulation_3* mesh, bool is_final,
-                               const Angle_check_3* angles = nullptr)
+                                            const Angle_check_3* angles = nullptr)
   {
     const Stage_clock::In_stage in_stage(threads_.clock(), Stage_clock::CHECK);
     is_of_snapshot_ = false;

@@ -36,9 +36,9 @@ public:
   const std::set<int>& offending_vertices() const { return offending_vertices_; }
   const std::map<int, Eigen::Vector3d>& pushes() const { return pushes_; }
 
-  // Sends back those of the vertices that are not at home or, if there are none, those around them. If there are none
-  // either, what is wrong was so before, where less was asked for; then those give up their revert_sites, too, that are elsewhere
-  // than in the input, of which nothing more can be asked.
+  // Sends back those of the vertices that have not reverted or, if there are none, those around them. If there are none
+  // either, what is wrong was so before, where less was asked for; then those revert to the input that are elsewhere than
+  // there, of which nothing more can be asked.
   template <class Vertices>
   void send_back(const Vertices& vertices)
   {
@@ -47,7 +47,7 @@ public:
       give_up();
   }
 
-  // Those only that are not at home, or else those around them; whether there are any. Numbers below zero, of the infinite
+  // Those only that have not reverted, or else those around them; whether there are any. Numbers below zero, of the infinite
   // vertex, do not matter.
   template <class Vertices>
   bool send_back_around(const Vertices& vertices)
@@ -119,7 +119,7 @@ inline Eigen::Vector3d inward(const Complex_candidate_3& candidate, const Quadru
 // Of a cell of the subdomain `label` whose dual point is beyond the surface: its vertices have come too close to
 // the boundary, or else its vertex of the interior is to move away from it.
 inline void report_cell_beyond_surface(const Complex_candidate_3& candidate, const Quadruple& q, int label,
-                                Defect_report_3& report)
+                                       Defect_report_3& report)
 {
   constexpr double step_from_boundary = 0.05;       // over an edge on the boundary
   constexpr int most_pushes = 5, most_returns = 2;

@@ -48,7 +48,7 @@ struct Editable_complex_3
   Exchangeable_boundary_3 boundary;
 
   Editable_complex_3(const Complex_snapshot_3& from, Working_triangulation_3& triangulation, const Domain_view_3& d,
-                  const Thread_policy& policy)
+                     const Thread_policy& policy)
     : snapshot(from)
     , numbering(*from.numbering)
     , domain(d)

@@ -25,7 +25,7 @@ namespace internal {
 // known: on a sphere, and so in second order, half as high over the facet as the
 // tangential planes at the vertices.
 inline Eigen::Vector3d estimated_surface_center(const std::array<int, 3>& t, const Boundary_geometry_3& boundary,
-                                                      const std::vector<Site>& sites)
+                                                const std::vector<Site>& sites)
 {
   const Facet_dual_3 dual(t, sites);
   double height = 0;

@@ -68,7 +68,8 @@ inline std::vector<Facet> find_boundary_facets(const Complex_snapshot_3& snapsho
 
 // Makes the triangulation that of a snapshot, whatever has become of it. Symbolic perturbation makes
 // the regular triangulation of weighted points unique; its cells are labelled, and boundary facets found, by their vertices.
-inline void restore_triangulation(const Complex_snapshot_3& snapshot, const Thread_policy& threads, Working_triangulation_3& working)
+inline void restore_triangulation(const Complex_snapshot_3& snapshot, const Thread_policy& threads,
+                                  Working_triangulation_3& working)
 {
   // The input is what it is, be it regular or not.
   const Vertex_numbering_3& numbering = *snapshot.numbering;
@@ -101,9 +102,10 @@ inline void load_positions(const Complex_snapshot_3& snapshot, const Constrained
                      [&](int n) { mesh.surface_heights[n] = snapshot.height(facets[n].vertices); });
 }
 
-// Loads the snapshot, whose triangulation is given, into a mesh: all cells that are in the complex, in canonical order; the boundary facets are constrained.
-inline void index_snapshot(const Complex_snapshot_3& snapshot, const Working_triangulation_3& working, const Thread_policy& threads,
-                            Moving_triangulation_3& mesh)
+// Loads the snapshot, whose triangulation is given, into a mesh: all cells that are in the complex, in canonical order; the
+// boundary facets are constrained.
+inline void index_snapshot(const Complex_snapshot_3& snapshot, const Working_triangulation_3& working,
+                           const Thread_policy& threads, Moving_triangulation_3& mesh)
 {
   const auto number = [](Vertex_handle v) { return Working_triangulation_3::number(v); };
   const auto label = [](Cell_handle c) { return c->label(); };

@@ -89,7 +89,7 @@ public:
     });
   }
 
-  // Puts a vertex that was sent back onto its surface, at home if there is no other way; false if
+  // Puts a vertex that was sent back onto its surface, at its revert site if there is no other way; false if
   // even that fails.
   bool return_to_surface(int v, bool is_halfway)
   {

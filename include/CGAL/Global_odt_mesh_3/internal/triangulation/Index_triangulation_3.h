@@ -198,7 +198,7 @@ private:
 // They are returned, followed by marked facets that have no cell inside.
 template <class Cells>
 Constrained_facets index_cells(const Cells& cells, std::size_t number_of_cells, std::size_t number_of_vertices,
-                                 const Thread_policy& threads, Indexed_triangulation_3& flat)
+                               const Thread_policy& threads, Indexed_triangulation_3& flat)
 {
   return Triangulation_indexer_3<Cells>(cells, static_cast<int>(number_of_cells), static_cast<int>(number_of_vertices),
                                           threads)(flat);
@@ -237,8 +237,8 @@ struct Cells_of_triangulation_3
 
 template <class Triangulation, class Number, class Label, class Is_marked>
 Constrained_facets index_triangulation_3(const Triangulation& tr, const std::vector<typename Triangulation::Cell_handle>& cells,
-                                           const Number& number, const Label& label, const Is_marked& is_marked,
-                                           const Thread_policy& threads, Indexed_triangulation_3& flat)
+                                         const Number& number, const Label& label, const Is_marked& is_marked,
+                                         const Thread_policy& threads, Indexed_triangulation_3& flat)
 {
   const Cells_of_triangulation_3<Triangulation, Number, Label, Is_marked> numbered{ tr, cells, number, label, is_marked };
   return index_cells(numbered, cells.size(), tr.number_of_vertices(), threads, flat);

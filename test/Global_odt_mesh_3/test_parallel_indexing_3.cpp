@@ -88,8 +88,8 @@ struct Labelled_triangulation
   Constrained_facets flatten(const std::vector<Cell_handle>& cells, const Thread_policy& threads, Indexed_triangulation_3& flat) const
   {
     return index_triangulation_3(tr, cells, [this](Vertex_handle v) { return number(v); },
-                                   [this](Cell_handle c) { return label(c); },
-                                   [this](Cell_handle c, int i) { return is_marked(c, i); }, threads, flat);
+                                 [this](Cell_handle c) { return label(c); },
+                                 [this](Cell_handle c, int i) { return is_marked(c, i); }, threads, flat);
   }
 };
 
