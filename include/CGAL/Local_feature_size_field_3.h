@@ -12,7 +12,6 @@
 
 #include <CGAL/Global_odt_mesh_3/internal/Parameter_check.h>
 #include <CGAL/Global_odt_mesh_3/internal/sizing/Boundary_poles_3.h>
-#include <CGAL/Global_odt_mesh_3/internal/sizing/Boundary_samples_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/sizing/Size_envelope_3.h>
 
 #include <CGAL/Bbox_3.h>

@@ -8,12 +8,10 @@
 
 #include <CGAL/Global_odt_mesh_3/internal/complex/Complex_candidate_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/complex/Exact_triangulation_3.h>
-#include <CGAL/Global_odt_mesh_3/internal/geometry/Facet_geometry_3.h>
+#include <CGAL/Global_odt_mesh_3/internal/complex/Patch_of_facet_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/geometry/Vertex_tuples.h>
 #include <CGAL/Global_odt_mesh_3/internal/parallel/Chunked_loops.h>
 #include <CGAL/Global_odt_mesh_3/internal/surface/Boundary_complex_3.h>
-
-#include <Eigen/Core>
 
 #include <array>
 #include <cstddef>
@@ -70,7 +68,7 @@ public:
         return;
       old_numbers[n] = old;
       facets[n] = { t, {{ f.first->label(), f.first->neighbor(f.second)->label() }},
-                    old >= 0 ? old_facets[old].patch : int(Complex_candidate_3::unknown_patch) };
+                    old >= 0 ? old_facets[old].patch : unknown_patch };
       found.push_back(n);
     };
     std::vector<Boundary_facet> found;
@@ -104,26 +102,18 @@ private:
     if(flipped != candidate_.snapshot.flipped_facets.end())
       return flipped->second;
     const Boundary_complex_3& boundary = candidate_.snapshot.boundary.complex();
-    std::set<int> common;
-    for(std::size_t k = 0; k < 3; ++k)
+    const auto patches = [&](int v)
     {
       std::set<int> here;
-      for(int n = 0; n < boundary.number_of_umbrellas(f.vertices[k]); ++n)
+      for(int n = 0; n < boundary.number_of_umbrellas(v); ++n)
       {
-        const Boundary_umbrella& umbrella = boundary.umbrella(f.vertices[k], n);
-        if(Boundary_complex_3::same_labels(umbrella.labels, f.labels) && umbrella.patch != Boundary_facet::no_patch
-           && (k == 0 || common.count(umbrella.patch) > 0))
+        const Boundary_umbrella& umbrella = boundary.umbrella(v, n);
+        if(Boundary_complex_3::same_labels(umbrella.labels, f.labels) && umbrella.patch != Boundary_facet::no_patch)
           here.insert(umbrella.patch);
       }
-      common.swap(here);
-    }
-    if(common.size() <= 1)
-      return common.empty() ? int(Complex_candidate_3::unknown_patch) : *common.begin();
-    const Facet_dual_3 dual(f.vertices, candidate_.sites);
-    Eigen::Vector3d p = dual.center;
-    int patch;
-    return domain_.intersect(p, dual.normal, dual.radius, patch) && common.count(patch) > 0
-             ? patch : int(Complex_candidate_3::unknown_patch);
+      return here;
+    };
+    return patch_of_facet(f.vertices, candidate_.sites, patches, domain_);
   }
 
   Complex_candidate_3& candidate_;

@@ -7,15 +7,14 @@
 #define CGAL_GLOBAL_ODT_MESH_3_INTERNAL_COMPLEX_BOUNDARY_FLIPS_3_H
 
 #include <CGAL/Global_odt_mesh_3/internal/complex/Boundary_extraction_3.h>
+#include <CGAL/Global_odt_mesh_3/internal/complex/Candidate_checks_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/complex/Complex_candidate_3.h>
-#include <CGAL/Global_odt_mesh_3/internal/complex/Estimated_surface_center_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/complex/Exact_triangulation_3.h>
-#include <CGAL/Global_odt_mesh_3/internal/complex/Facet_checks_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/complex/Surface_centers_3.h>
-#include <CGAL/Global_odt_mesh_3/internal/complex/Topology_check_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/geometry/Cell_shape_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/geometry/Vertex_tuples.h>
 #include <CGAL/Global_odt_mesh_3/internal/surface/Boundary_complex_3.h>
+#include <CGAL/Global_odt_mesh_3/internal/surface/Boundary_geometry_3.h>
 
 #include <algorithm>
 #include <array>

@@ -50,8 +50,6 @@ struct Complex_candidate_3
   typedef Complex_snapshot_3::Surface_center Surface_center;
   typedef Complex_snapshot_3::Surface_position Surface_position;
 
-  static constexpr int unknown_patch = -2;    // of a facet on whose patch its vertices do not agree
-
   const Complex_snapshot_3& snapshot;
   const Vertex_numbering_3& numbering;
   const Boundary_motion motion;

@@ -6,9 +6,9 @@
 #ifndef CGAL_GLOBAL_ODT_MESH_3_INTERNAL_COMPLEX_COMPLEX_UPDATER_3_H
 #define CGAL_GLOBAL_ODT_MESH_3_INTERNAL_COMPLEX_COMPLEX_UPDATER_3_H
 
-#include <CGAL/Global_odt_mesh_3/internal/complex/Angle_check_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/complex/Boundary_extraction_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/complex/Boundary_flips_3.h>
+#include <CGAL/Global_odt_mesh_3/internal/complex/Candidate_checks_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/complex/Candidate_repair_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/complex/Cell_labels_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/complex/Complex_candidate_3.h>
@@ -16,11 +16,9 @@
 #include <CGAL/Global_odt_mesh_3/internal/complex/Defect_report_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/complex/Exact_relocation_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/complex/Exact_triangulation_3.h>
-#include <CGAL/Global_odt_mesh_3/internal/complex/Facet_checks_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/complex/Snapshot_triangulation_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/complex/Surface_centers_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/complex/Surface_projection_3.h>
-#include <CGAL/Global_odt_mesh_3/internal/complex/Topology_check_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/complex/Working_triangulation_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/geometry/Circumradius_bound_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/geometry/Site.h>

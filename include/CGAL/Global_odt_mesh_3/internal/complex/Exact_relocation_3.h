@@ -6,9 +6,9 @@
 #ifndef CGAL_GLOBAL_ODT_MESH_3_INTERNAL_COMPLEX_EXACT_RELOCATION_3_H
 #define CGAL_GLOBAL_ODT_MESH_3_INTERNAL_COMPLEX_EXACT_RELOCATION_3_H
 
+#include <CGAL/Global_odt_mesh_3/internal/complex/Candidate_checks_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/complex/Detached_vertex_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/complex/Editable_complex_3.h>
-#include <CGAL/Global_odt_mesh_3/internal/complex/Facet_checks_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/complex/Facet_exchange_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/geometry/Angle_deficit_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/geometry/Cell_products_3.h>

@@ -6,9 +6,10 @@
 #ifndef CGAL_GLOBAL_ODT_MESH_3_INTERNAL_COMPLEX_FACET_EXCHANGE_3_H
 #define CGAL_GLOBAL_ODT_MESH_3_INTERNAL_COMPLEX_FACET_EXCHANGE_3_H
 
+#include <CGAL/Global_odt_mesh_3/internal/complex/Candidate_checks_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/complex/Detached_vertex_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/complex/Editable_complex_3.h>
-#include <CGAL/Global_odt_mesh_3/internal/complex/Facet_checks_3.h>
+#include <CGAL/Global_odt_mesh_3/internal/complex/Patch_of_facet_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/geometry/Facet_geometry_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/geometry/Site.h>
 #include <CGAL/Global_odt_mesh_3/internal/geometry/Vertex_tuples.h>
@@ -59,7 +60,7 @@ public:
     for(const Facet& f : added_)
       facets.push_back(f.vertices);
     return std::all_of(facets.begin(), facets.end(), [&](const Triple& t)
-                       { return smallest_angle(t) >= least && fidelity_.is_close(centroid(t, complex_.sites)); });
+                       { return smallest_angle_of_facet(t, complex_.sites) >= least && fidelity_.is_close(centroid(t, complex_.sites)); });
   }
 
   void apply() { complex_.boundary.exchange(removed_, added_); }
@@ -181,36 +182,18 @@ private:
       removed_.erase(old);
       return true;
     }
-    int patch;
-    if(!find_patch(t, labels, patch))
-      return false;
-    added_.push_back({ t, labels, patch });
-    return true;
-  }
-
-  // The patch on which all vertices agree; false if there is none.
-  bool find_patch(const Triple& t, const std::array<int, 2>& labels, int& patch)
-  {
-    std::set<int> common;
-    for(std::size_t k = 0; k < 3; ++k)
+    const auto patches = [&](int v)
     {
       std::set<int> here;
-      for(int n : complex_.boundary.around(t[k]))
-      {
-        const Facet& f = complex_.boundary.facet(n);
-        if(f.labels == labels && f.patch != Boundary_facet::no_patch && (k == 0 || common.count(f.patch) > 0))
+      for(int n : complex_.boundary.around(v))
+        if(const Facet& f = complex_.boundary.facet(n); f.labels == labels && f.patch != Boundary_facet::no_patch)
           here.insert(f.patch);
-      }
-      common.swap(here);
-    }
-    if(common.empty())
-      return false;
-    patch = *common.begin();
-    if(common.size() == 1)
-      return true;
-    const Facet_dual_3 dual(t, complex_.sites);
-    Eigen::Vector3d p = dual.center;
-    return complex_.domain.intersect(p, dual.normal, dual.radius, patch) && common.count(patch) > 0;
+      return here;
+    };
+    const int patch = patch_of_facet(t, complex_.sites, patches, complex_.domain);
+    if(patch != unknown_patch)
+      added_.push_back({ t, labels, patch });
+    return patch != unknown_patch;
   }
 
   // Of the facets that go or stay at the vertex.
@@ -219,16 +202,11 @@ private:
     double least = 180;
     const Site to = std::exchange(complex_.sites[detached_.vertex()], detached_.from());
     for(int n : removed_)
-      least = (std::min)(least, smallest_angle(complex_.boundary.facet(n).vertices));
+      least = (std::min)(least, smallest_angle_of_facet(complex_.boundary.facet(n).vertices, complex_.sites));
     for(const Triple& t : moved_)
-      least = (std::min)(least, smallest_angle(t));
+      least = (std::min)(least, smallest_angle_of_facet(t, complex_.sites));
     complex_.sites[detached_.vertex()] = to;
     return least;
-  }
-
-  double smallest_angle(const Triple& t) const
-  {
-    return smallest_angle_of_facet({{ complex_.sites[t[0]], complex_.sites[t[1]], complex_.sites[t[2]] }});
   }
 
   Editable_complex_3& complex_;

@@ -7,7 +7,6 @@
 #define CGAL_GLOBAL_ODT_MESH_3_INTERNAL_COMPLEX_SNAPSHOT_READER_3_H
 
 #include <CGAL/Global_odt_mesh_3/internal/complex/Complex_snapshot_3.h>
-#include <CGAL/Global_odt_mesh_3/internal/complex/Estimated_surface_center_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/complex/Snapshot_triangulation_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/complex/Vertex_numbering_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/geometry/Facet_geometry_3.h>

@@ -8,7 +8,6 @@
 
 #include <CGAL/Global_odt_mesh_3/internal/complex/Complex_candidate_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/complex/Defect_report_3.h>
-#include <CGAL/Global_odt_mesh_3/internal/complex/Estimated_surface_center_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/geometry/Facet_geometry_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/geometry/Site.h>
 #include <CGAL/Global_odt_mesh_3/internal/surface/Boundary_geometry_3.h>

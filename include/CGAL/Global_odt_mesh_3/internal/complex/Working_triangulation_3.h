@@ -13,7 +13,6 @@
 #include <CGAL/Global_odt_mesh_3/internal/interface/Mesh_table_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/parallel/Thread_policy.h>
 #include <CGAL/Global_odt_mesh_3/internal/surface/Boundary_complex_3.h>
-#include <CGAL/Global_odt_mesh_3/internal/triangulation/All_cells.h>
 #include <CGAL/Global_odt_mesh_3/internal/triangulation/Half_facet.h>
 
 #include <CGAL/assertions.h>

@@ -13,7 +13,6 @@
 #include <CGAL/Global_odt_mesh_3/internal/interface/Mesh_view_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/parallel/Chunked_loops.h>
 #include <CGAL/Global_odt_mesh_3/internal/parallel/Thread_policy.h>
-#include <CGAL/Global_odt_mesh_3/internal/triangulation/All_cells.h>
 
 #include <CGAL/Time_stamper.h>
 #include <CGAL/Unique_hash_map.h>

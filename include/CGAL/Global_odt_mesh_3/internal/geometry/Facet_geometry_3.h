@@ -7,6 +7,7 @@
 #define CGAL_GLOBAL_ODT_MESH_3_INTERNAL_GEOMETRY_FACET_GEOMETRY_3_H
 
 #include <CGAL/Global_odt_mesh_3/internal/geometry/Site.h>
+#include <CGAL/Global_odt_mesh_3/internal/geometry/Vertex_tuples.h>
 
 #include <CGAL/number_utils.h>
 
@@ -27,8 +28,6 @@ namespace internal {
 // which points to side 1.
 struct Facet_dual_3
 {
-  typedef std::array<int, 3> Triple;
-
   Eigen::Vector3d center, normal;
   double radius;
 
@@ -54,7 +53,7 @@ struct Facet_dual_3
   Eigen::Vector3d point_at(double height) const { return center + height * normal; }
 };
 
-inline Eigen::Vector3d centroid(const std::array<int, 3>& t, const std::vector<Site>& s)
+inline Eigen::Vector3d centroid(const Triple& t, const std::vector<Site>& s)
 {
   return (position(s[t[0]]) + position(s[t[1]]) + position(s[t[2]])) / 3;
 }
@@ -72,6 +71,11 @@ inline double smallest_angle_of_facet(const std::array<Site, 3>& s)
     smallest = (std::min)(smallest, std::atan2(a.cross(b).norm(), a.dot(b)) * 180 / CGAL_PI);
   }
   return smallest;
+}
+
+inline double smallest_angle_of_facet(const Triple& t, const std::vector<Site>& sites)
+{
+  return smallest_angle_of_facet({{ sites[t[0]], sites[t[1]], sites[t[2]] }});
 }
 
 } // namespace internal

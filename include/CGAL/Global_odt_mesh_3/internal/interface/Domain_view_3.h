@@ -24,34 +24,14 @@ namespace CGAL {
 namespace Global_odt_mesh_3 {
 namespace internal {
 
-// A number that several threads may add to.
-class Shared_counter
-{
-public:
-  Shared_counter() : count_(0) {}
-  Shared_counter(const Shared_counter& other) : count_(other) {}
-  Shared_counter& operator=(const Shared_counter& other)
-  {
-    count_.store(other, std::memory_order_relaxed);
-    return *this;
-  }
-
-  operator std::size_t() const { return count_.load(std::memory_order_relaxed); }
-  void operator++() { *this += 1; }
-  void operator+=(std::size_t n) { count_.fetch_add(n, std::memory_order_relaxed); }
-
-private:
-  std::atomic<std::size_t> count_;
-};
-
-// How often the domain was asked.
+// How often the domain was asked, by any thread.
 struct Oracle_statistics
 {
-  Shared_counter locations;         // is_in_domain
-  Shared_counter intersections;     // construct_intersection
-  Shared_counter projections;       // closest points from the AABB tree
-  Shared_counter failures;          // intersections and projections that found nothing of use
-  Shared_counter nanoseconds;       // spent in the domain, if CGAL_GLOBAL_ODT_MESH_3_PROFILING is defined
+  std::atomic<std::size_t> locations{ 0 };         // is_in_domain
+  std::atomic<std::size_t> intersections{ 0 };     // construct_intersection
+  std::atomic<std::size_t> projections{ 0 };       // closest points from the AABB tree
+  std::atomic<std::size_t> failures{ 0 };          // intersections and projections that found nothing of use
+  std::atomic<std::size_t> nanoseconds{ 0 };       // spent in the domain, if CGAL_GLOBAL_ODT_MESH_3_PROFILING is defined
 };
 
 // Adds the time of its life to the statistics.

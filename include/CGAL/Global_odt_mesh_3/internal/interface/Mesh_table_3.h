@@ -86,6 +86,17 @@ void connect_cells(const Mesh_table_3& table, const std::vector<typename Triangu
   CGAL_expensive_assertion(tr.tds().is_valid());
 }
 
+// The cells of a triangulation, also infinite ones, in their order there, so that chunks of them can be visited.
+template <class Triangulation>
+std::vector<typename Triangulation::Cell_handle> all_cells(const Triangulation& tr)
+{
+  std::vector<typename Triangulation::Cell_handle> cells;
+  cells.reserve(tr.tds().number_of_cells());
+  for(auto c = tr.all_cells_begin(); c != tr.all_cells_end(); ++c)
+    cells.push_back(c);
+  return cells;
+}
+
 } // namespace internal
 } // namespace Global_odt_mesh_3
 } // namespace CGAL

@@ -6,7 +6,7 @@
 #ifndef CGAL_GLOBAL_ODT_MESH_3_INTERNAL_SIZING_SIZE_ENVELOPE_3_H
 #define CGAL_GLOBAL_ODT_MESH_3_INTERNAL_SIZING_SIZE_ENVELOPE_3_H
 
-#include <CGAL/Global_odt_mesh_3/internal/sizing/Power_diagram_3.h>
+#include <CGAL/Global_odt_mesh_3/internal/sizing/Boundary_poles_3.h>
 
 #include <CGAL/Dimension.h>
 #include <CGAL/Euclidean_distance.h>

@@ -6,7 +6,7 @@
 #ifndef CGAL_GLOBAL_ODT_MESH_3_INTERNAL_SLIVERS_SLIVER_STAGE_3_H
 #define CGAL_GLOBAL_ODT_MESH_3_INTERNAL_SLIVERS_SLIVER_STAGE_3_H
 
-#include <CGAL/Global_odt_mesh_3/internal/complex/Angle_check_3.h>
+#include <CGAL/Global_odt_mesh_3/internal/complex/Candidate_checks_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/complex/Complex_snapshot_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/complex/Complex_updater_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/complex/Exact_relocation_3.h>

@@ -1,0 +1,294 @@
+// Copyright (c) 2026 The Global_odt_mesh_3 authors.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_GLOBAL_ODT_MESH_3_INTERNAL_COMPLEX_CANDIDATE_CHECKS_3_H
+#define CGAL_GLOBAL_ODT_MESH_3_INTERNAL_COMPLEX_CANDIDATE_CHECKS_3_H
+
+#include <CGAL/Global_odt_mesh_3/internal/complex/Complex_candidate_3.h>
+#include <CGAL/Global_odt_mesh_3/internal/complex/Defect_report_3.h>
+#include <CGAL/Global_odt_mesh_3/internal/complex/Patch_of_facet_3.h>
+#include <CGAL/Global_odt_mesh_3/internal/complex/Working_triangulation_3.h>
+#include <CGAL/Global_odt_mesh_3/internal/geometry/Angle_deficit_3.h>
+#include <CGAL/Global_odt_mesh_3/internal/geometry/Facet_geometry_3.h>
+#include <CGAL/Global_odt_mesh_3/internal/geometry/Site.h>
+#include <CGAL/Global_odt_mesh_3/internal/geometry/Vertex_tuples.h>
+#include <CGAL/Global_odt_mesh_3/internal/interface/Domain_view_3.h>
+#include <CGAL/Global_odt_mesh_3/internal/parallel/Chunked_loops.h>
+#include <CGAL/Global_odt_mesh_3/internal/parallel/Thread_policy.h>
+#include <CGAL/Global_odt_mesh_3/internal/surface/Boundary_complex_3.h>
+#include <CGAL/Global_odt_mesh_3/internal/triangulation/Constrained_triangulation_3.h>
+
+#include <Eigen/Core>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <map>
+#include <set>
+#include <vector>
+
+namespace CGAL {
+namespace Global_odt_mesh_3 {
+namespace internal {
+
+// Keeps the angles of boundary facets from falling below the smallest one of the input, or below 30 degrees if that
+// is less.
+class Facet_shape_check_3
+{
+public:
+  void measure(const Boundary_complex_3& input, const std::vector<Site>& sites)
+  {
+    for(const Boundary_facet& f : input.facets())
+      smallest_angle_ = (std::min)(smallest_angle_, smallest_angle_of_facet(f.vertices, sites));
+  }
+
+  // What angles may be, in degrees.
+  double smallest_angle() const { return smallest_angle_; }
+
+  // Whether these vertices may be those of a boundary facet.
+  bool is_good(const std::array<int, 3>& facet, const std::vector<Site>& sites) const
+  {
+    return smallest_angle_of_facet(facet, sites) >= smallest_angle_;
+  }
+
+  // Sends back vertices of facets that have become too thin.
+  void check(const Complex_candidate_3& candidate, Defect_report_3& report) const
+  {
+    for(std::size_t n = 0; n < candidate.old_facets.size(); ++n)
+    {
+      const std::array<int, 3>& t = candidate.boundary_complex->facets()[n].vertices;
+      if(!is_good(t, candidate.sites) && !(candidate.old_facets[n] >= 0 && candidate.are_reverted(t))
+         && candidate.exempt_facets.count(sorted(t)) == 0)
+        report.send_back_around(t);
+    }
+  }
+
+private:
+  double smallest_angle_ = 30;
+};
+
+// No centroid of a boundary facet may be farther from the surface than the worst of
+// the input, where the domain tells distances.
+class Fidelity_check_3
+{
+public:
+  explicit Fidelity_check_3(const Domain_view_3& domain)
+    : domain_(domain)
+  {}
+
+  void measure(const Complex_snapshot_3& input)
+  {
+    if(!domain_.tells_distances())
+      return;
+    const std::vector<Boundary_facet>& facets = input.boundary.complex().facets();
+    std::vector<double> distances(facets.size());
+    domain_.for_each(facets.size(), [&](int n) { distances[n] = distance(sorted(facets[n].vertices), input.sites); });
+    for(double d : distances)
+      farthest_centroid_ = (std::max)(farthest_centroid_, d);
+  }
+
+  // Whether a boundary facet may have its centroid there.
+  bool is_close(const Eigen::Vector3d& point) const
+  {
+    return !domain_.tells_distances() || domain_.distance_to_surface(point) <= farthest_centroid_;
+  }
+
+  // Whether these vertices may be those of a boundary facet.
+  bool is_faithful(Complex_candidate_3& candidate, const Triple& facet) const
+  {
+    if(!domain_.tells_distances())
+      return true;
+    const Triple t = sorted(facet);
+    const auto known = candidate.known_distances.find(t);
+    if(known != candidate.known_distances.end())
+      return known->second <= farthest_centroid_;
+    return candidate.known_distances.emplace(t, distance(t, candidate.sites)).first->second <= farthest_centroid_;
+  }
+
+  Defect_report_3 check(Complex_candidate_3& candidate) const
+  {
+    Defect_report_3 report(candidate);
+    if(!domain_.tells_distances())
+      return report;
+    const auto vertices = [&](int n) { return sorted(candidate.boundary_complex->facets()[n].vertices); };
+    const int number = static_cast<int>(candidate.facets.size());
+    std::vector<double> distances(number, 0);
+    const std::vector<int> in_question = collect_in_chunks(number, candidate.threads, [&](int n, std::vector<int>& unknown)
+    {
+      if(candidate.centers[n].is_faithful)
+        return;
+      const auto known = candidate.known_distances.find(vertices(n));
+      if(known != candidate.known_distances.end())
+        distances[n] = known->second;
+      else
+        unknown.push_back(n);
+    });
+    domain_.for_each(in_question.size(), [&](int k)
+    {
+      const int n = in_question[k];
+      distances[n] = distance(vertices(n), candidate.sites);
+    });
+    for(int n : in_question)
+      candidate.known_distances.emplace(vertices(n), distances[n]);
+    candidate.far_facets.clear();
+    for(int n = 0; n < number; ++n)
+    {
+      if(candidate.centers[n].is_faithful)
+        continue;
+      candidate.centers[n].is_faithful = distances[n] <= farthest_centroid_;
+      if(candidate.centers[n].is_faithful)
+        continue;
+      const Triple& t = candidate.boundary_complex->facets()[n].vertices;
+      if(candidate.exempt_facets.count(sorted(t)) > 0)
+        candidate.far_facets.insert(sorted(t));
+      else
+        report.send_back(t);
+    }
+    return report;
+  }
+
+private:
+  double distance(const Triple& facet, const std::vector<Site>& sites) const
+  {
+    return domain_.distance_to_surface(centroid(facet, sites));
+  }
+
+  const Domain_view_3& domain_;
+  double farthest_centroid_ = 0;
+};
+
+// Keeps slivers from coming where there were none: no cell may get a dihedral angle below a bound that is smaller than the
+// smallest angle, up to that bound, that there was around one of its vertices.
+class Angle_check_3
+{
+public:
+  // The mesh is that of the snapshot; the bound is in degrees.
+  Angle_check_3(const Constrained_triangulation_3& mesh, double bound, const Thread_policy& threads)
+    : deficit_(bound)
+    , smallest_(mesh.sites.size(), bound)
+  {
+    const auto find_slivers = [&](int c, std::vector<int>& found)
+    {
+      if(mesh.topology.is_alive(c) && smallest_angle(mesh.cell_sites(c)) < bound)
+        found.push_back(c);
+    };
+    for(int c : collect_in_chunks(mesh.topology.number_of_cell_slots(), threads, find_slivers))
+      for(int v : mesh.topology.cell(c))
+        smallest_[v] = (std::min)(smallest_[v], smallest_angle(mesh.cell_sites(c)));
+  }
+
+  // Sends back vertices of cells that are worse.
+  void check(const Complex_candidate_3& candidate, Defect_report_3& report) const
+  {
+    const std::vector<Cell_handle>& cells = candidate.working.cells();
+    const auto find_worse_cells = [&](int n, std::vector<int>& found)
+    {
+      if(cells[n]->label() != Domain_view_3::outside && is_worse(candidate.numbers(cells[n]), candidate.sites))
+        found.push_back(n);
+    };
+    for(int n : collect_in_chunks(static_cast<int>(cells.size()), candidate.threads, find_worse_cells))
+      report.send_back_around(candidate.numbers(cells[n]));
+  }
+
+private:
+  // The bound if there is none below.
+  double smallest_angle(const std::array<Site, 4>& cell) const
+  {
+    double most = 0;
+    deficit_.for_each_lack(cell, [&most](double lack) { most = (std::max)(most, lack); });
+    return deficit_.bound() - most;
+  }
+
+  bool is_worse(const std::array<int, 4>& q, const std::vector<Site>& sites) const
+  {
+    const double angle = smallest_angle({{ sites[q[0]], sites[q[1]], sites[q[2]], sites[q[3]] }});
+    return angle < deficit_.bound() && std::any_of(q.begin(), q.end(), [&](int v) { return angle < smallest_[v]; });
+  }
+
+  Angle_deficit_3 deficit_;
+  std::vector<double> smallest_;      // around vertices
+};
+
+// The vertices at which the boundary of the candidate is not what it has to be.
+inline std::set<int> topology_changes(const Complex_candidate_3& candidate)
+{
+  std::set<int> result = topology_changes(candidate.snapshot.boundary.complex(), *candidate.boundary_complex);
+  for(const Boundary_facet& f : candidate.boundary_complex->facets())
+    if(f.patch == unknown_patch)
+      result.insert(f.vertices.begin(), f.vertices.end());
+  return result;
+}
+
+// Whether a boundary that moves has the topology of that of the snapshot. Where it has not, the vertices of
+// the facets that have come or gone go back.
+inline Defect_report_3 check_topology(const Complex_candidate_3& candidate)
+{
+  Defect_report_3 report(candidate);
+  const std::set<int> changed = topology_changes(candidate);
+  if(changed.empty())
+    return report;
+  std::map<int, std::vector<int> > around;
+  for(const std::array<int, 3>& t : exchanged_facets(candidate.snapshot.boundary.complex(), *candidate.boundary_complex))
+    for(int v : t)
+      if(changed.count(v) > 0)
+        around[v].insert(around[v].end(), t.begin(), t.end());
+  for(int v : changed)
+  {
+    around[v].push_back(v);
+    report.send_back(around[v]);
+  }
+  return report;
+}
+
+// Those of the vertices around a boundary facet that lie in its surface Delaunay ball.
+inline std::vector<int> intruders(const Complex_candidate_3& candidate, const std::array<int, 3>& t, const Eigen::Vector3d& center)
+{
+  const Site& s = candidate.snapshot.sites[t[0]];
+  const double radius = squared_distance(s, center) - s.weight;
+  Vertex_rings_3 region(candidate.working, t);
+  for(int ring = 0; ring < 2; ++ring)
+    region.grow();
+  std::vector<int> result;
+  for(int v : region.vertices())
+    if(candidate.numbering.is_movable(v) && squared_distance(candidate.sites[v], center) < radius)
+      result.push_back(v);
+  return result;
+}
+
+// Whether a boundary at rest has the facets of the snapshot. One that is missing has a vertex in its surface
+// Delaunay ball; another has other subdomains on its sides.
+inline Defect_report_3 check_facets_stay(const Complex_candidate_3& candidate)
+{
+  Defect_report_3 report(candidate);
+  const std::vector<Boundary_facet>& facets = candidate.snapshot.boundary.complex().facets();
+  std::vector<char> is_found(facets.size(), false);
+  for(std::size_t n = 0; n < candidate.old_facets.size(); ++n)
+  {
+    const int old = candidate.old_facets[n];
+    const Boundary_facet& f = candidate.boundary_complex->facets()[n];
+    if(old >= 0)
+      is_found[old] = true;
+    if(old < 0 || !Boundary_complex_3::same_labels(f.labels, facets[old].labels))
+      report.send_back(f.vertices);
+  }
+  for(std::size_t n = 0; n < is_found.size(); ++n)
+    if(!is_found[n])
+    {
+      const std::array<int, 3>& t = facets[n].vertices;
+      const std::vector<int> inside = intruders(candidate, t, candidate.snapshot.centers[n].point);
+      if(inside.empty())
+        report.send_back(t);
+      else
+        report.send_back(inside);
+    }
+  return report;
+}
+
+} // namespace internal
+} // namespace Global_odt_mesh_3
+} // namespace CGAL
+
+#endif // CGAL_GLOBAL_ODT_MESH_3_INTERNAL_COMPLEX_CANDIDATE_CHECKS_3_H
