@@ -43,7 +43,6 @@ public:
     , threads_(threads)
     , working_(working)
     , tr_(working.triangulation())
-    , tests_(sites, tr_.geom_traits())
     , transferred_(mesh.topology, mesh.number_of_interior_vertices, static_cast<int>(sites.size()), threads)
   {}
 
@@ -59,7 +58,7 @@ public:
       working_.clear(sites_.size());
       working_.insert(first, sites_);
     };
-    threads_.run_both(insert_first, [this] { certify_cells(transferred_, tests_, threads_); });
+    threads_.run_both(insert_first, [this] { certify_cells(transferred_, sites_, threads_); });
     for(int round = 0; round < most_rounds && pays(); ++round)
     {
       if(!insert_news())
@@ -77,8 +76,6 @@ public:
   int number_of_inserted_vertices() const { return transferred_.number_of_inserted_vertices(); }
 
 private:
-  typedef Exact_regularity_3::Cell Tested_cell;
-
   static constexpr int most_rounds = 5;
   static constexpr double most_inserted = 0.7;    // of the vertices
 
@@ -135,7 +132,7 @@ private:
     const Facet outer = tr_.mirror_facet(inner_[n]);
     const Vertex_handle beyond = outer.first->vertex(outer.second);
     return tr_.is_infinite(beyond)
-           || Tested_cell(tests_, transferred_.indexed().vertices(border_[n].cell())).is_outside(working_.number(beyond));
+           || Exact_cell_3(sites_, transferred_.indexed().vertices(border_[n].cell())).is_outside(sites_[working_.number(beyond)]);
   }
 
   // Finds the cells that give way, and marks them; false if the border does not bound them.
@@ -244,7 +241,6 @@ private:
   const Thread_policy threads_;
   Working_triangulation_3& working_;
   Exact_triangulation_3& tr_;
-  Exact_regularity_3 tests_;
   Transferred_cells_3 transferred_;
   std::vector<Half_facet> border_;            // facets of cells that are transferred,
   std::vector<Facet> inner_;            // and where they are in the triangulation, on the side that gives way

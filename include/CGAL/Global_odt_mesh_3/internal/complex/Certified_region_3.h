@@ -7,7 +7,6 @@
 #define CGAL_GLOBAL_ODT_MESH_3_INTERNAL_COMPLEX_CERTIFIED_REGION_3_H
 
 #include <CGAL/Global_odt_mesh_3/internal/complex/Exact_triangulation_3.h>
-#include <CGAL/Global_odt_mesh_3/internal/geometry/Regularity_filter_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/geometry/Site.h>
 #include <CGAL/Global_odt_mesh_3/internal/parallel/Chunked_loops.h>
 #include <CGAL/Global_odt_mesh_3/internal/parallel/Thread_policy.h>
@@ -17,60 +16,36 @@
 #include <CGAL/enum.h>
 
 #include <algorithm>
+#include <array>
 #include <vector>
 
 namespace CGAL {
 namespace Global_odt_mesh_3 {
 namespace internal {
 
-// Exact tests of cells that are named by the numbers of their vertices. What rounded numbers
-// prove is not asked again.
-class Exact_regularity_3
+// Exact tests of a cell.
+class Exact_cell_3
 {
 public:
-  Exact_regularity_3(const std::vector<Site>& sites, const Exact_traits& traits)
-    : sites_(sites)
-    , traits_(traits)
+  Exact_cell_3(const std::vector<Site>& sites, const int* v)
+    : points_{{ weighted_point(sites[v[0]]), weighted_point(sites[v[1]]), weighted_point(sites[v[2]]), weighted_point(sites[v[3]]) }}
   {}
 
-  // The tests of one cell.
-  class Cell
+  bool is_positive() const
   {
-  public:
-    Cell(const Exact_regularity_3& tests, const int* vertices)
-      : tests_(tests)
-      , vertices_(vertices)
-      , filter_(tests.sites_[vertices[0]], tests.sites_[vertices[1]], tests.sites_[vertices[2]], tests.sites_[vertices[3]])
-    {}
+    const auto bare = Exact_traits().construct_point_3_object();
+    return Exact_traits().orientation_3_object()(bare(points_[0]), bare(points_[1]), bare(points_[2]), bare(points_[3])) == POSITIVE;
+  }
 
-    bool is_positive() const
-    {
-      if(filter_.is_positive())
-        return true;
-      const auto bare = tests_.traits_.construct_point_3_object();
-      return tests_.traits_.orientation_3_object()(bare(point(0)), bare(point(1)), bare(point(2)), bare(point(3))) == POSITIVE;
-    }
-
-    // Whether the vertex is strictly outside of the sphere of the cell, which is positive.
-    bool is_outside(int v) const
-    {
-      if(filter_.is_outside(tests_.sites_[v]))
-        return true;
-      return tests_.traits_.power_side_of_oriented_power_sphere_3_object()(point(0), point(1), point(2), point(3),
-                                                                           weighted_point(tests_.sites_[v])) == ON_NEGATIVE_SIDE;
-    }
-
-  private:
-    Weighted_point point(int i) const { return weighted_point(tests_.sites_[vertices_[i]]); }
-
-    const Exact_regularity_3& tests_;
-    const int* vertices_;
-    Regularity_filter_3 filter_;
-  };
+  // Whether the site is strictly outside of the sphere of the cell, which is positive.
+  bool is_outside(const Site& s) const
+  {
+    const auto side = Exact_traits().power_side_of_oriented_power_sphere_3_object();
+    return side(points_[0], points_[1], points_[2], points_[3], weighted_point(s)) == ON_NEGATIVE_SIDE;
+  }
 
 private:
-  const std::vector<Site>& sites_;
-  const Exact_traits& traits_;
+  std::array<Weighted_point, 4> points_;
 };
 
 // The cells of a indexed triangulation that are transferred into an exact one: those around vertices that are left
@@ -183,19 +158,19 @@ private:
 
 // Rejects the cells that are not positive, and those on both sides of facets that are not strictly locally
 // regular. Where spheres pass through five vertices, insertion is to decide.
-inline void certify_cells(Transferred_cells_3& transferred, const Exact_regularity_3& tests, const Thread_policy& threads)
+inline void certify_cells(Transferred_cells_3& transferred, const std::vector<Site>& sites, const Thread_policy& threads)
 {
   const std::vector<int>& cells = transferred.cells();
   const auto find_wrong_cells = [&](int n, std::vector<int>& wrong)
   {
     const int c = cells[n];
-    const Exact_regularity_3::Cell cell(tests, transferred.indexed().vertices(c));
+    const Exact_cell_3 cell(sites, transferred.indexed().vertices(c));
     if(!cell.is_positive())
       return wrong.push_back(c);
     for(int i = 0; i < 4; ++i)
     {
       const Half_facet s(c, i), across = transferred.mate(s);
-      if(s < across && transferred.is_transferred(across.cell()) && !cell.is_outside(transferred.indexed().vertex(across)))
+      if(s < across && transferred.is_transferred(across.cell()) && !cell.is_outside(sites[transferred.indexed().vertex(across)]))
         wrong.insert(wrong.end(), { c, across.cell() });
     }
   };
