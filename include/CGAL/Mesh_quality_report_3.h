@@ -20,7 +20,6 @@
 #include <array>
 #include <cstddef>
 #include <iomanip>
-#include <limits>
 #include <map>
 #include <ostream>
 #include <sstream>

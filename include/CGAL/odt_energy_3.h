@@ -22,7 +22,6 @@
 #include <CGAL/Global_odt_mesh_3/internal/geometry/Site.h>
 
 #include <algorithm>
-#include <array>
 #include <cstddef>
 #include <map>
 #include <memory>

@@ -27,10 +27,8 @@
 #include <CGAL/Mesh_optimization_return_code.h>
 
 #include <algorithm>
-#include <cstddef>
 #include <functional>
 #include <memory>
-#include <utility>
 #include <variant>
 #include <vector>
 

@@ -13,8 +13,6 @@
 #include <CGAL/Global_odt_mesh_3/internal/parallel/Chunked_loops.h>
 #include <CGAL/Global_odt_mesh_3/internal/surface/Boundary_complex_3.h>
 
-#include <array>
-#include <cstddef>
 #include <memory>
 #include <set>
 #include <utility>

@@ -23,7 +23,6 @@
 #include <boost/functional/hash.hpp>
 
 #include <algorithm>
-#include <array>
 #include <map>
 #include <memory>
 #include <set>

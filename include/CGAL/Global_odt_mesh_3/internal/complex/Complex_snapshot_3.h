@@ -19,7 +19,6 @@
 #include <Eigen/Core>
 
 #include <algorithm>
-#include <array>
 #include <cstddef>
 #include <map>
 #include <memory>

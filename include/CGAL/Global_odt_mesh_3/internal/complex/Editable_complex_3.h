@@ -21,7 +21,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cstddef>
 #include <limits>
 #include <memory>
 #include <numeric>

@@ -18,7 +18,6 @@
 #include <CGAL/assertions.h>
 
 #include <algorithm>
-#include <array>
 #include <cstddef>
 #include <iterator>
 #include <numeric>

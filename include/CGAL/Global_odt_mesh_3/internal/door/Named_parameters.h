@@ -17,7 +17,6 @@
 #endif
 
 #include <cstddef>
-#include <functional>
 #include <tuple>
 #include <type_traits>
 #include <utility>

@@ -16,11 +16,8 @@
 #include <CGAL/number_utils.h>
 
 #include <functional>
-#include <memory>
 #include <optional>
 #include <type_traits>
-#include <utility>
-#include <vector>
 
 namespace CGAL {
 namespace Global_odt_mesh_3 {

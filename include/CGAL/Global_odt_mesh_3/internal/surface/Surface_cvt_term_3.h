@@ -13,7 +13,6 @@
 
 #include <Eigen/Core>
 
-#include <cstddef>
 #include <utility>
 #include <vector>
 

@@ -14,7 +14,6 @@
 #include <CGAL/Global_odt_mesh_3/internal/triangulation/Indexed_triangulation_3.h>
 
 #include <algorithm>
-#include <array>
 #include <cstddef>
 #include <functional>
 #include <tuple>

@@ -9,7 +9,6 @@
 #include <CGAL/Global_odt_mesh_3/internal/density/Density_quadrature_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/energy/Energy_choice_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/energy/Odt_energy_3.h>
-#include <CGAL/Global_odt_mesh_3/internal/geometry/Cell_products_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/geometry/Site.h>
 #include <CGAL/Global_odt_mesh_3/internal/parallel/Chunked_loops.h>
 #include <CGAL/Global_odt_mesh_3/internal/parallel/Thread_policy.h>
@@ -27,7 +26,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <cstddef>
 #include <map>
 #include <set>
