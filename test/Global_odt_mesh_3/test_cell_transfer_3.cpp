@@ -35,7 +35,7 @@ using domains::Labeled_triangulation;
 using domains::Polyhedral_c3t3;
 using domains::Polyhedral_domain;
 
-enum Outcome { TAKEN_OVER, NOT_TAKEN_OVER, ANY };
+enum Outcome { TRANSFERRED, NOT_TRANSFERRED, ANY };
 
 // Values are found by their tuples, the first that a tuple has got, and none where there are none.
 static void tuple_table()
@@ -95,24 +95,24 @@ static bool is_tidy(const Working_triangulation_3& working, const std::vector<Si
 
 // What is transferred from the mesh for positions that may be others is what insertion gives; how many vertices
 // were inserted for it, or -1 if it was not transferred.
-static int take_over(const std::string& name, const Moving_triangulation_3& mesh, const std::vector<Site>& sites, Outcome expected)
+static int transfer_cells(const std::string& name, const Moving_triangulation_3& mesh, const std::vector<Site>& sites, Outcome expected)
 {
-  Working_triangulation_3 inserted, taken;
+  Working_triangulation_3 inserted, transferred;
   inserted.build(sites);
   Cell_transfer_3 transfer(mesh, sites, Thread_policy::for_tag<CGAL::Parallel_tag>(), transferred);
   const bool is_transferred = transfer.run();
   std::cout << name << ": " << (is_transferred ? "" : "not ") << "transferred, " << transfer.number_of_inserted_vertices()
             << " of " << sites.size() << " vertices inserted" << std::endl;
-  check::that(expected == ANY || is_transferred == (expected == TAKEN_OVER), name, ": ", is_transferred ? "" : "not ", "transferred");
+  check::that(expected == ANY || is_transferred == (expected == TRANSFERRED), name, ": ", is_transferred ? "" : "not ", "transferred");
   if(!is_transferred)
     return -1;
   check::that(inserted.is_complete(), name, ": hidden vertices are overlooked");
   check::that(cells(transferred) == cells(inserted), name, ": not the cells that insertion gives");
   check::that(transferred.triangulation().is_valid(), name, ": the triangulation is not valid");
-  check::that(is_tidy(taken, sites), name, ": marks are left, or vertices are not what they were");
+  check::that(is_tidy(transferred, sites), name, ": marks are left, or vertices are not what they were");
   // Vertices can be moved afterwards.
   for(int v = 0; v < static_cast<int>(sites.size()); v += 97)
-    for(auto* working : { &taken, &inserted })
+    for(auto* working : { &transferred, &inserted })
       working->move(v, sites[v]);
   check::that(cells(transferred) == cells(inserted) && transferred.triangulation().is_valid(), name, ": vertices cannot be moved");
   return transfer.number_of_inserted_vertices();
@@ -177,16 +177,16 @@ void domain_meshes(const std::string& name, const C3t3& c3t3, const Domain& doma
 {
   const Opened_complex<C3t3, Domain> setting(c3t3, domain, Boundary_motion::BY_NORMALS);
   Moving_triangulation_3 mesh = setting.mesh;
-  take_over(name + ", as read", mesh, mesh.sites, expected);
+  transfer_cells(name + ", as read", mesh, mesh.sites, expected);
   move(mesh, 0.2, 1);
-  const int fewest = take_over(name + ", moved", mesh, mesh.sites, expected);
+  const int fewest = transfer_cells(name + ", moved", mesh, mesh.sites, expected);
   for(double length : { 0.01, 0.1, 0.3 })
-    take_over(name + ", surface moved by " + std::to_string(length), mesh,
+    transfer_cells(name + ", surface moved by " + std::to_string(length), mesh,
                              with_moved_surface(mesh, length, 2), length < 0.2 ? expected : ANY);
   {
     Moving_triangulation_3 flipped = mesh;
     check::that(flip_at_random(flipped, 0.001, 3) > 0, name, ": nothing is flipped");
-    const int n = take_over(name + ", with wrong flips", flipped, flipped.sites, expected);
+    const int n = transfer_cells(name + ", with wrong flips", flipped, flipped.sites, expected);
     check::that(n < 0 || n > fewest, name, ": no wrong flip is noticed");
   }
   {
@@ -196,10 +196,10 @@ void domain_meshes(const std::string& name, const C3t3& c3t3, const Domain& doma
     Random_source random(4);
     for(int v = 0; v < mesh.number_of_interior_vertices; v += 300)
       sites[v] = site_at(position(sites[v]) + 0.7 * edges[v] * random.direction(), sites[v].weight);
-    take_over(name + ", with inverted cells", mesh, sites, expected);
+    transfer_cells(name + ", with inverted cells", mesh, sites, expected);
   }
   flip_at_random(mesh, 1, 5);
-  take_over(name + ", with many wrong flips", mesh, mesh.sites, ANY);
+  transfer_cells(name + ", with many wrong flips", mesh, mesh.sites, ANY);
 }
 
 // A complex gets where it gets by insertion of all vertices.
@@ -252,8 +252,8 @@ static void lattices()
           tr.insert(Labeled_triangulation::Weighted_point(Labeled_triangulation::Bare_point(p.x(), p.y(), p.z()), 0));
         }
     const Moving_triangulation_3 mesh = load_triangulation_3(tr);
-    take_over("lattice of which " + std::to_string(left_in_place) + " is in place", mesh, mesh.sites,
-                                     left_in_place == 1 ? NOT_TAKEN_OVER : left_in_place > 0.3 ? ANY : TAKEN_OVER);
+    transfer_cells("lattice of which " + std::to_string(left_in_place) + " is in place", mesh, mesh.sites,
+                                     left_in_place == 1 ? NOT_TRANSFERRED : left_in_place > 0.3 ? ANY : TRANSFERRED);
   }
 }
 
@@ -275,19 +275,19 @@ static void hidden_vertices()
 {
   const Moving_triangulation_3 mesh = random_points();
   const int inside = mesh.number_of_interior_vertices / 2, fixed = mesh.number_of_interior_vertices;
-  take_over("random points", mesh, mesh.sites, TAKEN_OVER);
+  transfer_cells("random points", mesh, mesh.sites, TRANSFERRED);
   for(int v : { inside, fixed })
   {
     std::vector<Site> sites = mesh.sites;
     sites[v].weight = 0.03;
-    take_over("random points, one with a large weight", mesh, sites, NOT_TAKEN_OVER);
+    transfer_cells("random points, one with a large weight", mesh, sites, NOT_TRANSFERRED);
     sites[v].weight = -0.1;
-    take_over("random points, one with a negative weight", mesh, sites,
-                                     v == inside ? NOT_TAKEN_OVER : ANY);
+    transfer_cells("random points, one with a negative weight", mesh, sites,
+                                     v == inside ? NOT_TRANSFERRED : ANY);
   }
   std::vector<Site> sites = mesh.sites;
   sites[inside] = sites[inside + 1];
-  take_over("random points, two in one place", mesh, sites, NOT_TAKEN_OVER);
+  transfer_cells("random points, two in one place", mesh, sites, NOT_TRANSFERRED);
 }
 
 // Weights that change some cells: the others are transferred.
@@ -298,7 +298,7 @@ static void weighted_vertices()
   Random_source random(8);
   for(int v = 0; v < mesh.number_of_movable_vertices; v += 40)
     sites[v].weight = 1e-4 * random.uniform();
-  take_over("random points with weights", mesh, sites, TAKEN_OVER);
+  transfer_cells("random points with weights", mesh, sites, TRANSFERRED);
 }
 
 // Random points in a tetrahedron of this size around the origin, whose vertices are fixed.
@@ -367,14 +367,14 @@ static Moving_triangulation_3 with_cells_twice(const Moving_triangulation_3& mes
 static void wrong_covers()
 {
   const Moving_triangulation_3 large = tetrahedron(1, 13), small = tetrahedron(0.001, 14);
-  take_over("tetrahedron", large, large.sites, TAKEN_OVER);
-  take_over("small tetrahedron", small, small.sites, TAKEN_OVER);
+  transfer_cells("tetrahedron", large, large.sites, TRANSFERRED);
+  transfer_cells("small tetrahedron", small, small.sites, TRANSFERRED);
   const Moving_triangulation_3 both = side_by_side(large, small);
-  take_over("one tetrahedron inside the other", both, both.sites, NOT_TAKEN_OVER);
-  take_over("each cell twice", with_cells_twice(large), large.sites, NOT_TAKEN_OVER);
+  transfer_cells("one tetrahedron inside the other", both, both.sites, NOT_TRANSFERRED);
+  transfer_cells("each cell twice", with_cells_twice(large), large.sites, NOT_TRANSFERRED);
   std::vector<Site> sites = large.sites;
   sites.push_back(Site{ 0.01, 0.02, 0.03, 0 });
-  take_over("a vertex without cells", large, sites, NOT_TAKEN_OVER);
+  transfer_cells("a vertex without cells", large, sites, NOT_TRANSFERRED);
 }
 
 // A cell is transferred if it is positive, also without any neighbor that would tell.
@@ -388,10 +388,10 @@ static void single_cells()
     flat.add_cell(0, 1, is_positive ? 2 : 3, is_positive ? 3 : 2);
     for(int i = 0; i < 4; ++i)
       flat.set_neighbors(Half_facet(0, i), Half_facet::side(i, 0));
-    Transferred_cells_3 taken(flat, 4, 4, Thread_policy());
+    Transferred_cells_3 transferred(flat, 4, 4, Thread_policy());
     check::that(transferred.is_transferred(0), "the cell is not even looked at");
-    certify_cells(taken, sites, Thread_policy());
-    check::that(transferred.is_transferred(0) == is_positive, is_positive ? "a good cell is rejected" : "an inverted cell is taken");
+    certify_cells(transferred, sites, Thread_policy());
+    check::that(transferred.is_transferred(0) == is_positive, is_positive ? "a good cell is rejected" : "an inverted cell is transferred");
   }
 }
 
@@ -432,38 +432,38 @@ int main()
   {
     const Labeled_domain domain = domains::sphere();
     const Labeled_c3t3 c3t3 = domains::mesh(domain, 0.11);
-    domain_meshes("sphere", c3t3, domain, TAKEN_OVER);
+    domain_meshes("sphere", c3t3, domain, TRANSFERRED);
     complexes("sphere", c3t3, domain, false);
     complexes("sphere, final", c3t3, domain, true);
   }
   {
     const Labeled_domain domain = domains::three_subdomains();
     const Labeled_c3t3 c3t3 = domains::mesh(domain, 0.1);
-    domain_meshes("three subdomains", c3t3, domain, TAKEN_OVER);
+    domain_meshes("three subdomains", c3t3, domain, TRANSFERRED);
     complexes("three subdomains", c3t3, domain, true);
   }
   {
     const Labeled_domain domain = domains::labeled([](const domains::Point_3& p)
       { return domains::squared(p) < 1 && domains::squared(p) > 0.2 ? 1 : 0; });
     const Labeled_c3t3 c3t3 = domains::mesh(domain, 0.1);
-    domain_meshes("cavity", c3t3, domain, TAKEN_OVER);
+    domain_meshes("cavity", c3t3, domain, TRANSFERRED);
     complexes("cavity", c3t3, domain, true);
   }
   {
     const Labeled_domain domain = domains::torus();
-    domain_meshes("torus", domains::mesh(domain, 0.1), domain, TAKEN_OVER);
+    domain_meshes("torus", domains::mesh(domain, 0.1), domain, TRANSFERRED);
   }
   {
     // Nearly all vertices are on the surface.
     const Labeled_domain domain = domains::thin_plate();
     const Opened_complex<Labeled_c3t3, Labeled_domain> plate(domains::mesh(domain, 0.15), domain, Boundary_motion::BY_NORMALS);
-    take_over("thin plate", plate.mesh, plate.mesh.sites, NOT_TAKEN_OVER);
+    transfer_cells("thin plate", plate.mesh, plate.mesh.sites, NOT_TRANSFERRED);
   }
   {
     Polyhedral_domain domain(domains::notched_box());
     domain.detect_features();
     const Polyhedral_c3t3 c3t3 = domains::mesh(domain, 0.15, true);
-    domain_meshes("box with features", c3t3, domain, TAKEN_OVER);
+    domain_meshes("box with features", c3t3, domain, TRANSFERRED);
     complexes("box with features", c3t3, domain, true);
   }
   return check::result();
