@@ -15,6 +15,11 @@
 #include "cpu_seconds.h"
 #include "odt_of_mesh_3.h"
 
+#include <CGAL/Global_odt_mesh_3/internal/complex/Complex_updater_3.h>
+#include <CGAL/Global_odt_mesh_3/internal/complex/Snapshot_reader_3.h>
+#include <CGAL/Global_odt_mesh_3/internal/complex/Snapshot_tabulation_3.h>
+#include <CGAL/Global_odt_mesh_3/internal/door/C3t3_view_3.h>
+#include <CGAL/Global_odt_mesh_3/internal/door/Mesh_domain_view_3.h>
 #include <CGAL/Mesh_quality_report_3.h>
 #include <CGAL/Timer.h>
 #include <CGAL/odt_optimize_mesh_3.h>
@@ -80,12 +85,14 @@ void compare(const char* name, const C3t3& input, const Domain& domain)
     C3t3 copy(moved);
     bridge = (std::min)(bridge, seconds([&]
     {
-      typedef odt::Complex_updater_3<Triangulation, Domain> Complex;
-      Complex complex(domain, odt::Boundary_motion::NONE);
+      const odt::Thread_policy one_thread;
+      odt::Mesh_domain_view_3<Domain> domain_view(domain);
+      odt::C3t3_view_3<C3t3, Domain> view(copy, domain_view);
+      odt::Complex_updater_3 complex(domain_view, odt::Boundary_motion::NONE);
       odt::Moving_triangulation_3 mesh;
-      complex.start(odt::C3t3_reader_3<C3t3, typename Complex::Domain>(copy, complex.domain()).read(mesh, false));
+      complex.start(odt::Snapshot_reader_3(view).read(mesh, false));
       if(complex.advance(mesh, true))
-        odt::C3t3_writer_3<C3t3, typename Complex::Domain>(complex.take_state(), complex.domain()).write(copy);
+        view.write(odt::Snapshot_tabulation_3(complex.snapshot(), complex.triangulation(), one_thread)(), one_thread);
     }));
   }
   std::printf("  exact rebuild %.1f ms; import and export %.1f ms, %.2f rebuilds\n",
