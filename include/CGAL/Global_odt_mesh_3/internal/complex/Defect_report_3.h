@@ -13,6 +13,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cstddef>
 #include <map>
 #include <set>
 
@@ -79,12 +80,14 @@ private:
     for(int ring = 0; ring < rings; ++ring, region.grow())
     {
       bool found = false;
-      for(int v : region.last_ring())
-        if(candidate_.numbering.is_movable(v) && goes_back(v))
-        {
-          offending_vertices_.insert(v);
-          found = true;
-        }
+      for(std::size_t n = region.begin_of_last_ring(); n < region.vertices().size(); ++n)
+      {
+        const int v = region.vertices()[n];
+        if(!candidate_.numbering.is_movable(v) || !goes_back(v))
+          continue;
+        offending_vertices_.insert(v);
+        found = true;
+      }
       if(found)
         return true;
     }

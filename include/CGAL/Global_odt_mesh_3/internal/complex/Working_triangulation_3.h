@@ -283,17 +283,16 @@ public:
         add(v);
   }
 
-  // All vertices, and those that the last ring has added.
+  // All vertices; those of the last ring are the last ones.
   const std::vector<int>& vertices() const { return vertices_; }
-  std::vector<int> last_ring() const { return std::vector<int>(vertices_.begin() + begin_, vertices_.end()); }
+  std::size_t begin_of_last_ring() const { return begin_; }
 
   // Adds the neighbors of those that have been added last.
   void grow()
   {
-    const std::vector<int> ring = last_ring();
-    begin_ = vertices_.size();
-    for(int v : ring)
-      for(int w : triangulation_.neighbors(v))
+    const std::size_t begin = std::exchange(begin_, vertices_.size());
+    for(std::size_t n = begin; n < begin_; ++n)
+      for(int w : triangulation_.neighbors(vertices_[n]))
         add(w);
   }
 
