@@ -11,6 +11,7 @@
 #include <CGAL/Global_odt_mesh_3/internal/optimization/Annealing_schedule.h>
 
 #include <CGAL/Mesh_3/parameters_defaults.h>
+#include <CGAL/Named_function_parameters.h>
 
 #include <cmath>
 #include <cstddef>
