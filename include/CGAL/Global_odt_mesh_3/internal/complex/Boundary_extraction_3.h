@@ -10,6 +10,7 @@
 #include <CGAL/Global_odt_mesh_3/internal/complex/Exact_triangulation_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/complex/Patch_of_facet_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/geometry/Vertex_tuples.h>
+#include <CGAL/Global_odt_mesh_3/internal/interface/Domain_view_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/parallel/Chunked_loops.h>
 #include <CGAL/Global_odt_mesh_3/internal/surface/Boundary_complex_3.h>
 

@@ -7,6 +7,7 @@
 #define CGAL_GLOBAL_ODT_MESH_3_INTERNAL_COMPLEX_CELL_TRANSFER_3_H
 
 #include <CGAL/Global_odt_mesh_3/internal/complex/Certified_region_3.h>
+#include <CGAL/Global_odt_mesh_3/internal/complex/Exact_triangulation_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/complex/Working_triangulation_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/geometry/Site.h>
 #include <CGAL/Global_odt_mesh_3/internal/geometry/Vertex_tuples.h>

@@ -7,9 +7,11 @@
 #define CGAL_GLOBAL_ODT_MESH_3_INTERNAL_COMPLEX_EXACT_RELOCATION_3_H
 
 #include <CGAL/Global_odt_mesh_3/internal/complex/Candidate_checks_3.h>
+#include <CGAL/Global_odt_mesh_3/internal/complex/Complex_snapshot_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/complex/Detached_vertex_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/complex/Editable_complex_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/complex/Facet_exchange_3.h>
+#include <CGAL/Global_odt_mesh_3/internal/complex/Working_triangulation_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/geometry/Angle_deficit_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/geometry/Cell_products_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/geometry/Circumradius_bound_3.h>
@@ -17,6 +19,7 @@
 #include <CGAL/Global_odt_mesh_3/internal/geometry/Sliver_steps.h>
 #include <CGAL/Global_odt_mesh_3/internal/geometry/Vertex_places.h>
 #include <CGAL/Global_odt_mesh_3/internal/geometry/Vertex_tuples.h>
+#include <CGAL/Global_odt_mesh_3/internal/interface/Domain_view_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/parallel/Chunked_loops.h>
 #include <CGAL/Global_odt_mesh_3/internal/parallel/Thread_policy.h>
 
