@@ -10,8 +10,8 @@ function(global_odt_mesh_3_add_core name include_directory)
   target_link_libraries(${name} PUBLIC CGAL::CGAL Eigen3::Eigen)
   target_compile_features(${name} PUBLIC cxx_std_17)
   target_compile_definitions(${name} PUBLIC CGAL_GLOBAL_ODT_MESH_3_COMPILED_CORE)
-  # Threads are used where the program asks for them.
-  if(TARGET CGAL::TBB_support)
-    target_link_libraries(${name} PRIVATE CGAL::TBB_support)
-  endif()
+  # It may become a part of shared libraries.
+  set_target_properties(${name} PROPERTIES POSITION_INDEPENDENT_CODE ON)
+  # Threads are used where the program asks for them, if the project has found TBB, be it later.
+  target_link_libraries(${name} PRIVATE $<TARGET_NAME_IF_EXISTS:CGAL::TBB_support>)
 endfunction()

@@ -187,7 +187,7 @@ private:
     return before;
   }
 
-  // Nothing is transferred from no mesh.
+  // Without a mesh, no cells are transferred.
   void build(Complex_candidate_3& candidate, const Moving_triangulation_3* mesh)
   {
     const Stage_clock::In_stage in_stage(threads_.clock(), Stage_clock::TRIANGULATE);

@@ -169,7 +169,7 @@ private:
     return centers;
   }
 
-  // Until there are so many. One at least, as the first one may take memory for the container.
+  // Adds cells until there are so many, but at least one, since the first may make the container allocate memory.
   void add_spare_cells(std::size_t number, std::vector<Cell_handle>& cells)
   {
     auto& tds = c3t3_.triangulation().tds();

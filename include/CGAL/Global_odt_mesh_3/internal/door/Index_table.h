@@ -30,7 +30,7 @@ public:
     return static_cast<int>(last_);
   }
 
-  // That of a value that has one, or else the other.
+  // The number of the value if it has one, or else `other`.
   int number_or(const T& value, int other) const
   {
     const std::size_t n = place(value);

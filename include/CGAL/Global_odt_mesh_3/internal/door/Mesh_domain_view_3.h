@@ -44,7 +44,7 @@ public:
   typedef typename Mesh_domain::Subdomain_index Subdomain_index;
   typedef typename Mesh_domain::Surface_patch_index Surface_patch_index;
 
-  // Threads may ask the domain at the same time if they are given.
+  // If threads are given, they may query the domain at the same time.
   explicit Mesh_domain_view_3(const Mesh_domain& domain, const Thread_policy& threads = Thread_policy())
     : Domain_view_3(Has_aabb_tree<Mesh_domain>::value, threads)
     , domain_(domain)

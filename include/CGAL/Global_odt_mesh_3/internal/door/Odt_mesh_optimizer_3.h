@@ -61,7 +61,7 @@ template <class C3t3, class Mesh_domain, class Visitor>
 class Odt_mesh_optimizer_3
 {
 public:
-  // Refers to its arguments but the fields.
+  // Keeps references to its arguments, except for the fields.
   Odt_mesh_optimizer_3(C3t3& c3t3, const Mesh_domain& domain, Odt_task task, const Odt_parameters& parameters,
                        Visitor& visitor, const User_fields_3<C3t3>& fields = User_fields_3<C3t3>())
     : fields_(fields)

@@ -150,7 +150,7 @@ private:
     const Oracle_stopwatch stopwatch(statistics_);
     int found;
     const Vector q = closest_point(p, found);
-    if((p - q).norm() <= reach && found == patch)
+    if((p - q).norm() <= reach && found == patch && patch != other_patch)
     {
       p = q;
       return true;
@@ -168,7 +168,7 @@ private:
       int found;
       if(!intersect(q, normal, h, found))
         continue;
-      if(found != patch)
+      if(found != patch || patch == other_patch)
         break;
       p = q;
       return true;
