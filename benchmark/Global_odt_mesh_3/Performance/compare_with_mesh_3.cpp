@@ -85,14 +85,13 @@ void compare(const char* name, const C3t3& input, const Domain& domain)
     C3t3 copy(moved);
     bridge = (std::min)(bridge, seconds([&]
     {
-      const odt::Thread_policy one_thread;
       odt::Mesh_domain_view_3<Domain> domain_view(domain);
       odt::C3t3_view_3<C3t3, Domain> view(copy, domain_view);
       odt::Complex_updater_3 complex(domain_view, odt::Boundary_motion::NONE);
       odt::Moving_triangulation_3 mesh;
       complex.start(odt::Snapshot_reader_3(view).read(mesh, false));
       if(complex.advance(mesh, true))
-        view.write(odt::Snapshot_tabulation_3(complex.snapshot(), complex.triangulation(), one_thread)(), one_thread);
+        view.write(odt::Snapshot_tabulation_3(complex.snapshot(), complex.triangulation(), odt::Thread_policy())());
     }));
   }
   std::printf("  exact rebuild %.1f ms; import and export %.1f ms, %.2f rebuilds\n",

@@ -82,7 +82,7 @@ public:
     if(plan_->is_done())
       return remove_slivers();
     rounds_ = std::make_unique<Optimization_rounds_3>(mesh_, *plan_, parameters_, field_, control_, threads_,
-                                                   complex_.snapshot().numbering->input_numbers);
+                                                       complex_.snapshot().numbering->input_numbers);
     largest_cells_ = std::make_unique<Largest_cells_3>(mesh_, complex_.snapshot().numbering->subdomain, local_size(),
                                                        !static_cast<bool>(field_));
     return make_rounds();
@@ -98,7 +98,7 @@ public:
     {
       const Mesh_table_3 table = Snapshot_tabulation_3(complex_.snapshot(), complex_.triangulation(), threads_)();
       complex_.release_triangulation();
-      input_.write(table, threads_);
+      input_.write(table);
     }
   }
 
@@ -201,8 +201,7 @@ private:
     const auto in_stage = during(Stage_clock::REMOVE_SLIVERS);
     if(largest_cells_)
       mesh_.size_bound = largest_cells_->bound(mesh_, local_size());
-    Sliver_stage_3 stage(complex_, mesh_, parameters_.sliver_bound, parameters_.random_seed,
-                         most_tries_for_slivers());
+    Sliver_stage_3 stage(complex_, mesh_, parameters_.sliver_bound, parameters_.random_seed, most_tries_for_slivers());
     if(!stage.run([this] { return control_.has_time(); }, [this] { return control_.may_go_on(); }))
       return false;
     if(!control_.goes_on())

@@ -113,15 +113,7 @@ private:
   // Those on the boundary whose first side is this cell, which is told if all its vertices are there.
   void find_facets(Cell_handle c, std::vector<Found_facet>& found) const
   {
-    const Quadruple q = numbers(c);
-    const auto is_off_boundary = [this](int v) { return v < 0 || !numbering.is_on_boundary(v); };
-    const auto off_boundary = std::count_if(q.begin(), q.end(), is_off_boundary);
-    if(off_boundary > 1)
-      return;
-    for(int i = 0; i < 4; ++i)
-      if(off_boundary == 0 || is_off_boundary(q[i]))
-        find_facet(Facet(c, i), found);
-    if(off_boundary == 0)
+    if(numbering.for_each_facet_on_boundary(numbers(c), [&](int i) { find_facet(Facet(c, i), found); }))
       c->set_flag(IS_BOUNDARY_CELL);
   }
 

@@ -47,21 +47,16 @@ inline std::vector<Facet> find_boundary_facets(const Complex_snapshot_3& snapsho
 {
   const std::vector<Boundary_facet>& boundary = snapshot.boundary.complex().facets();
   std::vector<Facet> facets(boundary.size());
-  const auto is_off_boundary = [&](int v) { return v < 0 || !snapshot.numbering->is_on_boundary(v); };
   const std::vector<Cell_handle>& cells = working.cells();
   for_each_in_chunks(static_cast<int>(cells.size()), threads, [&](int c)
   {
-    const Quadruple q = Working_triangulation_3::numbers(cells[c]);
-    const auto off_boundary = std::count_if(q.begin(), q.end(), is_off_boundary);
-    for(int i = 0; i < 4 && off_boundary <= 1; ++i)
+    snapshot.numbering->for_each_facet_on_boundary(Working_triangulation_3::numbers(cells[c]), [&](int i)
     {
-      if(off_boundary == 1 && !is_off_boundary(q[i]))
-        continue;
       const Triple t = working.vertices(Facet(cells[c], i));
       const int n = snapshot.facet_number(t);
       if(n >= 0 && rotated(boundary[n].vertices) == t)
         facets[n] = Facet(cells[c], i);
-    }
+    });
   });
   return facets;
 }

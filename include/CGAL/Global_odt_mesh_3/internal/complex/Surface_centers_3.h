@@ -111,13 +111,7 @@ private:
 
   bool is_infinite(Cell_handle c) const { return candidate_.triangulation().is_infinite(c); }
 
-  // Threads must not make cells remember theirs.
-  Eigen::Vector3d dual_point(Cell_handle c) const
-  {
-    const Exact_triangulation_3& tr = candidate_.triangulation();
-    return coordinates(tr.geom_traits().construct_weighted_circumcenter_3_object()(
-      tr.point(c, 0), tr.point(c, 1), tr.point(c, 2), tr.point(c, 3)));
-  }
+  Eigen::Vector3d dual_point(Cell_handle c) const { return coordinates(candidate_.triangulation().dual(c)); }
 
   Complex_candidate_3& candidate_;
   const Domain_view_3& domain_;

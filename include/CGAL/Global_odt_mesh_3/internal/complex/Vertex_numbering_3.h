@@ -48,6 +48,19 @@ struct Vertex_numbering_3
   bool is_on_boundary(int v) const { return subdomain[v] == no_subdomain; }
   // The patch of a vertex of dimension 2 in the input.
   int input_patch(int v) const { return input->patch(input_numbers[v]); }
+
+  // Calls f(i) for the facets of a cell that have all vertices on the boundary; whether the cell has, too.
+  template <class F>
+  bool for_each_facet_on_boundary(const Quadruple& q, const F& f) const
+  {
+    const auto is_off_boundary = [this](int v) { return v < 0 || !is_on_boundary(v); };
+    const auto off_boundary = std::count_if(q.begin(), q.end(), is_off_boundary);
+    for(int i = 0; i < 4 && off_boundary <= 1; ++i)
+      if(off_boundary == 0 || is_off_boundary(q[i]))
+        f(i);
+    return off_boundary == 0;
+  }
+
   // Whether the site is that of the vertex in the input.
   bool is_input_site(int v, const Site& s) const { return same_place(s, input_sites[v]); }
 

@@ -40,7 +40,6 @@ public:
     CGAL_assertion(vertices_[v] != Vertex_handle());
     return vertices_[v];
   }
-  std::size_t number_of_vertices() const { return vertices_.size(); }
 
   // All cells, listed when they are asked for first after a function of this class has changed vertices.
   const std::vector<Cell_handle>& cells() const

@@ -90,7 +90,7 @@ public:
   }
 
   // Whatever may throw, as it takes memory, comes before the first change.
-  void write(const Mesh_table_3& table, const Thread_policy&) override
+  void write(const Mesh_table_3& table) override
   {
     const std::vector<Center> centers = centers_of(table);
     Triangulation& tr = c3t3_.triangulation();

@@ -36,7 +36,7 @@ public:
   virtual std::size_t number_of_slivers(double bound) const = 0;
 
   // Of a table for the same vertices; nothing has changed if that throws.
-  virtual void write(const Mesh_table_3& table, const Thread_policy& threads) = 0;
+  virtual void write(const Mesh_table_3& table) = 0;
 };
 
 } // namespace internal
