@@ -11,8 +11,7 @@
 #include <CGAL/Global_odt_mesh_3/internal/Requirements.h>
 
 #include <CGAL/Global_odt_mesh_3/internal/energy/Odt_energy_3.h>
-#include <CGAL/Global_odt_mesh_3/internal/geometry/Cell_products_3.h>
-#include <CGAL/Global_odt_mesh_3/internal/geometry/Cell_shape_3.h>
+#include <CGAL/Global_odt_mesh_3/internal/geometry/Cell_geometry_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/geometry/Facet_geometry_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/geometry/Site.h>
 

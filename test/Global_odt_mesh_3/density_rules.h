@@ -13,7 +13,7 @@
 #include <CGAL/Global_odt_mesh_3/internal/density/Point_rule_quadrature_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/energy/Odt_energy_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/energy/Reference_energy_3.h>
-#include <CGAL/Global_odt_mesh_3/internal/geometry/Cell_products_3.h>
+#include <CGAL/Global_odt_mesh_3/internal/geometry/Cell_geometry_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/geometry/Quadratic_polynomial_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/geometry/Site.h>
 

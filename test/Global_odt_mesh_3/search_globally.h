@@ -6,7 +6,7 @@
 #ifndef GLOBAL_ODT_MESH_3_TEST_SEARCH_GLOBALLY_H
 #define GLOBAL_ODT_MESH_3_TEST_SEARCH_GLOBALLY_H
 
-#include <CGAL/Global_odt_mesh_3/internal/optimization/Annealing_schedule.h>
+#include <CGAL/Global_odt_mesh_3/internal/optimization/Annealing.h>
 #include <CGAL/Global_odt_mesh_3/internal/optimization/Global_search.h>
 #include <CGAL/Global_odt_mesh_3/internal/optimization/Limited_memory_bfgs.h>
 #include <CGAL/Global_odt_mesh_3/internal/optimization/Odt_objective_3.h>

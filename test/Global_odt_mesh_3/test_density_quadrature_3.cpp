@@ -9,8 +9,8 @@
 #include "check.h"
 #include "density_rules.h"
 
-#include <CGAL/Global_odt_mesh_3/internal/density/Density_moment_cache_3.h>
-#include <CGAL/Global_odt_mesh_3/internal/density/Quadratic_density_quadrature_3.h>
+#include <CGAL/Global_odt_mesh_3/internal/density/Make_density_quadrature_3.h>
+#include <CGAL/Global_odt_mesh_3/internal/density/Polynomial_density_quadrature_3.h>
 
 #include <CGAL/Exact_rational.h>
 #include <CGAL/Simple_cartesian.h>

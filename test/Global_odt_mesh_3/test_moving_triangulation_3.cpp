@@ -11,11 +11,10 @@
 #include "gradient_of.h"
 #include "random_cube_triangulation.h"
 
-#include <CGAL/Global_odt_mesh_3/internal/density/Linear_density_quadrature_3.h>
+#include <CGAL/Global_odt_mesh_3/internal/density/Polynomial_density_quadrature_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/optimization/Limited_memory_bfgs.h>
 #include <CGAL/Global_odt_mesh_3/internal/optimization/Odt_objective_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/triangulation/Flips_3.h>
-#include <CGAL/Global_odt_mesh_3/internal/triangulation/Lawson_flips_3.h>
 
 #include <algorithm>
 #include <array>

@@ -9,7 +9,7 @@
 #include "check.h"
 
 #include <CGAL/Global_odt_mesh_3/internal/energy/Odt_energy_3.h>
-#include <CGAL/Global_odt_mesh_3/internal/geometry/Cell_products_3.h>
+#include <CGAL/Global_odt_mesh_3/internal/geometry/Cell_geometry_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/geometry/Site.h>
 
 #include <Eigen/Dense>

@@ -13,7 +13,7 @@
 
 #include <CGAL/Annealing_schedules_3.h>
 #include <CGAL/Density_quadratures_3.h>
-#include <CGAL/Global_odt_mesh_3/internal/geometry/Cell_shape_3.h>
+#include <CGAL/Global_odt_mesh_3/internal/geometry/Cell_geometry_3.h>
 #include <CGAL/Mesh_quality_report_3.h>
 #include <CGAL/Real_timer.h>
 #include <CGAL/make_mesh_3.h>

@@ -14,7 +14,7 @@
 
 #include <CGAL/Annealing_schedules_3.h>
 #include <CGAL/Density_quadratures_3.h>
-#include <CGAL/Global_odt_mesh_3/internal/geometry/Cell_shape_3.h>
+#include <CGAL/Global_odt_mesh_3/internal/geometry/Cell_geometry_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/geometry/Site.h>
 #include <CGAL/Global_odt_mesh_3/internal/sizing/Input_density_3.h>
 #include <CGAL/Quadratic_density_3.h>

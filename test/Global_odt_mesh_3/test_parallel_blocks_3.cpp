@@ -15,14 +15,14 @@
 #include <CGAL/Global_odt_mesh_3/internal/blocks/Mesh_blocks_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/blocks/Mesh_partition_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/density/Adaptive_cubature_quadrature_3.h>
-#include <CGAL/Global_odt_mesh_3/internal/density/Density_moment_cache_3.h>
-#include <CGAL/Global_odt_mesh_3/internal/density/Linear_density_quadrature_3.h>
+#include <CGAL/Global_odt_mesh_3/internal/density/Make_density_quadrature_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/density/Point_rule_quadrature_3.h>
+#include <CGAL/Global_odt_mesh_3/internal/density/Polynomial_density_quadrature_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/geometry/Vertex_tuples.h>
 #include <CGAL/Global_odt_mesh_3/internal/optimization/Odt_objective_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/slivers/Sliver_improvement_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/slivers/Sliver_removal_3.h>
-#include <CGAL/Global_odt_mesh_3/internal/surface/Surface_cvt_term_3.h>
+#include <CGAL/Global_odt_mesh_3/internal/surface/Surface_cvt_objective_3.h>
 #include <CGAL/Regular_triangulation_3.h>
 #include <CGAL/tags.h>
 

@@ -15,7 +15,7 @@
 #include "random_points.h"
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
-#include <CGAL/Global_odt_mesh_3/internal/density/Quadratic_density_quadrature_3.h>
+#include <CGAL/Global_odt_mesh_3/internal/density/Polynomial_density_quadrature_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/optimization/Limited_memory_bfgs.h>
 #include <CGAL/Quadratic_density_3.h>
 

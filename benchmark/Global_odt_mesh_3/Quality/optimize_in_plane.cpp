@@ -18,8 +18,8 @@
 #include "cpu_seconds.h"
 #include "paper_record.h"
 
+#include <CGAL/Global_odt_mesh_3/internal/optimization/Annealing.h>
 #include <CGAL/Global_odt_mesh_3/internal/optimization/Limited_memory_bfgs.h>
-#include <CGAL/Global_odt_mesh_3/internal/optimization/Metropolis_annealing.h>
 
 #include <CGAL/lloyd_optimize_mesh_2.h>
 

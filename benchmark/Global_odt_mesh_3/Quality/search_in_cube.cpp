@@ -24,7 +24,7 @@
 #include "random_points.h"
 
 #include <CGAL/Annealing_schedules_3.h>
-#include <CGAL/Global_odt_mesh_3/internal/optimization/Annealing_schedule.h>
+#include <CGAL/Global_odt_mesh_3/internal/optimization/Annealing.h>
 #include <CGAL/Global_odt_mesh_3/internal/optimization/Global_search.h>
 #include <CGAL/Global_odt_mesh_3/internal/slivers/Sliver_removal_3.h>
 

@@ -8,7 +8,7 @@
 
 #include "methods/Method.h"
 
-#include <CGAL/Global_odt_mesh_3/internal/optimization/Annealing_schedule.h>
+#include <CGAL/Global_odt_mesh_3/internal/optimization/Annealing.h>
 #include <CGAL/Global_odt_mesh_3/internal/optimization/Global_search.h>
 #include <CGAL/Global_odt_mesh_3/internal/optimization/Limited_memory_bfgs.h>
 

@@ -8,7 +8,7 @@
 
 #include <CGAL/Global_odt_mesh_3/internal/Parameter_check.h>
 #include <CGAL/Global_odt_mesh_3/internal/density/Make_density_quadrature_3.h>
-#include <CGAL/Global_odt_mesh_3/internal/optimization/Annealing_schedule.h>
+#include <CGAL/Global_odt_mesh_3/internal/optimization/Annealing.h>
 
 #include <CGAL/Mesh_3/parameters_defaults.h>
 #include <CGAL/Named_function_parameters.h>

@@ -16,7 +16,6 @@
 #include <CGAL/Global_odt_mesh_3/internal/complex/Snapshot_tabulation_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/complex/Surface_projection_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/interface/Domain_view_3.h>
-#include <CGAL/Global_odt_mesh_3/internal/interface/Mesh_table_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/interface/Mesh_view_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/interface/User_field_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/parallel/Stage_clock.h>

@@ -19,7 +19,6 @@
 #include <CGAL/Global_odt_mesh_3/internal/parallel/Stage_clock.h>
 #include <CGAL/Global_odt_mesh_3/internal/parallel/Thread_policy.h>
 #include <CGAL/Global_odt_mesh_3/internal/surface/Surface_cvt_objective_3.h>
-#include <CGAL/Global_odt_mesh_3/internal/surface/Surface_cvt_term_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/surface/Surface_triangulation_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/triangulation/Cell_order.h>
 #include <CGAL/Global_odt_mesh_3/internal/triangulation/Moving_triangulation_3.h>

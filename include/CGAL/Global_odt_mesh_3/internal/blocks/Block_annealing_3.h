@@ -12,11 +12,11 @@
 #include <CGAL/Global_odt_mesh_3/internal/density/Density_quadrature_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/energy/Odt_energy_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/geometry/Random_source.h>
-#include <CGAL/Global_odt_mesh_3/internal/optimization/Momentum_annealing.h>
+#include <CGAL/Global_odt_mesh_3/internal/optimization/Annealing.h>
 #include <CGAL/Global_odt_mesh_3/internal/optimization/Odt_objective_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/optimization/Tangential_motion.h>
 #include <CGAL/Global_odt_mesh_3/internal/parallel/Thread_policy.h>
-#include <CGAL/Global_odt_mesh_3/internal/surface/Surface_cvt_term_3.h>
+#include <CGAL/Global_odt_mesh_3/internal/surface/Surface_cvt_objective_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/triangulation/Moving_triangulation_3.h>
 
 #include <Eigen/Core>

@@ -9,7 +9,6 @@
 #include <CGAL/Global_odt_mesh_3/internal/complex/Cell_transfer_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/complex/Complex_snapshot_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/complex/Exact_triangulation_3.h>
-#include <CGAL/Global_odt_mesh_3/internal/complex/Vertex_numbering_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/complex/Working_triangulation_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/geometry/Site.h>
 #include <CGAL/Global_odt_mesh_3/internal/geometry/Vertex_tuples.h>

@@ -7,7 +7,6 @@
 #define CGAL_GLOBAL_ODT_MESH_3_INTERNAL_DENSITY_ADAPTIVE_CUBATURE_QUADRATURE_3_H
 
 #include <CGAL/Global_odt_mesh_3/internal/density/Density_quadrature_3.h>
-#include <CGAL/Global_odt_mesh_3/internal/density/Density_samples_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/density/Point_rule_quadrature_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/geometry/Site.h>
 

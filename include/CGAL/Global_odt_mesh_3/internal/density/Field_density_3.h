@@ -12,7 +12,6 @@
 #include <CGAL/Global_odt_mesh_3/internal/geometry/Site.h>
 #include <CGAL/Global_odt_mesh_3/internal/interface/User_field_3.h>
 
-
 #include <algorithm>
 #include <cmath>
 #include <cstddef>

@@ -8,15 +8,16 @@
 
 #include <CGAL/Global_odt_mesh_3/internal/density/Adaptive_cubature_quadrature_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/density/Density_3.h>
-#include <CGAL/Global_odt_mesh_3/internal/density/Density_moment_cache_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/density/Density_quadrature_3.h>
-#include <CGAL/Global_odt_mesh_3/internal/density/Linear_density_quadrature_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/density/Point_rule_quadrature_3.h>
-#include <CGAL/Global_odt_mesh_3/internal/density/Quadratic_density_quadrature_3.h>
+#include <CGAL/Global_odt_mesh_3/internal/density/Polynomial_density_quadrature_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/geometry/Site.h>
 
 #include <CGAL/Density_quadratures_3.h>
 
+#include <array>
+#include <cstddef>
+#include <limits>
 #include <memory>
 #include <utility>
 #include <variant>
@@ -25,6 +26,62 @@
 namespace CGAL {
 namespace Global_odt_mesh_3 {
 namespace internal {
+
+// Keeps the moments of cells whose vertices have not moved since they were last asked for.
+class Density_moment_cache_3
+  : public Density_quadrature_3
+{
+public:
+  explicit Density_moment_cache_3(std::unique_ptr<Density_quadrature_3> quadrature)
+    : quadrature_(std::move(quadrature))
+  {}
+
+  Density_moments_3 moments(int cell, const int* vertices, const Site* sites) override
+  {
+    if(kept_.size() <= static_cast<std::size_t>(cell))
+      kept_.resize(cell + 1 + cell / 8);
+    Kept& kept = kept_[cell];
+    bool is_known = true;
+    for(int i = 0; i < 4; ++i)
+    {
+      const Site& s = sites[vertices[i]];
+      std::array<double, 3>& p = kept.points[i];
+      // NaN, at first, is not equal to anything.
+      is_known = is_known && p[0] == s.x && p[1] == s.y && p[2] == s.z;
+      p = {{ s.x, s.y, s.z }};
+    }
+    if(!is_known)
+    {
+      // Not to be believed if the density throws.
+      kept.points[0][0] = std::numeric_limits<double>::quiet_NaN();
+      kept.moments = quadrature_->moments(cell, vertices, sites);
+      kept.points[0][0] = sites[vertices[0]].x;
+      ++number_of_quadratures_;
+    }
+    return kept.moments;
+  }
+
+  std::unique_ptr<Density_quadrature_3> part(const std::vector<int>& vertices) const override
+  {
+    return std::make_unique<Density_moment_cache_3>(quadrature_->part(vertices));
+  }
+
+  double energy_tolerance() const override { return quadrature_->energy_tolerance(); }
+
+  std::size_t number_of_quadratures() const { return number_of_quadratures_; }
+
+private:
+  struct Kept
+  {
+    std::array<std::array<double, 3>, 4> points
+      = {{ {{ std::numeric_limits<double>::quiet_NaN(), 0, 0 }}, {}, {}, {} }};
+    Density_moments_3 moments;
+  };
+
+  std::unique_ptr<Density_quadrature_3> quadrature_;
+  std::vector<Kept> kept_;
+  std::size_t number_of_quadratures_ = 0;
+};
 
 // Without a word of the caller, the linear rule, or exact integrals where the density allows them.
 typedef std::variant<std::monostate, Linear_density_rule_3, Four_point_rule_3, Fifteen_point_rule_3, Adaptive_cubature_3>

@@ -7,7 +7,7 @@
 #define CGAL_GLOBAL_ODT_MESH_3_INTERNAL_ENERGY_CVT_ENERGY_3_H
 
 #include <CGAL/Global_odt_mesh_3/internal/energy/Odt_energy_3.h>
-#include <CGAL/Global_odt_mesh_3/internal/geometry/Cell_products_3.h>
+#include <CGAL/Global_odt_mesh_3/internal/geometry/Cell_geometry_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/geometry/Site.h>
 
 #include <Eigen/Core>

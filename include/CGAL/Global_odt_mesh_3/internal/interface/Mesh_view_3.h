@@ -6,15 +6,96 @@
 #ifndef CGAL_GLOBAL_ODT_MESH_3_INTERNAL_INTERFACE_MESH_VIEW_3_H
 #define CGAL_GLOBAL_ODT_MESH_3_INTERNAL_INTERFACE_MESH_VIEW_3_H
 
+#include <CGAL/Global_odt_mesh_3/internal/geometry/Site.h>
 #include <CGAL/Global_odt_mesh_3/internal/geometry/Vertex_tuples.h>
-#include <CGAL/Global_odt_mesh_3/internal/interface/Mesh_table_3.h>
+#include <CGAL/Global_odt_mesh_3/internal/parallel/Chunked_loops.h>
 #include <CGAL/Global_odt_mesh_3/internal/parallel/Thread_policy.h>
 
+#include <CGAL/assertions.h>
+
+#include <Eigen/Core>
+
+#include <algorithm>
 #include <cstddef>
+#include <utility>
+#include <vector>
 
 namespace CGAL {
 namespace Global_odt_mesh_3 {
 namespace internal {
+
+// A complex in numbers: what is between the c3t3 of the user and the optimizer, both ways.
+struct Mesh_table_3
+{
+  static constexpr int infinite = -1;           // the number of that vertex
+  static constexpr int no_facet = -1, no_patch = -1;
+
+  struct Cell
+  {
+    Quadruple vertices, neighbors;              // of which each is across the facet that is opposite to the vertex
+    int label;                                  // of the subdomain, 0 outside
+    int facets = 0;                             // bits of those in the complex; of the input
+  };
+
+  // On a surface, seen from one of its cells.
+  struct Facet
+  {
+    int cell, index;
+    int patch;
+    Eigen::Vector3d center;                     // where its dual line meets the surface
+    int patch_of_center;                        // no_patch if there is no center
+    int source;                                 // the facet of the input whose center it still is, or no_facet
+  };
+
+  std::vector<Site> sites;
+  std::vector<int> dimensions;                  // of what vertices are on
+  std::vector<double> mean_circumradii;         // of the cells in the complex around vertices, or 0; of an optimized mesh
+  std::vector<Cell> cells;                      // all of the triangulation
+  std::vector<Facet> facets;                    // those in the complex; of the input from both sides, by cell and index
+
+  // Of the input, or null.
+  const Facet* facet(int cell, int index) const
+  {
+    if(!(cells[cell].facets & 1 << index))
+      return nullptr;
+    const auto precedes = [](const Facet& f, const std::pair<int, int>& key) { return std::make_pair(f.cell, f.index) < key; };
+    const auto it = std::lower_bound(facets.begin(), facets.end(), std::make_pair(cell, index), precedes);
+    return &*it;
+  }
+};
+
+// Makes `tr` the triangulation of the table. Its infinite vertex, these finite ones, by their numbers, and these cells,
+// by their places, are there already. With one thread, nothing throws.
+template <class Triangulation>
+void connect_cells(const Mesh_table_3& table, const std::vector<typename Triangulation::Vertex_handle>& vertices,
+                   const std::vector<typename Triangulation::Cell_handle>& cells, const Thread_policy& threads, Triangulation& tr)
+{
+  CGAL_precondition(cells.size() == table.cells.size());
+  const auto vertex = [&](int v) { return v == Mesh_table_3::infinite ? tr.infinite_vertex() : vertices[v]; };
+  for(std::size_t n = 0; n < cells.size(); ++n)
+    for(int v : table.cells[n].vertices)
+      vertex(v)->set_cell(cells[n]);
+  for_each_in_chunks(static_cast<int>(cells.size()), threads, [&](int n)
+  {
+    for(int i = 0; i < 4; ++i)
+    {
+      cells[n]->set_vertex(i, vertex(table.cells[n].vertices[i]));
+      cells[n]->set_neighbor(i, cells[table.cells[n].neighbors[i]]);
+    }
+  });
+  CGAL_expensive_assertion(tr.tds().is_valid());
+}
+
+// The cells of a triangulation, also infinite ones, in their order there, so that chunks of them can be visited.
+template <class Triangulation>
+std::vector<typename Triangulation::Cell_handle> all_cells(const Triangulation& tr)
+{
+  std::vector<typename Triangulation::Cell_handle> cells;
+  cells.reserve(tr.tds().number_of_cells());
+  for(auto c = tr.all_cells_begin(); c != tr.all_cells_end(); ++c)
+    cells.push_back(c);
+  return cells;
+}
 
 // The mesh of the user, whatever its type. Vertices and facets are numbered as in its table, subdomains and patches as by the
 // view of the domain.

@@ -6,10 +6,8 @@
 #ifndef CGAL_GLOBAL_ODT_MESH_3_INTERNAL_OPTIMIZATION_GLOBAL_SEARCH_H
 #define CGAL_GLOBAL_ODT_MESH_3_INTERNAL_OPTIMIZATION_GLOBAL_SEARCH_H
 
-#include <CGAL/Global_odt_mesh_3/internal/optimization/Annealing_schedule.h>
+#include <CGAL/Global_odt_mesh_3/internal/optimization/Annealing.h>
 #include <CGAL/Global_odt_mesh_3/internal/optimization/Limited_memory_bfgs.h>
-#include <CGAL/Global_odt_mesh_3/internal/optimization/Metropolis_annealing.h>
-#include <CGAL/Global_odt_mesh_3/internal/optimization/Momentum_annealing.h>
 #include <CGAL/Global_odt_mesh_3/internal/optimization/Odt_objective_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/parallel/Thread_policy.h>
 

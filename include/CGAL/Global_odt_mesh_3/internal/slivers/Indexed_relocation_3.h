@@ -15,7 +15,6 @@
 #include <CGAL/Global_odt_mesh_3/internal/triangulation/Flips_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/triangulation/Half_facet.h>
 #include <CGAL/Global_odt_mesh_3/internal/triangulation/Indexed_triangulation_3.h>
-#include <CGAL/Global_odt_mesh_3/internal/triangulation/Lawson_flips_3.h>
 
 #include <CGAL/assertions.h>
 

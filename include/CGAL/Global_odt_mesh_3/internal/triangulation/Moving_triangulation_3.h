@@ -18,7 +18,6 @@
 #include <CGAL/Global_odt_mesh_3/internal/triangulation/Half_facet.h>
 #include <CGAL/Global_odt_mesh_3/internal/triangulation/Indexed_triangulation_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/triangulation/Kept_sites.h>
-#include <CGAL/Global_odt_mesh_3/internal/triangulation/Lawson_flips_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/triangulation/Position_control_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/triangulation/Untangling_flips_3.h>
 
