@@ -85,31 +85,31 @@ struct Labelled_triangulation
 
   bool is_constrained(Cell_handle c, int i) const { return label(c) != label(c->neighbor(i)) || is_marked(c, i); }
 
-  Constrained_facets flatten(const std::vector<Cell_handle>& cells, const Thread_policy& threads, Indexed_triangulation_3& flat) const
+  Constrained_facets index_cells(const std::vector<Cell_handle>& cells, const Thread_policy& threads, Indexed_triangulation_3& indexed) const
   {
     return index_triangulation_3(tr, cells, [this](Vertex_handle v) { return number(v); },
                                  [this](Cell_handle c) { return label(c); },
-                                 [this](Cell_handle c, int i) { return is_marked(c, i); }, threads, flat);
+                                 [this](Cell_handle c, int i) { return is_marked(c, i); }, threads, indexed);
   }
 };
 
 // Cells and neighbors are CGAL's, and facets are constrained if they are to be.
-static void same_as_cgal(const Labelled_triangulation& t, const std::vector<Cell_handle>& cells, const Indexed_triangulation_3& flat, const Constrained_facets& facets)
+static void same_as_cgal(const Labelled_triangulation& t, const std::vector<Cell_handle>& cells, const Indexed_triangulation_3& indexed, const Constrained_facets& facets)
 {
-  check::that(flat.is_valid(), "the indexed triangulation is not valid");
+  check::that(indexed.is_valid(), "the indexed triangulation is not valid");
   std::map<Quadruple, Cell_handle> inside;
   for(Cell_handle c : t.tr.finite_cell_handles())
     if(t.label(c) != 0)
       inside[in_canonical_order(t.vertices(c))] = c;
-  check::that(flat.number_of_cells() == static_cast<int>(inside.size()), "not all cells inside are there, or others");
+  check::that(indexed.number_of_cells() == static_cast<int>(inside.size()), "not all cells inside are there, or others");
   int n = 0, constrained = 0, marked_inside = 0;
   for(const auto& cell : inside)
   {
-    check::that(flat.cell(n) == cell.first, "cell ", n, " is not in canonical order");
+    check::that(indexed.cell(n) == cell.first, "cell ", n, " is not in canonical order");
     const Cell_handle c = cell.second;
     for(int i = 0; i < 4; ++i)
     {
-      const Half_facet s = flat.slot(n, t.number(c->vertex(i))), across = flat.neighbor(s);
+      const Half_facet s = indexed.slot(n, t.number(c->vertex(i))), across = indexed.neighbor(s);
       check::that(across.is_side() == t.is_constrained(c, i), "a facet is constrained that should not be, or the reverse");
       if(across.is_side())
       {
@@ -120,8 +120,8 @@ static void same_as_cgal(const Labelled_triangulation& t, const std::vector<Cell
         marked_inside += t.label(c) == t.label(c->neighbor(i));
         continue;
       }
-      check::that(flat.vertex(across) == t.number(t.tr.mirror_vertex(c, i))
-                  && flat.cell(across.cell()) == in_canonical_order(t.vertices(c->neighbor(i))), "a neighbor is not CGAL's");
+      check::that(indexed.vertex(across) == t.number(t.tr.mirror_vertex(c, i))
+                  && indexed.cell(across.cell()) == in_canonical_order(t.vertices(c->neighbor(i))), "a neighbor is not CGAL's");
     }
     ++n;
   }
@@ -129,13 +129,13 @@ static void same_as_cgal(const Labelled_triangulation& t, const std::vector<Cell
 }
 
 // Marked facets without a cell inside follow, each once.
-static void facets_outside(const Labelled_triangulation& t, const std::vector<Cell_handle>& cells, const Indexed_triangulation_3& flat, const Constrained_facets& facets)
+static void facets_outside(const Labelled_triangulation& t, const std::vector<Cell_handle>& cells, const Indexed_triangulation_3& indexed, const Constrained_facets& facets)
 {
   std::set<Triple> expected, found;
   for(const Facet& f : t.tr.finite_facets())
     if(t.label(f.first) == 0 && t.label(f.first->neighbor(f.second)) == 0 && t.is_marked(f.first, f.second))
       expected.insert(sorted(t.vertices(f)));
-  for(std::size_t n = flat.number_of_constrained_facets(); n < facets.size(); ++n)
+  for(std::size_t n = indexed.number_of_constrained_facets(); n < facets.size(); ++n)
   {
     const Facet f(cells[facets[n].cell], facets[n].index);
     check::that(!t.tr.is_infinite(f.first) && facets[n].vertices == t.vertices(f),
@@ -146,14 +146,14 @@ static void facets_outside(const Labelled_triangulation& t, const std::vector<Ce
 }
 
 // The arrays, and the constrained facets.
-static std::vector<int> contents(const Indexed_triangulation_3& flat, const Constrained_facets& facets)
+static std::vector<int> contents(const Indexed_triangulation_3& indexed, const Constrained_facets& facets)
 {
-  std::vector<int> all(flat.cell_vertices(), flat.cell_vertices() + flat.number_of_half_facets());
-  all.insert(all.end(), flat.neighbors(), flat.neighbors() + flat.number_of_half_facets());
-  for(int v = 0; v < flat.number_of_vertices(); ++v)
-    all.push_back(flat.incident_cell(v));
-  for(int n = 0; n < flat.number_of_constrained_facets(); ++n)
-    all.insert(all.end(), { flat.constrained_half_facet(n, 0).id(), flat.constrained_half_facet(n, 1).id() });
+  std::vector<int> all(indexed.cell_vertices(), indexed.cell_vertices() + indexed.number_of_half_facets());
+  all.insert(all.end(), indexed.neighbors(), indexed.neighbors() + indexed.number_of_half_facets());
+  for(int v = 0; v < indexed.number_of_vertices(); ++v)
+    all.push_back(indexed.incident_cell(v));
+  for(int n = 0; n < indexed.number_of_constrained_facets(); ++n)
+    all.insert(all.end(), { indexed.constrained_half_facet(n, 0).id(), indexed.constrained_half_facet(n, 1).id() });
   for(const Constrained_facet& f : facets)
     all.insert(all.end(), f.vertices.begin(), f.vertices.end());
   return all;
@@ -164,29 +164,29 @@ int main()
   const Labelled_triangulation t(6000);
   std::vector<Cell_handle> cells = all_cells(t.tr);
   check::that(cells.size() == t.tr.number_of_cells(), "not all cells are listed");
-  Indexed_triangulation_3 flat;
-  const Constrained_facets facets = t.flatten(cells, Thread_policy(), flat);
-  std::cout << flat.number_of_cells() << " cells inside, " << facets.size() << " facets" << std::endl;
-  same_as_cgal(t, cells, flat, facets);
-  facets_outside(t, cells, flat, facets);
-  const std::vector<int> expected = contents(flat, facets);
+  Indexed_triangulation_3 indexed;
+  const Constrained_facets facets = t.index_cells(cells, Thread_policy(), indexed);
+  std::cout << indexed.number_of_cells() << " cells inside, " << facets.size() << " facets" << std::endl;
+  same_as_cgal(t, cells, indexed, facets);
+  facets_outside(t, cells, indexed, facets);
+  const std::vector<int> expected = contents(indexed, facets);
   for(std::size_t number : { 1, 2, 3, 8 })
   {
     tbb::global_control control(tbb::global_control::max_allowed_parallelism, number);
     Indexed_triangulation_3 again;
-    const Constrained_facets facets_again = t.flatten(cells, Thread_policy::for_tag<CGAL::Parallel_tag>(), again);
+    const Constrained_facets facets_again = t.index_cells(cells, Thread_policy::for_tag<CGAL::Parallel_tag>(), again);
     check::that(contents(again, facets_again) == expected, number, " threads lead elsewhere than none");
   }
   // Where cells are in the triangulation decides about the facets' order and sides alone.
   std::reverse(cells.begin(), cells.end());
   Indexed_triangulation_3 reversed;
-  const Constrained_facets reversed_facets = t.flatten(cells, Thread_policy(), reversed);
+  const Constrained_facets reversed_facets = t.index_cells(cells, Thread_policy(), reversed);
   same_as_cgal(t, cells, reversed, reversed_facets);
   facets_outside(t, cells, reversed, reversed_facets);
-  check::that(std::equal(expected.begin(), expected.begin() + flat.number_of_half_facets(), reversed.cell_vertices()),
+  check::that(std::equal(expected.begin(), expected.begin() + indexed.number_of_half_facets(), reversed.cell_vertices()),
               "the order of cells depends on that in the triangulation");
   // Arrays that are there already are replaced.
-  const Constrained_facets replacing = t.flatten(all_cells(t.tr), Thread_policy(), reversed);
+  const Constrained_facets replacing = t.index_cells(all_cells(t.tr), Thread_policy(), reversed);
   check::that(contents(reversed, replacing) == expected, "something is left of what the arrays were");
   return check::result();
 }

@@ -90,7 +90,7 @@ public:
   std::string remesh_search_minimize_restrict_slivers_other() const
   {
     return text("%.2f, %.2f, %.2f, %.2f, %.2f, %.2f", seconds_[Clock::REMESH], seconds_[Clock::SEARCH], seconds_[Clock::MINIMIZE],
-                seconds_[Clock::TRIANGULATE] + seconds_[Clock::CHECK] + seconds_[Clock::FLATTEN], seconds_[Clock::REMOVE_SLIVERS],
+                seconds_[Clock::TRIANGULATE] + seconds_[Clock::CHECK] + seconds_[Clock::INDEX], seconds_[Clock::REMOVE_SLIVERS],
                 seconds_[Clock::READ] + seconds_[Clock::DENSITY] + seconds_[Clock::WRITE] + seconds_[Clock::OTHER]);
   }
 

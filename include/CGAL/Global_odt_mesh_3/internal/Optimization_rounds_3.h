@@ -58,7 +58,7 @@ public:
                                               threads_);
     const int blocks = Block_annealing_3::usual_number_of_blocks(mesh_.sites.size());
     const auto* momentum = std::get_if<Momentum_annealing_schedule>(&parameters_.annealing_schedule);
-    // Blocks would ask the field of the user as of other vertices.
+    // Vertices have other numbers in a block, for which a user's field could not be asked.
     if(momentum != nullptr && blocks > 1 && !field)
       search_in_blocks_ = std::make_unique<Block_annealing_3>(mesh_, blocks, parameters_.random_seed, *momentum, threads_);
   }

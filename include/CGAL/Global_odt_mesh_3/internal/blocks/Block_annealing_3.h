@@ -40,7 +40,7 @@ namespace internal {
 class Block_annealing_3
 {
 public:
-  // In one partition. They are so many more as there are vertices that rest, at seams, in each of them.
+  // Steps for each partition. One more than iterations, as vertices at the seams of a partition rest in it.
   static constexpr int iterations_in_block = 10, steps_in_block = 11;
 
   // That is worth the trouble. It depends on the mesh alone, so that the result does not depend on the threads; but numbers

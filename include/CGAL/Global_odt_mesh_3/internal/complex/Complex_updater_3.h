@@ -87,7 +87,7 @@ public:
     return triangulation_;
   }
 
-  // Until somebody asks for the triangulation, there is none.
+  // Frees its memory; triangulation() builds it anew on demand.
   void release_triangulation()
   {
     is_of_snapshot_ = false;
@@ -98,7 +98,7 @@ public:
   void load_into(Moving_triangulation_3& mesh)
   {
     const Working_triangulation_3& working = triangulation();
-    const Stage_clock::In_stage in_stage(threads_.clock(), Stage_clock::FLATTEN);
+    const Stage_clock::In_stage in_stage(threads_.clock(), Stage_clock::INDEX);
     index_snapshot(snapshot_, working, threads_, mesh);
   }
 

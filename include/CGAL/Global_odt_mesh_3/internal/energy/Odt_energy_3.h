@@ -63,8 +63,9 @@ inline Cell_energy uniform_odt_energy(const Cell_products& t,
 // The same for the density of which the moments are given:
 //   E   = |t| (sum_{i<j} l_ij^2 m_ij - sum_i w_i m_i),
 //   g_i = 2 |t| (x_i - c_t) m_i,   that is, (3.1).
-// If the moments are those of an approximate density, the gradient is not the derivative of the energy, but
-// approximates that of the energy of the true density: minimizers of an interpolated energy shun high density.
+// With moments of an approximate density, the gradient is not exactly the derivative of E, but approximates the
+// gradient for the true density, which is what is wanted: the minimum of an interpolated E has too few vertices where
+// the density is high.
 inline Cell_energy odt_energy(const Cell_products& t,
                               const Site& s0, const Site& s1,
                               const Site& s2, const Site& s3,

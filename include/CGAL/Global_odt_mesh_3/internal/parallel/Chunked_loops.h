@@ -79,16 +79,15 @@ std::vector<T> collect_in_chunks(int size, const Thread_policy& threads, const F
 // added up in the order of the chunks when they are asked for.
 //
 // All of a chunk's sums lie in one array as long as if it added to all things, so that adding is nearly as fast as to a
-// plain array. What a chunk never adds to is never looked at, which takes no memory where the system gives it when it
-// is first used; that is writing then, as memory that is read first is given twice. Zero bytes have to mean the sum of
-// nothing.
+// plain array. Pages that a chunk adds nothing to are neither written nor read, and so take no memory on systems that
+// map memory at its first use; pages in use are zeroed when first written. Zero bytes have to mean an empty sum.
 template <class Value>
 class Chunked_sums
 {
   static_assert(std::is_trivially_copyable<Value>::value, "sums are zeroed as bytes");
 
 public:
-  // The sums are asked for in blocks, and begun in pages.
+  // Pages are zeroed one by one; sums over chunks are formed by blocks of pages.
   static constexpr int pages_in_block = 8, page_bits = 3, page_length = 1 << page_bits,
                        block_length = pages_in_block * page_length;
 

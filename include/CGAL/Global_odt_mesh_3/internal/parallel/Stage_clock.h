@@ -19,13 +19,13 @@ namespace internal {
 class Stage_clock
 {
 public:
-  enum Stage { READ, DENSITY, REMESH, SEARCH, MINIMIZE, TRIANGULATE, CHECK, FLATTEN, REMOVE_SLIVERS, WRITE, OTHER,
+  enum Stage { READ, DENSITY, REMESH, SEARCH, MINIMIZE, TRIANGULATE, CHECK, INDEX, REMOVE_SLIVERS, WRITE, OTHER,
                NUMBER_OF_STAGES };
 
   static const char* name(int stage)
   {
     static constexpr std::array<const char*, NUMBER_OF_STAGES> names
-      = {{ "read", "density", "remesh", "search", "minimize", "triangulate", "check", "flatten", "remove slivers",
+      = {{ "read", "density", "remesh", "search", "minimize", "triangulate", "check", "index", "remove slivers",
            "write", "other" }};
     return names[stage];
   }

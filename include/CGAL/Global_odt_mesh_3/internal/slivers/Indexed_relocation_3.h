@@ -66,7 +66,7 @@ public:
   Indexed_relocation_3(const Indexed_relocation_3&) = delete;
   Indexed_relocation_3& operator=(const Indexed_relocation_3&) = delete;
 
-  // For the cells that the topology has become longer by.
+  // Lengthens the arrays of cells to the number of cell slots.
   void make_room()
   {
     cells_->deficit.resize(topology_.number_of_cell_slots(), 0);

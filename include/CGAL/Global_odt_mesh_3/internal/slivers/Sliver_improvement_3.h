@@ -90,7 +90,7 @@ public:
     parameters_.most_tries = most_tries;
   }
 
-  // For the cells that the topology has become longer by.
+  // Lengthens the arrays of cells to the number of cell slots.
   void make_room()
   {
     trial_.make_room();
