@@ -90,8 +90,10 @@ double odt_energy(const C3t3& c3t3, const User_fields_3<C3t3>& fields, Quadratur
   const auto uniform = [](const Cell_vertices&) { return linear_density_moments({{ 1, 1, 1, 1 }}); };
   if(!fields)
     return mesh.energy(uniform);
-  const User_field_3 field = fields.of_mesh([&mesh](int v) { return mesh.vertices[static_cast<std::size_t>(v)]; });
-  Field_density_3 density(field.meaning, field.value, mesh.sites, field.polynomial);
+  const auto vertex = [&mesh](int v) { return mesh.vertices[static_cast<std::size_t>(v)]; };
+  const User_field_3 field = fields.of_mesh(vertex, [&](const Vertex_stratum& s) { return vertex(s.number)->index(); });
+  const auto value = [&](int v, const Site& s) { return field.value({ v, vertex(v)->in_dimension(), 0 }, s); };
+  Field_density_3 density(field.meaning, value, mesh.sites, field.polynomial);
   const double unit = density.unit_density();
   if(const auto* cubature = std::get_if<Adaptive_cubature_3>(&choice))
     return unit * reference_energy(mesh.sites, mesh.cells, density, *cubature);

@@ -50,6 +50,9 @@ public:
 
   std::size_t number_of_interior_vertices() const { return before_.interior; }
 
+  // From now on, vertices may be inserted inside and on surfaces, but not where surfaces meet.
+  void permit_insertion() { may_insert_ = true; }
+
   // Checks a mesh made from the one before with the boundary fixed.
   void check(const C3t3& c3t3) const
   {
@@ -72,9 +75,8 @@ public:
     check_common(c3t3, after);
     const std::string n = name_ + ": ";
     check::that(after.fixed == before_.fixed, n, "vertices on features or outside moved, or their dimension or index changed");
-    check::that(count_indices(after.sliding) == count_indices(before_.sliding), n,
-                "vertices of dimension 2 or their indices changed");
-    check::that(after.patches == before_.patches, n, "number of facets, Euler characteristic or components of patches changed");
+    check::that(keeps_indices(after), n, "vertices of dimension 2 or their indices changed");
+    check::that(keeps_patches(after), n, "number of facets, Euler characteristic or components of patches changed");
     check::that(degrees(after.junctions) == degrees(before_.junctions), n, "edges where patches meet changed, ",
                 before_.junctions.size(), " -> ", after.junctions.size());
     const int stray = stray_ends(after.junctions, before_.junctions);
@@ -150,8 +152,9 @@ private:
   {
     const std::string n = name_ + ": ";
     check::that(c3t3.triangulation().is_valid(), n, "not a valid regular triangulation");
-    check::that(after.vertices == before_.vertices, n, "vertices ", before_.vertices, " -> ", after.vertices);
-    check::that(after.interior == before_.interior, n, "vertices of dimension 3: ", before_.interior,
+    check::that(after.vertices == after.fixed.size() + after.sliding.size() + after.interior && after.fixed.size() == before_.fixed.size()
+                && is_kept(after.sliding.size(), before_.sliding.size()), n, "vertices ", before_.vertices, " -> ", after.vertices);
+    check::that(is_kept(after.interior, before_.interior), n, "vertices of dimension 3: ", before_.interior,
                 " -> ", after.interior);
     check::that(after.hidden == 0, n, after.hidden, " hidden vertices");
     check::that(after.stale_duals == 0, n, after.stale_duals, " cells remember the dual point of other vertices");
@@ -171,6 +174,27 @@ private:
     check::that(after.euler == before_.euler, n, "Euler characteristic ", before_.euler, " -> ", after.euler);
     check::that(after.far_points == before_.far_points, n, "far points changed");
     check_rescan(c3t3, after);
+  }
+
+  template <class Number>
+  bool is_kept(Number after, Number before) const { return may_insert_ ? after >= before : after == before; }
+
+  // Whether as many vertices of dimension 2 have each index.
+  bool keeps_indices(const State& after) const
+  {
+    const auto b = count_indices(before_.sliding), a = count_indices(after.sliding);
+    return std::equal(b.begin(), b.end(), a.begin(), a.end(), [this](const auto& x, const auto& y)
+                      { return x.first == y.first && is_kept(y.second, x.second); });
+  }
+
+  bool keeps_patches(const State& after) const
+  {
+    return std::equal(before_.patches.begin(), before_.patches.end(), after.patches.begin(), after.patches.end(),
+                      [this](const auto& x, const auto& y)
+    {
+      return x.first == y.first && is_kept(y.second[0], x.second[0]) && y.second[1] == x.second[1]
+             && y.second[2] == x.second[2];
+    });
   }
 
   void check_volume(const State& after, double share_of_layer) const
@@ -574,6 +598,7 @@ private:
   const Domain& domain_;
   std::string name_;
   State before_;
+  bool may_insert_ = false;
 };
 
 #endif // GLOBAL_ODT_MESH_3_TEST_MESH_CONTRACT_H

@@ -42,9 +42,9 @@ Labeled_c3t3 graded_mesh(const Labeled_domain& domain, double smallest)
   return CGAL::make_mesh_3<Labeled_c3t3>(domain, criteria, params::no_exude(), params::no_perturb());
 }
 
-Polyhedral_c3t3 mesh(const Polyhedral_domain& domain, double size, bool with_features)
+Polyhedral_c3t3 mesh(const Polyhedral_domain& domain, double size, bool with_features, double edge_size)
 {
-  Polyhedral_criteria criteria(params::edge_size = size, params::facet_angle = 25, params::facet_size = size,
+  Polyhedral_criteria criteria(params::edge_size = edge_size > 0 ? edge_size : size, params::facet_angle = 25, params::facet_size = size,
                                params::facet_distance = size / 8, params::cell_radius_edge_ratio = 2.5,
                                params::cell_size = size);
   if(with_features)

@@ -169,7 +169,8 @@ inline Polyhedron notched_box()
   return p;
 }
 
-Polyhedral_c3t3 mesh(const Polyhedral_domain& domain, double size, bool with_features);
+// On features, edges are as long as other cells are large unless a size of their own is given.
+Polyhedral_c3t3 mesh(const Polyhedral_domain& domain, double size, bool with_features, double edge_size = 0);
 
 } // namespace domains
 

@@ -6,6 +6,7 @@
 #ifndef CGAL_GLOBAL_ODT_MESH_3_INTERNAL_MESH_DENSITY_3_H
 #define CGAL_GLOBAL_ODT_MESH_3_INTERNAL_MESH_DENSITY_3_H
 
+#include <CGAL/Global_odt_mesh_3/internal/complex/Complex_snapshot_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/density/Density_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/density/Density_quadrature_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/density/Field_density_3.h>
@@ -33,11 +34,11 @@ public:
   Mesh_density_3(const Mesh_density_3&) = delete;
   Mesh_density_3& operator=(const Mesh_density_3&) = delete;
 
-  // Refers to the field, and to the numbers that vertices have in the input.
+  // Refers to the field and the numbering.
   void prepare(Moving_triangulation_3& mesh, const User_field_3& field, const Quadrature_choice& quadrature,
-               const std::vector<int>& input_numbers)
+               const Vertex_numbering_3& numbering)
   {
-    const auto in_input = [&field, &input_numbers](int v, const Site& s) { return field.value(input_numbers[v], s); };
+    const auto in_input = [&field, &numbering](int v, const Site& s) { return field.value(numbering.stratum(v), s); };
     if(field)
       density_ = std::make_unique<Field_density_3>(field.meaning, in_input, mesh.sites, field.polynomial);
     else

@@ -81,7 +81,7 @@ public:
     if(plan_->is_done())
       return remove_slivers();
     rounds_ = std::make_unique<Optimization_rounds_3>(mesh_, *plan_, parameters_, field_, control_, threads_,
-                                                       complex_.snapshot().numbering->input_numbers);
+                                                       *complex_.snapshot().numbering);
     largest_cells_ = std::make_unique<Largest_cells_3>(mesh_, complex_.snapshot().numbering->subdomain, local_size(),
                                                        !static_cast<bool>(field_));
     return make_rounds();

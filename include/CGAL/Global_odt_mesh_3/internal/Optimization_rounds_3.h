@@ -39,10 +39,10 @@ namespace internal {
 class Optimization_rounds_3
 {
 public:
-  // Refers to its arguments, also to the numbers that vertices have in the input.
+  // Refers to its arguments.
   Optimization_rounds_3(Moving_triangulation_3& mesh, const Round_plan& plan, const Odt_parameters& parameters,
                         const User_field_3& field, Iteration_control& control, const Thread_policy& threads,
-                        const std::vector<int>& input_numbers)
+                        const Vertex_numbering_3& numbering)
     : mesh_(mesh)
     , plan_(plan)
     , parameters_(parameters)
@@ -50,7 +50,7 @@ public:
     , threads_(threads)
   {
     const auto in_stage = during(Stage_clock::DENSITY);
-    density_.prepare(mesh_, field, parameters_.quadrature, input_numbers);
+    density_.prepare(mesh_, field, parameters_.quadrature, numbering);
     minimizer_parameters_ = minimizer_parameters(mesh_.quadrature());
     surface_term_ = std::make_unique<Surface_cvt_term_3>(mesh_.number_of_interior_vertices, mesh_.number_of_surface_vertices(),
                                                          parameters_.surface_weight, density_.on_surface(), threads_);

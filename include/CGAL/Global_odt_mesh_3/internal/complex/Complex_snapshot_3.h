@@ -10,6 +10,7 @@
 #include <CGAL/Global_odt_mesh_3/internal/geometry/Site.h>
 #include <CGAL/Global_odt_mesh_3/internal/geometry/Vertex_tuples.h>
 #include <CGAL/Global_odt_mesh_3/internal/interface/Mesh_view_3.h>
+#include <CGAL/Global_odt_mesh_3/internal/interface/User_field_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/surface/Boundary_complex_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/surface/Boundary_geometry_3.h>
 
@@ -45,6 +46,7 @@ struct Vertex_numbering_3
   std::vector<int> input_numbers;           // of vertices, in the table of the input
   std::vector<Site> input_sites;
   std::vector<int> dimensions;
+  int first_inserted = 0;                   // in the table, of those that the user's mesh has not got
   // A vertex that no boundary facet touches belongs to one subdomain for good, and so
   // do the cells around it.
   std::vector<int> subdomain;               // its label, or no_subdomain on the boundary
@@ -57,6 +59,13 @@ struct Vertex_numbering_3
   bool is_movable(int v) const { return v < number_of_movable_vertices; }
   bool is_interior(int v) const { return v < number_of_interior_vertices; }
   bool is_on_boundary(int v) const { return subdomain[v] == no_subdomain; }
+  Vertex_stratum stratum(int v) const
+  {
+    const bool is_inserted = input_numbers[v] >= first_inserted;
+    return { is_inserted ? -1 : input_numbers[v], dimensions[v],
+             !is_inserted ? 0 : dimensions[v] == 3 ? subdomain[v] : input_patch(v) };
+  }
+
   // The patch of a vertex of dimension 2 in the input.
   int input_patch(int v) const { return input->patch(input_numbers[v]); }
 

@@ -19,6 +19,7 @@
 #include <CGAL/Global_odt_mesh_3/internal/complex/Snapshot_triangulation_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/complex/Surface_centers_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/complex/Surface_projection_3.h>
+#include <CGAL/Global_odt_mesh_3/internal/complex/Vertex_insertion_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/complex/Working_triangulation_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/geometry/Circumradius_bound_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/geometry/Site.h>
@@ -115,8 +116,15 @@ public:
   Exact_relocation_3 make_trial(const Circumradius_bound_3& size_bound = Circumradius_bound_3())
   {
     Working_triangulation_3& working = edited_triangulation();
-    return Exact_relocation_3(snapshot_, working, domain_, fidelity_, shapes_, motion_ != Boundary_motion::NONE, size_bound,
+    return Exact_relocation_3(snapshot_, *snapshot_.numbering, working, domain_, fidelity_, shapes_, motion_ != Boundary_motion::NONE, size_bound,
                               threads_);
+  }
+
+  // Insertion of vertices, which has the triangulation.
+  Vertex_insertion_3 make_insertion()
+  {
+    Working_triangulation_3& working = edited_triangulation();
+    return Vertex_insertion_3(snapshot_, working, domain_, fidelity_, shapes_, motion_ != Boundary_motion::NONE, threads_);
   }
 
   // Goes to where trials of this snapshot have led. False if that cannot be done: then the snapshot is as it was.

@@ -56,9 +56,32 @@ public:
   const std::vector<Cell>& old_cells() const { return old_cells_; }
   const std::vector<Cell>& new_cells() const { return new_cells_; }
 
+  // Whether the vertex is to be inserted, and on which patch, if on any.
+  bool is_new() const { return is_new_; }
+  int patch_of_new() const { return patch_; }
+
+  // Begins with a vertex that is not in the triangulation, near a cell.
+  void begin(int v, int patch, Cell_handle near)
+  {
+    CGAL_assertion(!is_detached());
+    is_new_ = true;
+    patch_ = patch;
+    vertex_ = v;
+    from_ = complex_.sites[v];
+    last_on_hull_.resize(1 + complex_.sites.size(), 0);
+    star_.clear();
+    hole_.clear();
+    start_ = near;
+  }
+
+  // Such a vertex does not come.
+  void give_up() { vertex_ = -1; }
+
   void detach(int v)
   {
     CGAL_assertion(!is_detached());
+    is_new_ = false;
+    patch_ = Boundary_facet::no_patch;
     vertex_ = v;
     from_ = complex_.sites[v];
     std::vector<Cell_handle> star;
@@ -72,13 +95,14 @@ public:
     }
     complex_.working.remove(v);
     find_hole(around);
+    start_ = hole_.front().handle;
   }
 
   // To where it was; everything is as before.
   void reattach()
   {
     complex_.sites[vertex_] = from_;
-    insert(hole_.front().handle, star_);
+    insert(start_, star_);
   }
 
   // Finds the cells for the place where its site is; false if it would be hidden there or hide another.
@@ -87,12 +111,25 @@ public:
     conflicts_.clear();
     walls_.clear();
     const Weighted_point p = complex_.point(vertex_);
-    const Cell_handle start = triangulation().locate(p, hole_.front().handle);
+    const Cell_handle start = triangulation().locate(p, start_);
     triangulation().find_conflicts(p, start, std::back_inserter(walls_), std::back_inserter(conflicts_));
     if(conflicts_.empty() || hides_vertices())
       return false;
     collect_cells();
     return true;
+  }
+
+  // Whether the vertex would be so far from its neighbors, and in no protecting ball of theirs.
+  bool has_room(double least_distance) const
+  {
+    const Site& s = complex_.sites[vertex_];
+    const auto is_far = [&](int v)
+    {
+      return v < 0 || v == vertex_
+             || squared_distance(complex_.sites[v], position(s)) > (std::max)(least_distance * least_distance, complex_.sites[v].weight);
+    };
+    return std::all_of(new_cells_.begin(), new_cells_.end(), [&](const Cell& c)
+                       { return std::all_of(c.vertices.begin(), c.vertices.end(), is_far); });
   }
 
   // Asks the domain for the subdomain in which the dual point of a new cell lies; false if that does not fit.
@@ -257,8 +294,11 @@ private:
   }
 
   Editable_complex_3& complex_;
+  bool is_new_ = false;
+  int patch_ = Boundary_facet::no_patch;
   int vertex_ = -1;
   Site from_ = { 0, 0, 0, 0 };
+  Cell_handle start_;                         // near it
   std::vector<Cell> star_;                    // around it before
   std::vector<Hole_cell> hole_;               // in place of these
   std::vector<Cell_handle> conflicts_;

@@ -32,10 +32,17 @@ namespace CGAL {
 namespace Global_odt_mesh_3 {
 namespace internal {
 
-// A snapshot whose vertices can be moved one by one, in its triangulation. Cells know their labels, but facets
-// are in the boundary alone.
+// A snapshot whose vertices can be moved one by one, in its triangulation, or to which vertices are added. Cells know their
+// labels, but facets are in the boundary alone.
 struct Editable_complex_3
 {
+  // A facet of the boundary, as the triangulation has it from its first side.
+  struct Found_facet
+  {
+    std::array<int, 3> key;         // its vertices, sorted
+    Boundary_facet of_boundary;
+    Facet facet;
+  };
 
   static constexpr int no_subdomain = Complex_snapshot_3::no_subdomain;
 
@@ -47,10 +54,11 @@ struct Editable_complex_3
   std::vector<Site> sites;
   Exchangeable_boundary_3 boundary;
 
-  Editable_complex_3(const Complex_snapshot_3& from, Working_triangulation_3& triangulation, const Domain_view_3& d,
-                     const Thread_policy& policy)
+  // The numbering begins with that of the snapshot.
+  Editable_complex_3(const Complex_snapshot_3& from, const Vertex_numbering_3& numbers, Working_triangulation_3& triangulation,
+                     const Domain_view_3& d, const Thread_policy& policy)
     : snapshot(from)
-    , numbering(*from.numbering)
+    , numbering(numbers)
     , domain(d)
     , threads(policy)
     , working(triangulation)
@@ -68,8 +76,24 @@ struct Editable_complex_3
 
   Weighted_point point(int v) const { return weighted_point(sites[v]); }
 
-  // Hands over cells and boundary to a candidate with the sites.
-  void give(Complex_candidate_3& candidate) const
+  // The next one, out of the triangulation.
+  int add_vertex(const Site& s)
+  {
+    sites.push_back(s);
+    working.add_vertex();
+    boundary.add_vertex();
+    return static_cast<int>(sites.size()) - 1;
+  }
+
+  void remove_last_vertex()
+  {
+    sites.pop_back();
+    working.remove_last_vertex();
+    boundary.remove_last_vertex();
+  }
+
+  // The boundary, in the order of its facets' vertices. No cell needs a look at the domain afterwards.
+  std::vector<Found_facet> find_boundary() const
   {
     const std::vector<Cell_handle>& cells = working.cells();
     std::vector<Found_facet> found = collect_in_chunks<Found_facet>(static_cast<int>(cells.size()), threads,
@@ -78,10 +102,17 @@ struct Editable_complex_3
       settle(cells[n]);
       find_facets(cells[n], some);
     });
-    for(Cell_handle c : cells)
+    threads.sort(found.begin(), found.end(), [](const Found_facet& a, const Found_facet& b) { return a.key < b.key; });
+    return found;
+  }
+
+  // Hands over cells and boundary to a candidate with the sites.
+  void give(Complex_candidate_3& candidate) const
+  {
+    const std::vector<Found_facet> found = find_boundary();
+    for(Cell_handle c : working.cells())
       if(c->has_flag(IS_BOUNDARY_CELL))
         candidate.boundary_cells.emplace_back(c, c->label());
-    threads.sort(found.begin(), found.end(), [](const Found_facet& a, const Found_facet& b) { return a.key < b.key; });
     std::vector<Boundary_facet> facets;
     for(const Found_facet& f : found)
     {
@@ -93,13 +124,6 @@ struct Editable_complex_3
   }
 
 private:
-  struct Found_facet
-  {
-    std::array<int, 3> key;         // its vertices, sorted
-    Boundary_facet of_boundary;
-    Facet facet;
-  };
-
   // A cell that needs no look at the domain any more.
   void settle(Cell_handle c) const
   {

@@ -47,11 +47,13 @@ namespace internal {
 class Exact_relocation_3
 {
 public:
-  // In the triangulation of the snapshot. If `boundary_moves` is false, the boundary stays. Threads share visits of all cells.
-  Exact_relocation_3(const Complex_snapshot_3& snapshot, Working_triangulation_3& triangulation, const Domain_view_3& domain,
+  // In the triangulation of the snapshot, with whose numbering that of the vertices begins. If `boundary_moves` is false, the
+  // boundary stays. Threads share visits of all cells.
+  Exact_relocation_3(const Complex_snapshot_3& snapshot, const Vertex_numbering_3& numbering, Working_triangulation_3& triangulation,
+                     const Domain_view_3& domain,
                      const Fidelity_check_3& fidelity, const Facet_shape_check_3& shapes, bool boundary_moves,
                      const Circumradius_bound_3& size_bound, const Thread_policy& threads)
-    : complex_(snapshot, triangulation, domain, threads)
+    : complex_(snapshot, numbering, triangulation, domain, threads)
     , detached_(complex_)
     , exchange_(complex_, detached_, fidelity, shapes, boundary_moves)
     , boundary_moves_(boundary_moves)
@@ -96,12 +98,15 @@ public:
     return result;
   }
 
+  // The cell of the complex with these vertices.
+  bool find_cell(const Quadruple& q, Cell_handle& c) const { return is_cell(q, c) && is_inside(c->label()); }
+
   // The smallest dihedral angle of a cell, or 90 if there is none with these vertices.
   double smallest_angle(const Quadruple& q) const
   {
     double angle = 90;
     Cell_handle c;
-    if(is_cell(q, c) && is_inside(c->label()))
+    if(find_cell(q, c))
       Angle_deficit_3(90).for_each_lack(cell_sites(q), [&angle](double lack) { angle = (std::min)(angle, 90 - lack); });
     return angle;
   }
@@ -158,6 +163,19 @@ public:
     detached_.detach(v);
   }
 
+  // Begins with a vertex that has been added to the complex, on a patch or inside, near a cell.
+  void begin(int v, int patch, Cell_handle near)
+  {
+    neighborhood_ = Vertex_neighborhood_3();
+    detached_.begin(v, patch, near);
+  }
+
+  // Whether such a vertex may be where its site is, so far from others, whatever becomes of angles.
+  bool fits(double least_distance)
+  {
+    return detached_.find_cells() && detached_.has_room(least_distance) && label_cells(infinity) && exchange_.is_permitted();
+  }
+
   // Over which it makes sense to move the detached vertex.
   double mean_edge_length() const { return neighborhood_.mean_edge; }
 
@@ -185,7 +203,7 @@ public:
   double move(const Site& s, double most)
   {
     complex_.sites[detached_.vertex()] = s;
-    if(!detached_.find_cells() || !label_cells(most))
+    if(!detached_.find_cells() || !(detached_.has_room(0) || !detached_.is_new()) || !label_cells(most))
       return infinity;
     const double change = change_of_deficit();
     return change < most && after_.is_not_worse_than(before_, steps_) && exchange_.is_permitted() ? change : infinity;
@@ -201,7 +219,14 @@ public:
     detached_.attach();
   }
 
-  void reject() { detached_.reattach(); }
+  // A vertex that is new has no place then.
+  void reject()
+  {
+    if(detached_.is_new())
+      detached_.give_up();
+    else
+      detached_.reattach();
+  }
 
 private:
   typedef Detached_vertex_3::Cell Cell;

@@ -38,7 +38,7 @@ public:
     : complex_(complex)
     , detached_(detached)
     , fidelity_(fidelity)
-    , least_angle_((std::max)(shapes.smallest_angle(), small_angle))
+    , least_angle_(shapes.smallest_angle())
     , changes_(changes)
   {}
 
@@ -53,9 +53,11 @@ public:
       return false;
     if(!changes_)
       return removed_.empty() && added_.empty();
-    if(!complex_.boundary.keeps_topology(removed_, added_))
+    if(!complex_.boundary.keeps_topology(removed_, added_, detached_.is_new() ? detached_.vertex() : -1, detached_.patch_of_new()))
       return false;
-    const double least = (std::min)(least_angle_, smallest_angle_before());
+    // Where facets stay as many, those that are worse may stay so.
+    const double least = detached_.is_new() ? least_angle_
+                                            : (std::min)((std::max)(least_angle_, small_angle), smallest_angle_before());
     std::vector<Triple> facets = moved_;
     for(const Facet& f : added_)
       facets.push_back(f.vertices);
@@ -185,6 +187,8 @@ private:
     const auto patches = [&](int v)
     {
       std::set<int> here;
+      if(v == detached_.vertex() && detached_.is_new() && detached_.patch_of_new() != Boundary_facet::no_patch)
+        here.insert(detached_.patch_of_new());
       for(int n : complex_.boundary.around(v))
         if(const Facet& f = complex_.boundary.facet(n); f.labels == labels && f.patch != Boundary_facet::no_patch)
           here.insert(f.patch);

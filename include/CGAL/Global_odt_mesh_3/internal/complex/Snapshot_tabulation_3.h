@@ -47,8 +47,12 @@ public:
     restore_orders();
     Mesh_table_3 table;
     table.sites.resize(snapshot_.sites.size());
+    table.dimensions.resize(snapshot_.sites.size());
     for(std::size_t v = 0; v < snapshot_.sites.size(); ++v)
+    {
       table.sites[input_number(static_cast<int>(v))] = snapshot_.sites[v];
+      table.dimensions[input_number(static_cast<int>(v))] = numbering_.dimensions[v];
+    }
     measure_circumradii(table);
     tabulate_cells(table);
     tabulate_facets(table);
@@ -161,7 +165,8 @@ private:
       if(patch == Boundary_facet::no_patch)
         continue;
       const Complex_snapshot_3::Surface_center& c = snapshot_.centers[n];
-      const int patch_of_center = c.patch < 0 || c.patch == Domain_view_3::other_patch ? patch : c.patch;
+      const int patch_of_center = !c.is_exact ? int(Mesh_table_3::no_patch)
+                                : c.patch < 0 || c.patch == Domain_view_3::other_patch ? patch : c.patch;
       table.facets.push_back({ facets_[n].first->label(), facets_[n].second, patch, c.point, patch_of_center, c.source });
     }
   }

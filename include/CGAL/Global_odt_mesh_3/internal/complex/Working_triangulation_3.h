@@ -124,6 +124,10 @@ public:
     vertices_[v]->set_number(v);
   }
 
+  // The next number, which has no vertex yet.
+  void add_vertex() { vertices_.emplace_back(); }
+  void remove_last_vertex() { vertices_.pop_back(); }
+
   // Whether each number has a vertex of its own.
   bool is_complete() const
   {

@@ -32,7 +32,7 @@ public:
   typedef User_field_3::Meaning Meaning;
   static constexpr Meaning SIZE = User_field_3::SIZE, DENSITY = User_field_3::DENSITY;
 
-  typedef User_field_3::Function Field;
+  typedef std::function<double(int, const Site&)> Field;         // at the position of a vertex, given its number
 
   // `sites` are those of the vertices where the field is measured. A density that is a
   // polynomial may be zero at points: its integrals are not.

@@ -18,6 +18,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <iterator>
 #include <type_traits>
 #include <utility>
 #include <vector>
@@ -94,8 +95,13 @@ public:
     const std::vector<Center> centers = centers_of(table);
     Triangulation& tr = c3t3_.triangulation();
     std::vector<Cell_handle> cells = all_cells(tr);
+    vertices_.reserve(table.sites.size());
+    Created_vertices inserted(tr.tds());
+    create_inserted(table, inserted);
     add_spare_cells(table.cells.size(), cells);
 
+    const std::vector<Vertex_handle>& kept = inserted.keep();
+    vertices_.insert(vertices_.end(), kept.begin(), kept.end());
     empty(cells);
     renew_cells(table.cells.size(), cells);
     connect_cells(table, vertices_, cells, Thread_policy(), tr);
@@ -115,6 +121,50 @@ private:
   typedef typename Mesh_domain_view_3<Mesh_domain>::Index Index;
   // As a cell has it of a facet.
   typedef std::pair<Bare_point, Index> Center;
+
+  // Vertices that are erased again unless they are kept.
+  class Created_vertices
+  {
+  public:
+    explicit Created_vertices(typename Triangulation::Triangulation_data_structure& tds) : tds_(tds) {}
+    Created_vertices(const Created_vertices&) = delete;
+    Created_vertices& operator=(const Created_vertices&) = delete;
+
+    ~Created_vertices()
+    {
+      for(std::size_t n = 0; n < vertices_.size() && !is_kept_; ++n)
+        tds_.delete_vertex(vertices_[n]);
+    }
+
+    Vertex_handle create()
+    {
+      vertices_.reserve(vertices_.size() + 1);
+      vertices_.push_back(tds_.create_vertex());
+      return vertices_.back();
+    }
+
+    const std::vector<Vertex_handle>& keep()
+    {
+      is_kept_ = true;
+      return vertices_;
+    }
+
+  private:
+    typename Triangulation::Triangulation_data_structure& tds_;
+    std::vector<Vertex_handle> vertices_;
+    bool is_kept_ = false;
+  };
+
+  void create_inserted(const Mesh_table_3& table, Created_vertices& created) const
+  {
+    for(std::size_t n = vertices_.size(); n < table.sites.size(); ++n)
+    {
+      const Vertex_handle v = created.create();
+      const int place = table.inserted[n - vertices_.size()];
+      c3t3_.set_dimension(v, table.dimensions[n]);
+      c3t3_.set_index(v, domain_.index(table.dimensions[n], place));
+    }
+  }
 
   static Bare_point point(const Eigen::Vector3d& p) { return Bare_point(p[0], p[1], p[2]); }
 
@@ -137,6 +187,7 @@ private:
     CGAL::Unique_hash_map<Cell_handle, int, Hash> cell_number(-1, cells.size());
     for(std::size_t n = 0; n < cells.size(); ++n)
       cell_number[cells[n]] = static_cast<int>(n);
+    read_feature_edges(vertex_number, table);
     table.cells.resize(cells.size());
     for_each_in_chunks(static_cast<int>(cells.size()), threads,
                        [&, &v = std::as_const(vertex_number), &c = std::as_const(cell_number)](int n)
@@ -147,6 +198,22 @@ private:
         table.cells[n].neighbors[i] = c[cells[n]->neighbor(i)];
       }
     });
+  }
+
+  template <class Numbers>
+  void read_feature_edges(const Numbers& vertex_number, Mesh_table_3& table) const
+  {
+    std::vector<std::pair<Vertex_handle, typename C3t3::Curve_index> > adjacent;
+    for(std::size_t v = 0; v < vertices_.size(); ++v)
+    {
+      if(table.dimensions[v] < 0 || table.dimensions[v] > 1)
+        continue;
+      adjacent.clear();
+      c3t3_.adjacent_vertices_in_complex(vertices_[v], std::back_inserter(adjacent));
+      for(const auto& a : adjacent)
+        if(const int w = vertex_number[a.first]; static_cast<int>(v) < w)
+          table.feature_edges.push_back({{ static_cast<int>(v), w }});
+    }
   }
 
   Mesh_table_3::Facet read_facet(Cell_handle c, int n, int i)

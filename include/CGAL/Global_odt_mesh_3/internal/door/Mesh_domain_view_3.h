@@ -99,6 +99,10 @@ public:
   // Of points on the patch.
   Index index(int patch_number) const { return domain_.index_from_surface_patch_index(patch(patch_number)); }
 
+  // Of points on a patch or, for dimension 3, in a subdomain.
+  Index index(int dimension, int place) const
+  { return dimension == 3 ? domain_.index_from_subdomain_index(subdomain(place)) : index(place); }
+
   // The patch of a point with that index, on a surface.
   int patch_at(const Index& index) const { return patches_.number_or(domain_.surface_patch_index(index), other_patch); }
 

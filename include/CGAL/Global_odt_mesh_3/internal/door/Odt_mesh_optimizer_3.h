@@ -78,7 +78,8 @@ public:
 
   Mesh_optimization_return_code operator()()
   {
-    const User_field_3 field = fields_.of_mesh([this](int v) { return mesh_.vertex(v); });
+    const User_field_3 field = fields_.of_mesh([this](int v) { return mesh_.vertex(v); },
+                                               [this](const Vertex_stratum& s) { return domain_.index(s.dimension, s.place); });
     return optimize_mesh(mesh_, domain_, task_, parameters_, field, visitor_, threads());
   }
 

@@ -37,17 +37,17 @@ struct User_fields_3
   // Whether there is any.
   explicit operator bool() const { return sizing_field || density; }
 
-  // The same for a mesh of which `vertex(v)` is the one with that number.
-  template <class Vertex>
-  User_field_3 of_mesh(const Vertex& vertex) const
+  // The same for a mesh of which `vertex(v)` is the one with that number, and `index(s)` that of other vertices.
+  template <class Vertex, class Index_of_stratum>
+  User_field_3 of_mesh(const Vertex& vertex, const Index_of_stratum& index) const
   {
     const auto point = [](const Site& s) { return Bare_point(s.x, s.y, s.z); };
     User_field_3 field;
     if(sizing_field)
-      field.value = [size = sizing_field, point, vertex](int v, const Site& s)
-                    { return size(point(s), vertex(v)->in_dimension(), vertex(v)->index()); };
+      field.value = [size = sizing_field, point, vertex, index](const Vertex_stratum& v, const Site& s)
+                    { return size(point(s), v.dimension, v.number < 0 ? index(v) : vertex(v.number)->index()); };
     if(density)
-      field = { User_field_3::DENSITY, [density = density, point](int, const Site& s) { return density(point(s)); },
+      field = { User_field_3::DENSITY, [density = density, point](const Vertex_stratum&, const Site& s) { return density(point(s)); },
                 quadratic_density };
     return field;
   }

@@ -16,6 +16,7 @@
 #include <Eigen/Core>
 
 #include <algorithm>
+#include <array>
 #include <cstddef>
 #include <utility>
 #include <vector>
@@ -49,9 +50,11 @@ struct Mesh_table_3
 
   std::vector<Site> sites;
   std::vector<int> dimensions;                  // of what vertices are on
+  std::vector<int> inserted;                    // of vertices that the user's mesh has not got, the last: patch or subdomain
   std::vector<double> mean_circumradii;         // of the cells in the complex around vertices, or 0; of an optimized mesh
   std::vector<Cell> cells;                      // all of the triangulation
   std::vector<Facet> facets;                    // those in the complex; of the input from both sides, by cell and index
+  std::vector<std::array<int, 2> > feature_edges;   // of the input
 
   // Of the input, or null.
   const Facet* facet(int cell, int index) const
@@ -116,7 +119,7 @@ public:
   // How many cells of the complex have a dihedral angle below a bound, in degrees.
   virtual std::size_t number_of_slivers(double bound) const = 0;
 
-  // Of a table for the same vertices; nothing has changed if that throws.
+  // Of a table for the same vertices and those that have been inserted; nothing has changed if that throws.
   virtual void write(const Mesh_table_3& table) = 0;
 };
 

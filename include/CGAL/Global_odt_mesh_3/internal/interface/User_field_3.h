@@ -16,13 +16,21 @@ namespace CGAL {
 namespace Global_odt_mesh_3 {
 namespace internal {
 
+// What a vertex is on, which does not change while it moves.
+struct Vertex_stratum
+{
+  int number;           // in the user's mesh, or -1
+  int dimension;
+  int place;            // of vertices that the user's mesh has not got: the subdomain or patch
+};
+
 // What the user wants sizes or density to be, if anything.
 struct User_field_3
 {
   enum Meaning { SIZE, DENSITY };
 
-  // At the position of a vertex, given its number.
-  typedef std::function<double(int, const Site&)> Function;
+  // At the position of a vertex.
+  typedef std::function<double(const Vertex_stratum&, const Site&)> Function;
 
   Meaning meaning = SIZE;
   Function value;

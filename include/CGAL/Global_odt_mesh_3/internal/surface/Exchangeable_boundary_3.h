@@ -11,6 +11,7 @@
 
 #include <algorithm>
 #include <array>
+#include <iterator>
 #include <cstddef>
 #include <utility>
 #include <vector>
@@ -39,6 +40,10 @@ public:
     for(const Boundary_facet& f : complex.facets())
       add({ sorted(f.vertices), sorted(f.labels), f.patch });
   }
+
+  // Which has no facets at first.
+  void add_vertex() { around_.emplace_back(); }
+  void remove_last_vertex() { around_.pop_back(); }
 
   const Facet& facet(int n) const { return facets_[n]; }
 
@@ -79,10 +84,13 @@ public:
   }
 
   // Whether after an exchange each patch would have as many facets, each vertex as many umbrellas,
-  // and there would be the same junctions.
-  bool keeps_topology(const std::vector<int>& removed, const std::vector<Facet>& added)
+  // and there would be the same junctions. Around a vertex that is inserted on a patch there has to be a disk of it, which
+  // has two facets more than what it replaces.
+  bool keeps_topology(const std::vector<int>& removed, const std::vector<Facet>& added, int inserted, int patch)
   {
     std::vector<int> patches_before, patches_after, vertices;
+    if(inserted >= 0 && patch != Boundary_facet::no_patch)
+      patches_before.insert(patches_before.end(), 2, patch);
     for(int n : removed)
     {
       patches_before.push_back(facets_[n].patch);
@@ -99,7 +107,8 @@ public:
       return false;
     std::sort(vertices.begin(), vertices.end());
     vertices.erase(std::unique(vertices.begin(), vertices.end()), vertices.end());
-    return std::all_of(vertices.begin(), vertices.end(), [&](int v) { return keeps_topology_at(v, removed, added); });
+    return std::all_of(vertices.begin(), vertices.end(), [&](int v)
+                       { return v == inserted ? makes_disk(v, added) : keeps_topology_at(v, removed, added); });
   }
 
   void exchange(const std::vector<int>& removed, const std::vector<Facet>& added)
@@ -152,6 +161,15 @@ private:
       if(std::find(f.vertices.begin(), f.vertices.end(), v) != f.vertices.end())
         after_.push_back(f);
     return pattern(v, before_) == pattern(v, after_);
+  }
+
+  // Whether the facets at the vertex are one.
+  bool makes_disk(int v, const std::vector<Facet>& added)
+  {
+    after_.clear();
+    std::copy_if(added.begin(), added.end(), std::back_inserter(after_), [v](const Facet& f)
+                 { return std::find(f.vertices.begin(), f.vertices.end(), v) != f.vertices.end(); });
+    return pattern(v, after_) == Pattern{ 1, {} };
   }
 
   static bool same_surface(const Facet& a, const Facet& b)

@@ -193,7 +193,6 @@ struct Constrained_triangulation_3
       l = std::sqrt(l);
   }
 
-private:
   // Calls f(u, v, squared length) for the edges of all cells.
   template <class F>
   void for_each_edge(const F& f) const

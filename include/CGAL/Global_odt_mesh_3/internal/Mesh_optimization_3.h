@@ -1,0 +1,139 @@
+// Copyright (c) 2026 The Global_odt_mesh_3 authors.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_GLOBAL_ODT_MESH_3_INTERNAL_MESH_OPTIMIZATION_3_H
+#define CGAL_GLOBAL_ODT_MESH_3_INTERNAL_MESH_OPTIMIZATION_3_H
+
+#include <CGAL/Global_odt_mesh_3/internal/Iteration_control.h>
+#include <CGAL/Global_odt_mesh_3/internal/Mesh_refinement_3.h>
+#include <CGAL/Global_odt_mesh_3/internal/Odt_parameters.h>
+#include <CGAL/Global_odt_mesh_3/internal/Optimization_attempt_3.h>
+#include <CGAL/Global_odt_mesh_3/internal/complex/Complex_candidate_3.h>
+#include <CGAL/Global_odt_mesh_3/internal/complex/Tabulated_mesh_3.h>
+#include <CGAL/Global_odt_mesh_3/internal/geometry/Sliver_steps.h>
+#include <CGAL/Global_odt_mesh_3/internal/interface/Domain_view_3.h>
+#include <CGAL/Global_odt_mesh_3/internal/interface/Mesh_view_3.h>
+#include <CGAL/Global_odt_mesh_3/internal/interface/Optimization_visitor.h>
+#include <CGAL/Global_odt_mesh_3/internal/interface/User_field_3.h>
+#include <CGAL/Global_odt_mesh_3/internal/parallel/Thread_policy.h>
+
+#include <CGAL/Mesh_optimization_return_code.h>
+
+#include <cstddef>
+#include <optional>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Global_odt_mesh_3 {
+namespace internal {
+
+// All that one call does to a mesh: an optimization, or several with vertices inserted before each.
+class Mesh_optimization_3
+{
+public:
+  // Refers to its arguments.
+  Mesh_optimization_3(const Domain_view_3& domain, const Odt_parameters& parameters, const User_field_3& field,
+                      Optimization_visitor& visitor, const Thread_policy& threads)
+    : domain_(domain)
+    , parameters_(parameters)
+    , field_(field)
+    , visitor_(visitor)
+    , threads_(threads)
+    , control_(parameters, visitor)
+  {}
+
+  Mesh_optimization_return_code run(Mesh_view_3& mesh, Odt_task task)
+  {
+    const std::optional<Outcome> outcome
+      = parameters_.do_insert_vertices ? insert_and_optimize(mesh, task) : optimize(mesh, task, parameters_);
+    if(!outcome)
+      return CANT_IMPROVE_ANYMORE;
+    const std::size_t slivers = parameters_.sliver_bound > 0 ? mesh.number_of_slivers(parameters_.sliver_bound) : 0;
+    visitor_.after_sliver_removal(slivers);
+    visitor_.after_rebuild_restricted_delaunay();
+    return slivers > 0 ? outcome->with_slivers : outcome->without_slivers;
+  }
+
+private:
+  // The code, by whether cells are left below the bound.
+  struct Outcome
+  {
+    Mesh_optimization_return_code without_slivers, with_slivers;
+  };
+
+  static constexpr unsigned int most_insertions_at_slivers = 3;
+  static constexpr double wanted_angle = 30;            // if no bound is given
+
+  // In one of several attempts: first surface vertices follow normals, then, for rough surfaces
+  // or if no valid complex comes out of that, the domain is asked all the time; and in the end the boundary rests.
+  // None if there is no valid complex, and the mesh is as it was.
+  std::optional<Outcome> optimize(Mesh_view_3& mesh, Odt_task task, const Odt_parameters& parameters)
+  {
+    std::vector<Boundary_motion> motions;
+    if(parameters.optimize_boundary)
+      motions = { Boundary_motion::BY_NORMALS, Boundary_motion::BY_DOMAIN };
+    if(task != Odt_task::REMESH_BOUNDARY)
+      motions.push_back(Boundary_motion::NONE);
+    for(Boundary_motion motion : motions)
+    {
+      Optimization_attempt_3 attempt(mesh, domain_, task, parameters, field_, control_, threads_, motion);
+      if(!attempt.run())
+        continue;
+      attempt.commit();
+      return Outcome{ attempt.code(0), attempt.code(1) };
+    }
+    return std::nullopt;
+  }
+
+  // Vertices are inserted where edges are too long, before all vertices move; and then at the slivers that are left.
+  std::optional<Outcome> insert_and_optimize(Mesh_view_3& mesh, Odt_task task)
+  {
+    Tabulated_mesh_3 refined(mesh, threads_);
+    refinement(refined).split_edges([this] { return control_.has_time(); });
+    std::optional<Outcome> outcome = optimize(refined, task, parameters_);
+    if(!outcome)
+      return outcome;
+    Odt_parameters of_slivers = parameters_;
+    if(!(of_slivers.sliver_bound > 0))
+      of_slivers.sliver_bound = wanted_angle;
+    for(unsigned int n = 0; n < most_insertions_at_slivers && parameters_.do_remove_slivers && control_.goes_on(); ++n)
+    {
+      Mesh_table_3 before = refined.table();
+      if(!refinement(refined).insert_at_slivers(Sliver_steps::last(of_slivers.sliver_bound), parameters_.random_seed + n,
+                                                [this] { return control_.may_go_on(); }))
+        break;
+      if(!optimize(refined, Odt_task::REMOVE_SLIVERS, of_slivers))
+      {
+        refined.return_to(std::move(before));
+        break;
+      }
+    }
+    if(!control_.goes_on())
+      outcome = Outcome{ control_.code(), control_.code() };
+    if(refined.is_changed())
+      mesh.write(refined.table());
+    return outcome;
+  }
+
+  Mesh_refinement_3 refinement(Tabulated_mesh_3& mesh) const
+  {
+    return Mesh_refinement_3(mesh, domain_, parameters_.optimize_boundary ? Boundary_motion::BY_NORMALS : Boundary_motion::NONE,
+                             threads_);
+  }
+
+  const Domain_view_3& domain_;
+  const Odt_parameters& parameters_;
+  const User_field_3& field_;
+  Optimization_visitor& visitor_;
+  Thread_policy threads_;
+  Iteration_control control_;
+};
+
+} // namespace internal
+} // namespace Global_odt_mesh_3
+} // namespace CGAL
+
+#endif // CGAL_GLOBAL_ODT_MESH_3_INTERNAL_MESH_OPTIMIZATION_3_H

@@ -1,0 +1,215 @@
+// Copyright (c) 2026 The Global_odt_mesh_3 authors.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_GLOBAL_ODT_MESH_3_INTERNAL_COMPLEX_VERTEX_INSERTION_3_H
+#define CGAL_GLOBAL_ODT_MESH_3_INTERNAL_COMPLEX_VERTEX_INSERTION_3_H
+
+#include <CGAL/Global_odt_mesh_3/internal/complex/Candidate_checks_3.h>
+#include <CGAL/Global_odt_mesh_3/internal/complex/Complex_snapshot_3.h>
+#include <CGAL/Global_odt_mesh_3/internal/complex/Editable_complex_3.h>
+#include <CGAL/Global_odt_mesh_3/internal/complex/Exact_relocation_3.h>
+#include <CGAL/Global_odt_mesh_3/internal/complex/Snapshot_tabulation_3.h>
+#include <CGAL/Global_odt_mesh_3/internal/complex/Working_triangulation_3.h>
+#include <CGAL/Global_odt_mesh_3/internal/geometry/Circumradius_bound_3.h>
+#include <CGAL/Global_odt_mesh_3/internal/geometry/Facet_geometry_3.h>
+#include <CGAL/Global_odt_mesh_3/internal/geometry/Site.h>
+#include <CGAL/Global_odt_mesh_3/internal/interface/Domain_view_3.h>
+#include <CGAL/Global_odt_mesh_3/internal/interface/Mesh_view_3.h>
+#include <CGAL/Global_odt_mesh_3/internal/parallel/Thread_policy.h>
+#include <CGAL/Global_odt_mesh_3/internal/surface/Boundary_complex_3.h>
+#include <CGAL/Global_odt_mesh_3/internal/surface/Boundary_geometry_3.h>
+#include <CGAL/Global_odt_mesh_3/internal/surface/Exchangeable_boundary_3.h>
+
+#include <Eigen/Core>
+#include <Eigen/Geometry>
+
+#include <algorithm>
+#include <cmath>
+#include <memory>
+#include <optional>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Global_odt_mesh_3 {
+namespace internal {
+
+// A vertex that is to be inserted, and where it belongs.
+struct New_vertex_3
+{
+  Eigen::Vector3d point;
+  int dimension;                // 2 on a surface, 3 inside
+  int place;                    // the patch or the subdomain
+  Eigen::Vector3d normal = Eigen::Vector3d::Zero();           // of the surface
+};
+
+// The middle of an edge of a cell, on the surface if it is on one; none if several surfaces meet there.
+inline std::optional<New_vertex_3> middle_of_edge(const Editable_complex_3& complex, int u, int v, Cell_handle c)
+{
+  constexpr double farthest_projection = 0.25;              // over the edge
+  const std::vector<Site>& sites = complex.sites;
+  const double length = (position(sites[v]) - position(sites[u])).norm();
+  Eigen::Vector3d p = (position(sites[u]) + position(sites[v])) / 2;
+  std::vector<Exchangeable_boundary_3::Facet> facets;
+  for(int n : complex.boundary.around(u))
+    if(const auto& t = complex.boundary.facet(n).vertices; std::find(t.begin(), t.end(), v) != t.end())
+      facets.push_back(complex.boundary.facet(n));
+  // Off the boundary, all cells around are in one subdomain.
+  if(facets.empty() && c->label() != Domain_view_3::outside)
+    return New_vertex_3{ p, 3, c->label() };
+  if(facets.size() != 2 || facets[0].patch != facets[1].patch || facets[0].labels != facets[1].labels
+     || facets[0].patch == Boundary_facet::no_patch)
+    return std::nullopt;
+  const auto normal = [&](const Exchangeable_boundary_3::Facet& f) { return Facet_dual_3(f.vertices, sites).normal; };
+  Eigen::Vector3d n = normal(facets[0]), m = normal(facets[1]);
+  n += n.dot(m) < 0 ? Eigen::Vector3d(-m) : m;
+  n.normalize();
+  if(!complex.domain.project(p, n, farthest_projection * length, facets[0].patch))
+    return std::nullopt;
+  return New_vertex_3{ p, 2, facets[0].patch, n };
+}
+
+// Inserts vertices into the exact triangulation of a snapshot. One that is inserted inside leaves the boundary as it is; one on
+// a surface replaces the facets of a disk of its patch by those around it. None is inserted into a protecting ball.
+class Vertex_insertion_3
+{
+public:
+  // Surfaces get vertices only if `boundary_moves`. The triangulation is that of the snapshot, and not any longer afterwards.
+  Vertex_insertion_3(const Complex_snapshot_3& snapshot, Working_triangulation_3& triangulation, const Domain_view_3& domain,
+                     const Fidelity_check_3& fidelity, const Facet_shape_check_3& shapes, bool boundary_moves,
+                     const Thread_policy& threads)
+    : numbering_(std::make_shared<Vertex_numbering_3>(*snapshot.numbering))
+    , trial_(snapshot, *numbering_, triangulation, domain, fidelity, shapes, boundary_moves, Circumradius_bound_3(), threads)
+  {}
+
+  Vertex_insertion_3(const Vertex_insertion_3&) = delete;
+  Vertex_insertion_3& operator=(const Vertex_insertion_3&) = delete;
+
+  const Editable_complex_3& complex() const { return trial_.complex(); }
+  Exact_relocation_3& trial() { return trial_; }
+
+  int number_of_vertices() const { return static_cast<int>(complex().sites.size()); }
+  bool has_inserted() const { return !places_.empty(); }
+
+  // Whether the vertex, which is near a cell, may be inserted so far from all others, whatever that does to angles, and has
+  // been, as the last one.
+  bool insert(const New_vertex_3& vertex, double least_distance, Cell_handle near)
+  {
+    begin(vertex, near);
+    const bool fits = trial_.fits(least_distance);
+    end(fits);
+    return fits;
+  }
+
+  // The change of the sum of the deficits if the vertex were there, or infinity if it may not be inserted there, if an angle
+  // gets smaller than all before, or if the change is not less than `most`.
+  double change_of_angles(const New_vertex_3& vertex, double most, Cell_handle near)
+  {
+    begin(vertex, near);
+    const double change = trial_.move(complex().sites.back(), most);
+    end(false);
+    return change;
+  }
+
+  // Whether the vertex has been inserted because that is less than `most`.
+  bool insert_for_angles(const New_vertex_3& vertex, double most, Cell_handle near)
+  {
+    begin(vertex, near);
+    const bool is_better = trial_.move(complex().sites.back(), most) < most;
+    end(is_better);
+    return is_better;
+  }
+
+  // The complex with the vertices, which follow those of the input.
+  Mesh_table_3 table()
+  {
+    Complex_snapshot_3 refined;
+    refined.numbering = numbering_;
+    refined.sites = complex().sites;
+    refined.boundary_cells = complex().snapshot.boundary_cells;
+    const std::vector<Editable_complex_3::Found_facet> found = complex().find_boundary();
+    std::vector<Boundary_facet> facets;
+    for(const auto& f : found)
+      facets.push_back(f.of_boundary);
+    refined.boundary = Boundary_geometry_3(
+      std::make_shared<const Boundary_complex_3>(std::move(facets), complex().sites.size(), complex().threads), complex().sites);
+    for(const auto& f : found)
+      refined.centers.push_back(center(f, refined.boundary));
+    refined.number_facets();
+    Mesh_table_3 table = Snapshot_tabulation_3(refined, complex().working, complex().threads)();
+    table.inserted = places_;
+    return table;
+  }
+
+private:
+  void begin(const New_vertex_3& vertex, Cell_handle near)
+  {
+    const int v = add(vertex);
+    trial_.begin(v, vertex.dimension == 2 ? vertex.place : int(Boundary_facet::no_patch), near);
+  }
+
+  void end(bool is_accepted)
+  {
+    if(is_accepted)
+      trial_.accept();
+    else
+    {
+      trial_.reject();
+      remove_last();
+    }
+  }
+
+  int add(const New_vertex_3& vertex)
+  {
+    const Site s = site_at(vertex.point, 0);
+    numbering_->input_numbers.push_back(number_of_vertices());
+    numbering_->input_sites.push_back(s);
+    numbering_->dimensions.push_back(vertex.dimension);
+    numbering_->subdomain.push_back(vertex.dimension == 3 ? vertex.place : int(Vertex_numbering_3::no_subdomain));
+    places_.push_back(vertex.place);
+    return trial_.complex().add_vertex(s);
+  }
+
+  void remove_last()
+  {
+    numbering_->input_numbers.pop_back();
+    numbering_->input_sites.pop_back();
+    numbering_->dimensions.pop_back();
+    numbering_->subdomain.pop_back();
+    places_.pop_back();
+    trial_.complex().remove_last_vertex();
+  }
+
+  // That of the snapshot, or else where the dual segment crosses the surface.
+  Complex_snapshot_3::Surface_center center(const Editable_complex_3::Found_facet& f, const Boundary_geometry_3& boundary) const
+  {
+    const int known = complex().snapshot.facet_number(f.key);
+    if(known >= 0)
+      return complex().snapshot.centers[known];
+    Complex_snapshot_3::Surface_center c;
+    c.point = estimated_surface_center(f.of_boundary.vertices, boundary, complex().sites);
+    const Cell_handle d = f.facet.first->neighbor(f.facet.second);
+    const Exact_triangulation_3& tr = complex().triangulation();
+    if(tr.is_infinite(f.facet.first) || tr.is_infinite(d))
+      return c;
+    const Eigen::Vector3d from = coordinates(tr.dual(f.facet.first)), to = coordinates(tr.dual(d));
+    Eigen::Vector3d p = (from + to) / 2;
+    const double length = (to - from).norm();
+    c.is_exact = length > 0 && complex().domain.intersect(p, (to - from) / length, length / 2, c.patch);
+    if(c.is_exact)
+      c.point = p;
+    return c;
+  }
+
+  std::shared_ptr<Vertex_numbering_3> numbering_;
+  Exact_relocation_3 trial_;
+  std::vector<int> places_;                 // of those that have been inserted
+};
+
+} // namespace internal
+} // namespace Global_odt_mesh_3
+} // namespace CGAL
+
+#endif // CGAL_GLOBAL_ODT_MESH_3_INTERNAL_COMPLEX_VERTEX_INSERTION_3_H

@@ -1,0 +1,213 @@
+// Copyright (c) 2026 The Global_odt_mesh_3 authors.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+// With do_insert_vertices, all that is promised holds but the number of vertices, and cells get better.
+
+#include "mesh_contract.h"
+#include "mesh_domains.h"
+
+#include <CGAL/Kernel/global_functions.h>
+#include <CGAL/odt_optimize_mesh_3.h>
+#include <CGAL/perturb_mesh_3.h>
+#include <CGAL/refine_mesh_3.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <iostream>
+#include <set>
+#include <stdexcept>
+#include <string>
+#include <tuple>
+#include <utility>
+#include <vector>
+
+namespace params = CGAL::parameters;
+using domains::Point_3;
+
+static constexpr double surface = 4e-3;       // how far points of surfaces are from them, over the size of the mesh
+
+// The smallest dihedral angle, and the number of cells below 30 degrees.
+template <class C3t3>
+std::pair<double, int> small_angles(const C3t3& c3t3)
+{
+  double smallest = 180;
+  int below = 0;
+  for(auto c = c3t3.cells_in_complex_begin(); c != c3t3.cells_in_complex_end(); ++c)
+  {
+    const auto p = [&](int i) { return c->vertex(i)->point().point(); };
+    double least = 180;
+    for(const std::array<int, 4>& e : { std::array<int, 4>{{ 0, 1, 2, 3 }}, {{ 0, 2, 1, 3 }}, {{ 0, 3, 1, 2 }}, {{ 1, 2, 0, 3 }},
+                                        {{ 1, 3, 0, 2 }}, {{ 2, 3, 0, 1 }} })
+      least = (std::min)(least, std::abs(CGAL::approximate_dihedral_angle(p(e[0]), p(e[1]), p(e[2]), p(e[3]))));
+    smallest = (std::min)(smallest, least);
+    below += least < 30;
+  }
+  return { smallest, below };
+}
+
+// What is known of a vertex by its handle.
+template <class C3t3>
+struct Handle
+{
+  typename C3t3::Vertex_handle vertex;
+  int dimension;
+  typename C3t3::Index index;
+
+  explicit Handle(typename C3t3::Vertex_handle v) : vertex(v), dimension(v->in_dimension()), index(v->index()) {}
+};
+
+// Checks that all handles are still those of vertices, which are on the same as before.
+template <class C3t3>
+void check_handles(const std::string& name, const C3t3& c3t3, const std::vector<Handle<C3t3> >& handles)
+{
+  std::set<typename C3t3::Vertex_handle> present;
+  for(auto v = c3t3.triangulation().finite_vertices_begin(); v != c3t3.triangulation().finite_vertices_end(); ++v)
+    present.insert(v);
+  int lost = 0;
+  for(const auto& h : handles)
+    lost += present.count(h.vertex) == 0 || h.vertex->in_dimension() != h.dimension || !(h.vertex->index() == h.index);
+  check::that(lost == 0, name, ": ", lost, " handles of vertices have lost their vertices");
+}
+
+template <class C3t3>
+std::vector<Handle<C3t3> > handles_of(const C3t3& c3t3)
+{
+  std::vector<Handle<C3t3> > handles;
+  for(auto v = c3t3.triangulation().finite_vertices_begin(); v != c3t3.triangulation().finite_vertices_end(); ++v)
+    handles.emplace_back(v);
+  return handles;
+}
+
+// Optimizes the mesh in several ways. Gives how many vertices the call inserts by default.
+template <class C3t3, class Domain>
+std::size_t test(const std::string& name, const C3t3& input, const Domain& domain, double facet_angle = 30)
+{
+  Mesh_contract<C3t3, Domain> contract(input, domain, name);
+  contract.permit_insertion();
+  C3t3 without(input), c3t3(input);
+  CGAL::odt_optimize_mesh_3(without, domain);
+  const auto handles = handles_of(c3t3);
+  CGAL::odt_optimize_mesh_3(c3t3, domain, params::do_insert_vertices = true);
+  contract.check_moved(c3t3, surface, facet_angle);
+  check_handles(name, c3t3, handles);
+  const std::size_t before = input.triangulation().number_of_vertices(), after = c3t3.triangulation().number_of_vertices();
+  const auto angles_without = small_angles(without), angles = small_angles(c3t3);
+  std::cout << name << ": vertices " << before << " -> " << after << ", smallest angle " << angles_without.first << " -> "
+            << angles.first << ", cells below 30 degrees " << angles_without.second << " -> " << angles.second << std::endl;
+  check::that(angles.first > (std::min)(angles_without.first, 30.) - 1 && angles.second <= angles_without.second, name,
+              ": insertion makes cells worse");
+
+  C3t3 again(input);
+  CGAL::odt_optimize_mesh_3(again, domain, params::do_insert_vertices = true);
+  check::that((Mesh_contract<C3t3, Domain>::points(again) == Mesh_contract<C3t3, Domain>::points(c3t3)), name,
+              ": not deterministic");
+  // Of a mesh that has been refined, too.
+  CGAL::odt_optimize_mesh_3(again, domain, params::do_insert_vertices = true, params::number_of_rounds = 1);
+  contract.check_moved(again, surface, facet_angle);
+
+  C3t3 fixed(input);
+  CGAL::odt_optimize_mesh_3(fixed, domain, params::do_insert_vertices = true, params::optimize_boundary = false);
+  contract.check(fixed);
+  check_handles(name, fixed, std::vector<Handle<C3t3> >());
+
+  C3t3 short_of_time(input);
+  CGAL::odt_optimize_mesh_3(short_of_time, domain, params::do_insert_vertices = true, params::max_iteration_number = 10);
+  contract.check_moved(short_of_time, surface, facet_angle);
+
+  // The field is told of inserted vertices what they are on.
+  C3t3 sized(input);
+  std::set<int> dimensions;
+  const auto size = [&](const Point_3& p, int dimension, const typename Domain::Index& index)
+  {
+    dimensions.insert(dimension);
+    if(dimension == 2)
+      domain.surface_patch_index(index);
+    else if(dimension == 3)
+      domain.subdomain_index(index);
+    return 1 + 0.1 * p.x();
+  };
+  CGAL::odt_optimize_mesh_3(sized, domain, params::do_insert_vertices = true, params::sizing_field = size,
+                            params::number_of_rounds = 1);
+  contract.check_moved(sized, surface, (std::min)(facet_angle, 15.));     // as sizes change
+  check::that(dimensions.count(3) + dimensions.count(2) > 0, name, ": the field is not asked");
+  return after - before;
+}
+
+// CGAL's own functions go on with the mesh.
+template <class C3t3, class Criteria, class Domain>
+void go_on(const C3t3& input, const Domain& domain, double size)
+{
+  C3t3 c3t3(input);
+  CGAL::odt_optimize_mesh_3(c3t3, domain, params::do_insert_vertices = true, params::number_of_rounds = 1);
+  const std::size_t before = c3t3.triangulation().number_of_vertices();
+  CGAL::refine_mesh_3(c3t3, domain, Criteria(params::facet_size = 0.4 * size, params::cell_size = 0.4 * size),
+                      params::no_exude(), params::no_perturb());
+  check::that(c3t3.triangulation().is_valid() && c3t3.triangulation().number_of_vertices() > before, "refinement fails");
+  CGAL::perturb_mesh_3(c3t3, domain, params::time_limit = 5);
+  check::that(c3t3.triangulation().is_valid(), "perturbation fails");
+}
+
+// Nothing has happened if the domain throws, whenever that is, or the callback does.
+static void exceptions()
+{
+  long questions = 0, fails_after = -1;
+  const domains::Labeled_domain domain = domains::labeled([&](const Point_3& p)
+  {
+    if(fails_after >= 0 && ++questions > fails_after)
+      throw std::runtime_error("the domain fails");
+    // Voxels of a ball that is cut by a plane, and of a smaller ball inside.
+    const auto center = [](double x) { return std::round(31 * x) / 31 - 0.5; };
+    const double x = center(p.x()), y = center(p.y()), z = center(p.z()), r = x * x + y * y + z * z;
+    return r > 0.16 ? 0 : r < 0.02 ? 3 : x < 0.02 ? 1 : 2;
+  });
+  const domains::Labeled_c3t3 input = domains::mesh(domain, 0.15);
+  const Mesh_contract<domains::Labeled_c3t3, domains::Labeled_domain> contract(input, domain, "throwing domain");
+  fails_after = 1000000000;
+  domains::Labeled_c3t3 optimized(input);
+  CGAL::odt_optimize_mesh_3(optimized, domain, params::do_insert_vertices = true, params::number_of_rounds = 1);
+  const long all = questions;
+  std::cout << all << " questions to the domain" << std::endl;
+  check::that(optimized.triangulation().number_of_vertices() > input.triangulation().number_of_vertices(),
+              "no vertex is inserted: the test is too weak");
+  for(int n = 0; n < 24; ++n)
+  {
+    domains::Labeled_c3t3 c3t3(input);
+    questions = 0;
+    fails_after = all * n / 24;
+    bool throws = false;
+    try { CGAL::odt_optimize_mesh_3(c3t3, domain, params::do_insert_vertices = true, params::number_of_rounds = 1); }
+    catch(const std::runtime_error&) { throws = true; }
+    fails_after = -1;
+    check::that(throws, "the domain does not throw");
+    contract.check_untouched(c3t3);
+  }
+}
+
+int main()
+{
+  const domains::Labeled_domain sphere = domains::sphere(), plate = domains::thin_plate(), three = domains::three_subdomains();
+  const domains::Labeled_c3t3 ball = domains::mesh(sphere, 0.18);
+  const std::size_t in_ball = test("ball", ball, sphere);
+  check::that(50 * in_ball <= ball.triangulation().number_of_vertices(), "a mesh with even sizes gets ", in_ball, " vertices");
+  test("thin plate", domains::mesh(plate, 0.3), plate, 20);
+  test("three subdomains", domains::mesh(three, 0.25), three);
+  const CGAL::Image_3 image = domains::labeled_image();
+  const domains::Labeled_domain of_image = domains::labeled_image_domain(image);
+  test("labeled image", domains::mesh(of_image, 0.09), of_image, 25);
+
+  domains::Polyhedral_domain box(domains::notched_box());
+  box.detect_features();
+  const domains::Polyhedral_c3t3 short_edges = domains::mesh(box, 0.5, true, 0.08);
+  check::that(test("box with short feature edges", short_edges, box) > 100, "feature edges are short, but no vertices come");
+  test("box with even edges", domains::mesh(box, 0.3, true), box);
+  test("box without features", domains::mesh(box, 0.3, false), box);
+
+  go_on<domains::Polyhedral_c3t3, domains::Polyhedral_criteria>(short_edges, box, 0.5);
+  go_on<domains::Labeled_c3t3, domains::Labeled_criteria>(ball, sphere, 0.18);
+  exceptions();
+  return check::result();
+}
