@@ -18,7 +18,6 @@
 #include <CGAL/Global_odt_mesh_3/internal/triangulation/Moving_triangulation_3.h>
 
 #include <memory>
-#include <vector>
 
 namespace CGAL {
 namespace Global_odt_mesh_3 {

@@ -13,10 +13,8 @@
 #include <CGAL/Global_odt_mesh_3/internal/parallel/Thread_policy.h>
 
 #include <algorithm>
-#include <array>
 #include <cstddef>
 #include <utility>
-#include <vector>
 
 namespace CGAL {
 namespace Global_odt_mesh_3 {

@@ -23,10 +23,8 @@
 #include <CGAL/Global_odt_mesh_3/internal/surface/Exchangeable_boundary_3.h>
 
 #include <Eigen/Core>
-#include <Eigen/Geometry>
 
 #include <algorithm>
-#include <cmath>
 #include <memory>
 #include <optional>
 #include <utility>

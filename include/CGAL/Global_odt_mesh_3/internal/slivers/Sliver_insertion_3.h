@@ -16,8 +16,6 @@
 #include <CGAL/Global_odt_mesh_3/internal/surface/Boundary_complex_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/surface/Exchangeable_boundary_3.h>
 
-#include <Eigen/Core>
-
 #include <algorithm>
 #include <array>
 #include <cstddef>
