@@ -4,7 +4,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 // A polyhedral domain with sharp features: vertices on them, with the balls that
-// protect them, stay, and no other vertex enters a ball.
+// protect them, stay, and no other vertex enters a ball. Where edges on features are
+// much shorter than those around, vertices are inserted.
 //
 //   optimize_mesh_with_features [surface.off]
 
@@ -46,7 +47,7 @@ int main(int argc, char* argv[])
                           params::cell_size = 0.03);
   C3t3 c3t3 = CGAL::make_mesh_3<C3t3>(domain, criteria, params::no_perturb(), params::no_exude());
   std::cout << "--- before ---\n" << CGAL::mesh_quality_report_3(c3t3);
-  CGAL::odt_optimize_mesh_3(c3t3, domain);
+  CGAL::odt_optimize_mesh_3(c3t3, domain, params::do_insert_vertices = true);
   std::cout << "--- after ---\n" << CGAL::mesh_quality_report_3(c3t3)
             << c3t3.number_of_corners() << " corners and " << c3t3.number_of_edges_in_complex()
             << " edges of features are where they were\n";

@@ -60,8 +60,8 @@ to \f$ E^\rho_{ODT} \f$ (see `surface_weight`). They end on the surface, exactly
 otherwise within the error bound of the domain. Vertices of
 dimension 0 and 1, that is, corners and vertices on features, stay. Vertices where
 surfaces meet, where a surface bends sharply, or on a surface that separates no subdomains move only to remove a
-sliver; those where surfaces meet move on the surface of their index. The result has as many vertices of each dimension
-and index and as many facets of each patch as the input. The Euler characteristic, the components, and the junctions of
+sliver; those where surfaces meet move on the surface of their index. Unless `do_insert_vertices` is `true`, the result has as
+many vertices of each dimension and index and as many facets of each patch as the input. The Euler characteristic, the components, and the junctions of
 patches and subdomains are those of the input, and no centroid of a facet is farther from a polyhedral surface
 than the worst of the input, except of a sliver that is left between two facets of the surface. No facet of the
 boundary gets an angle below the smallest of the input or below 30 degrees, whichever is less, unless no valid mesh, or
@@ -215,6 +215,16 @@ version of %CGAL in use accepts: `parameters::time_limit = 10, parameters::do_fr
     \cgalParamDescription{whether slivers are removed; otherwise the mesh is left where its energy has converged.}
     \cgalParamType{`bool`}
     \cgalParamDefault{`true`}
+  \cgalParamNEnd
+  \cgalParamNBegin{do_insert_vertices}
+    \cgalParamDescription{whether vertices may be inserted, inside and on surfaces, but neither on features nor where surfaces
+                          meet: first into edges that are long compared with feature edges nearby or with the edges around,
+                          before vertices move; and, if `do_remove_slivers` is `true`, at the end, in and beside cells with
+                          angles below `sliver_bound`, or 30 degrees if that is 0, where no move helps. They get the
+                          dimension and index of where they are; what else a vertex of `c3t3` has is constructed by
+                          default. Handles to the other vertices stay valid.}
+    \cgalParamType{`bool`}
+    \cgalParamDefault{`false`}
   \cgalParamNEnd
   \cgalParamNBegin{domain_is_thread_safe}
     \cgalParamDescription{whether several threads may query the domain at the same time, as the parallel mesh generation
