@@ -50,8 +50,12 @@ public:
 
   std::size_t number_of_interior_vertices() const { return before_.interior; }
 
-  // From now on, vertices may be inserted inside and on surfaces, but not where surfaces meet.
-  void permit_insertion() { may_insert_ = true; }
+  // From now on, vertices may be inserted or removed, inside and on surfaces, but not where surfaces meet.
+  void permit(bool insertion, bool removal)
+  {
+    may_insert_ = insertion;
+    may_remove_ = removal;
+  }
 
   // Checks a mesh made from the one before with the boundary fixed.
   void check(const C3t3& c3t3) const
@@ -177,7 +181,8 @@ private:
   }
 
   template <class Number>
-  bool is_kept(Number after, Number before) const { return may_insert_ ? after >= before : after == before; }
+  bool is_kept(Number after, Number before) const
+  { return (may_insert_ || after <= before) && (may_remove_ || after >= before); }
 
   // Whether as many vertices of dimension 2 have each index.
   bool keeps_indices(const State& after) const
@@ -598,7 +603,7 @@ private:
   const Domain& domain_;
   std::string name_;
   State before_;
-  bool may_insert_ = false;
+  bool may_insert_ = false, may_remove_ = false;
 };
 
 #endif // GLOBAL_ODT_MESH_3_TEST_MESH_CONTRACT_H

@@ -7,7 +7,7 @@
 #define CGAL_GLOBAL_ODT_MESH_3_INTERNAL_MESH_OPTIMIZATION_3_H
 
 #include <CGAL/Global_odt_mesh_3/internal/Iteration_control.h>
-#include <CGAL/Global_odt_mesh_3/internal/Mesh_refinement_3.h>
+#include <CGAL/Global_odt_mesh_3/internal/Mesh_adaptation_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/Odt_parameters.h>
 #include <CGAL/Global_odt_mesh_3/internal/Optimization_attempt_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/complex/Complex_candidate_3.h>
@@ -30,7 +30,7 @@ namespace CGAL {
 namespace Global_odt_mesh_3 {
 namespace internal {
 
-// All that one call does to a mesh: an optimization, or several with vertices inserted before each.
+// All that one call does to a mesh: an optimization, or several with vertices inserted or removed before each.
 class Mesh_optimization_3
 {
 public:
@@ -48,7 +48,8 @@ public:
   Mesh_optimization_return_code run(Mesh_view_3& mesh, Odt_task task)
   {
     const std::optional<Outcome> outcome
-      = parameters_.do_insert_vertices ? insert_and_optimize(mesh, task) : optimize(mesh, task, parameters_);
+      = parameters_.do_insert_vertices || parameters_.do_remove_vertices ? adapt_and_optimize(mesh, task)
+                                                                         : optimize(mesh, task, parameters_);
     if(!outcome)
       return CANT_IMPROVE_ANYMORE;
     const std::size_t slivers = parameters_.sliver_bound > 0 ? mesh.number_of_slivers(parameters_.sliver_bound) : 0;
@@ -64,7 +65,7 @@ private:
     Mesh_optimization_return_code without_slivers, with_slivers;
   };
 
-  static constexpr unsigned int most_insertions_at_slivers = 3;
+  static constexpr unsigned int most_adaptations = 3;
   static constexpr double wanted_angle = 30;            // if no bound is given
 
   // In one of several attempts: first surface vertices follow normals, then, for rough surfaces
@@ -88,39 +89,42 @@ private:
     return std::nullopt;
   }
 
-  // Vertices are inserted where edges are too long, before all vertices move; and then at the slivers that are left.
-  std::optional<Outcome> insert_and_optimize(Mesh_view_3& mesh, Odt_task task)
+  // Vertices are inserted where edges are too long, before all vertices move; and then inserted or removed at the slivers that
+  // are left.
+  std::optional<Outcome> adapt_and_optimize(Mesh_view_3& mesh, Odt_task task)
   {
-    Tabulated_mesh_3 refined(mesh, threads_);
-    refinement(refined).split_edges([this] { return control_.has_time(); });
-    std::optional<Outcome> outcome = optimize(refined, task, parameters_);
+    Tabulated_mesh_3 adapted(mesh, threads_);
+    if(parameters_.do_insert_vertices)
+      adaptation(adapted).split_edges([this] { return control_.has_time(); });
+    std::optional<Outcome> outcome = optimize(adapted, task, parameters_);
     if(!outcome)
       return outcome;
     Odt_parameters of_slivers = parameters_;
     if(!(of_slivers.sliver_bound > 0))
       of_slivers.sliver_bound = wanted_angle;
-    for(unsigned int n = 0; n < most_insertions_at_slivers && parameters_.do_remove_slivers && control_.goes_on(); ++n)
+    for(unsigned int n = 0; n < most_adaptations && parameters_.do_remove_slivers && control_.goes_on(); ++n)
     {
-      Mesh_table_3 before = refined.table();
-      if(!refinement(refined).insert_at_slivers(Sliver_steps::last(of_slivers.sliver_bound), parameters_.random_seed + n,
-                                                [this] { return control_.may_go_on(); }))
+      Mesh_table_3 before = adapted.table();
+      if(!adaptation(adapted).edit_slivers(parameters_.do_insert_vertices, parameters_.do_remove_vertices,
+                                           Sliver_steps::last(of_slivers.sliver_bound), parameters_.random_seed + n,
+                                           [this] { return control_.may_go_on(); }))
         break;
-      if(!optimize(refined, Odt_task::REMOVE_SLIVERS, of_slivers))
+      if(!optimize(adapted, Odt_task::REMOVE_SLIVERS, of_slivers))
       {
-        refined.return_to(std::move(before));
+        adapted.return_to(std::move(before));
         break;
       }
     }
     if(!control_.goes_on())
       outcome = Outcome{ control_.code(), control_.code() };
-    if(refined.is_changed())
-      mesh.write(refined.table());
+    if(adapted.is_changed())
+      mesh.write(adapted.table());
     return outcome;
   }
 
-  Mesh_refinement_3 refinement(Tabulated_mesh_3& mesh) const
+  Mesh_adaptation_3 adaptation(Tabulated_mesh_3& mesh) const
   {
-    return Mesh_refinement_3(mesh, domain_, parameters_.optimize_boundary ? Boundary_motion::BY_NORMALS : Boundary_motion::NONE,
+    return Mesh_adaptation_3(mesh, domain_, parameters_.optimize_boundary ? Boundary_motion::BY_NORMALS : Boundary_motion::NONE,
                              threads_);
   }
 

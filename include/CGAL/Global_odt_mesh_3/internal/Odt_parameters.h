@@ -43,7 +43,7 @@ struct Odt_parameters
   double surface_weight = 1.2;
   double sliver_bound = 0;                                  // in degrees; 0: as high as can be had
   bool do_remove_slivers = true;
-  bool do_insert_vertices = false;
+  bool do_insert_vertices = false, do_remove_vertices = false;
   bool domain_is_thread_safe = false;
   unsigned int random_seed = 0;
   std::function<bool(double)> callback;

@@ -47,6 +47,7 @@ struct Vertex_numbering_3
   std::vector<Site> input_sites;
   std::vector<int> dimensions;
   int first_inserted = 0;                   // in the table, of those that the user's mesh has not got
+  int number_in_table = 0;                  // of vertices, also removed ones
   // A vertex that no boundary facet touches belongs to one subdomain for good, and so
   // do the cells around it.
   std::vector<int> subdomain;               // its label, or no_subdomain on the boundary

@@ -19,7 +19,7 @@
 #include <CGAL/Global_odt_mesh_3/internal/complex/Snapshot_triangulation_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/complex/Surface_centers_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/complex/Surface_projection_3.h>
-#include <CGAL/Global_odt_mesh_3/internal/complex/Vertex_insertion_3.h>
+#include <CGAL/Global_odt_mesh_3/internal/complex/Vertex_edits_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/complex/Working_triangulation_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/geometry/Circumradius_bound_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/geometry/Site.h>
@@ -121,10 +121,10 @@ public:
   }
 
   // Insertion of vertices, which has the triangulation.
-  Vertex_insertion_3 make_insertion()
+  Vertex_edits_3 make_edits()
   {
     Working_triangulation_3& working = edited_triangulation();
-    return Vertex_insertion_3(snapshot_, working, domain_, fidelity_, shapes_, motion_ != Boundary_motion::NONE, threads_);
+    return Vertex_edits_3(snapshot_, working, domain_, fidelity_, shapes_, motion_ != Boundary_motion::NONE, threads_);
   }
 
   // Goes to where trials of this snapshot have led. False if that cannot be done: then the snapshot is as it was.

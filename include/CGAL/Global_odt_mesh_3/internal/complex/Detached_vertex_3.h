@@ -61,7 +61,7 @@ public:
   int patch_of_new() const { return patch_; }
 
   // Begins with a vertex that is not in the triangulation, near a cell.
-  void begin(int v, int patch, Cell_handle near)
+  void begin(int v, int patch, Cell_handle start)
   {
     CGAL_assertion(!is_detached());
     is_new_ = true;
@@ -71,11 +71,30 @@ public:
     last_on_hull_.resize(1 + complex_.sites.size(), 0);
     star_.clear();
     hole_.clear();
-    start_ = near;
+    start_ = start;
   }
 
   // Such a vertex does not come.
   void give_up() { vertex_ = -1; }
+
+  // The cells are those without the vertex.
+  void find_cells_without()
+  {
+    conflicts_.clear();
+    walls_.clear();
+    collect_cells();
+  }
+
+  // The vertex does not come back, and the cells without it have been labelled.
+  void leave()
+  {
+    for(const Hole_cell& h : hole_)
+    {
+      h.handle->set_label(h.label);
+      h.handle->clear_flag(IS_IN_HOLE);
+    }
+    vertex_ = -1;
+  }
 
   void detach(int v)
   {

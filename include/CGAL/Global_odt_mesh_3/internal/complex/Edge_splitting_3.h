@@ -6,7 +6,7 @@
 #ifndef CGAL_GLOBAL_ODT_MESH_3_INTERNAL_COMPLEX_EDGE_SPLITTING_3_H
 #define CGAL_GLOBAL_ODT_MESH_3_INTERNAL_COMPLEX_EDGE_SPLITTING_3_H
 
-#include <CGAL/Global_odt_mesh_3/internal/complex/Vertex_insertion_3.h>
+#include <CGAL/Global_odt_mesh_3/internal/complex/Vertex_edits_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/complex/Working_triangulation_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/geometry/Site.h>
 
@@ -24,9 +24,9 @@ namespace internal {
 class Edge_splitting_3
 {
 public:
-  explicit Edge_splitting_3(Vertex_insertion_3& insertion)
-    : insertion_(insertion)
-    , complex_(insertion.complex())
+  explicit Edge_splitting_3(Vertex_edits_3& edits)
+    : edits_(edits)
+    , complex_(edits.complex())
   {}
 
   // `wanted(u, v)` is what the length of an edge should be; `wanted.add(site, u, v)` tells of a vertex that has been inserted into
@@ -46,7 +46,7 @@ public:
     {
       const Edge e = edges_.top();
       edges_.pop();
-      const int v = insertion_.number_of_vertices();
+      const int v = edits_.number_of_vertices();
       if(!split(e))
         continue;
       wanted.add(complex_.sites[v], e.u, e.v);
@@ -76,10 +76,10 @@ private:
     if(!complex_.triangulation().is_edge(working.vertex(e.u), working.vertex(e.v), c, i, j))
       return false;
     const std::optional<New_vertex_3> v = middle_of_edge(complex_, e.u, e.v, c);
-    return v && insertion_.insert(*v, nearest * e.length / e.ratio, c);
+    return v && edits_.insert(*v, nearest * e.length / e.ratio, c);
   }
 
-  Vertex_insertion_3& insertion_;
+  Vertex_edits_3& edits_;
   const Editable_complex_3& complex_;
   std::priority_queue<Edge> edges_;
 };

@@ -30,6 +30,7 @@
 #include <cstddef>
 #include <iterator>
 #include <limits>
+#include <map>
 #include <optional>
 #include <utility>
 #include <vector>
@@ -164,16 +165,16 @@ public:
   }
 
   // Begins with a vertex that has been added to the complex, on a patch or inside, near a cell.
-  void begin(int v, int patch, Cell_handle near)
+  void begin(int v, int patch, Cell_handle start)
   {
     neighborhood_ = Vertex_neighborhood_3();
-    detached_.begin(v, patch, near);
+    detached_.begin(v, patch, start);
   }
 
   // Whether such a vertex may be where its site is, so far from others, whatever becomes of angles.
   bool fits(double least_distance)
   {
-    return detached_.find_cells() && detached_.has_room(least_distance) && label_cells(infinity) && exchange_.is_permitted();
+    return detached_.find_cells() && detached_.has_room(least_distance) && label_cells(infinity) && exchange_.is_permitted(insertion());
   }
 
   // Over which it makes sense to move the detached vertex.
@@ -203,25 +204,57 @@ public:
   double move(const Site& s, double most)
   {
     complex_.sites[detached_.vertex()] = s;
-    if(!detached_.find_cells() || !(detached_.has_room(0) || !detached_.is_new()) || !label_cells(most))
+    if(!detached_.find_cells())
       return infinity;
-    const double change = change_of_deficit();
-    return change < most && after_.is_not_worse_than(before_, steps_) && exchange_.is_permitted() ? change : infinity;
+    if(!detached_.is_new())
+      return change(most, Vertex_change());
+    return detached_.has_room(0) ? change(most, insertion()) : infinity;
+  }
+
+  // The same if the detached vertex were removed.
+  double leave(double most)
+  {
+    const int v = detached_.vertex();
+    leaves_ = true;
+    detached_.find_cells_without();
+    return change(most, { v, false, complex_.numbering.is_on_boundary(v) ? own_patch(v) : int(Boundary_facet::no_patch) });
+  }
+
+  double volume(const Quadruple& q) const
+  { return Cell_products(site(q[0]), site(q[1]), site(q[2]), site(q[3])).determinant / 6; }
+
+  // By how much the volumes of subdomains change if the vertex leaves, by their labels.
+  std::map<int, double> changes_of_volume() const
+  {
+    std::map<int, double> changes;
+    const auto add = [&](const std::vector<Cell>& cells, double sign)
+    {
+      for(const Cell& c : cells)
+        if(is_inside(c.label))
+          changes[c.label] += sign * volume(c.vertices);
+    };
+    add(detached_.old_cells(), -1);
+    add(detached_.new_cells(), 1);
+    return changes;
   }
 
   // The sum of the deficits of the new cells.
   double deficit_after() const { return after_.deficit; }
 
-  // The vertex stays where move() has put it, which has to have given a number.
+  // The vertex stays where move() has put it, or out if leave() has been called, which has to have given a number.
   void accept()
   {
     exchange_.apply();
-    detached_.attach();
+    if(std::exchange(leaves_, false))
+      detached_.leave();
+    else
+      detached_.attach();
   }
 
   // A vertex that is new has no place then.
   void reject()
   {
+    leaves_ = false;
     if(detached_.is_new())
       detached_.give_up();
     else
@@ -230,6 +263,7 @@ public:
 
 private:
   typedef Detached_vertex_3::Cell Cell;
+  typedef Exchangeable_boundary_3::Vertex_change Vertex_change;
 
   static constexpr double margin = 0.25;        // degrees by which steps are to be exceeded: they are no place to get stuck
   static constexpr double infinity = (std::numeric_limits<double>::infinity)();
@@ -239,7 +273,8 @@ private:
   bool is_cell(const Quadruple& q, Cell_handle& c) const
   {
     const Working_triangulation_3& t = complex_.working;
-    return t.triangulation().is_cell(t.vertex(q[0]), t.vertex(q[1]), t.vertex(q[2]), t.vertex(q[3]), c);
+    return std::all_of(q.begin(), q.end(), [&t](int v) { return t.is_visible(v); })
+           && t.triangulation().is_cell(t.vertex(q[0]), t.vertex(q[1]), t.vertex(q[2]), t.vertex(q[3]), c);
   }
 
   bool is_sliver(const Quadruple& q, double bound) const { return Angle_deficit_3(bound)(cell_sites(q)) > 0; }
@@ -294,6 +329,17 @@ private:
         change -= o.first;
     }
     return true;
+  }
+
+  Vertex_change insertion() const { return { detached_.vertex(), true, detached_.patch_of_new() }; }
+
+  // Of the sum of the deficits, by the cells that have been found.
+  double change(double most, const Vertex_change& of_vertices)
+  {
+    if(!label_cells(most))
+      return infinity;
+    const double change = change_of_deficit();
+    return change < most && after_.is_not_worse_than(before_, steps_) && exchange_.is_permitted(of_vertices) ? change : infinity;
   }
 
   double change_of_deficit()
@@ -351,6 +397,7 @@ private:
   bool boundary_moves_;
   Circumradius_bound_3 size_bound_;
   int steps_ = 0;
+  bool leaves_ = false;                         // whether the detached vertex is to be removed
   Angle_deficit_3 deficit_, highest_;
   std::vector<Quadruple> star_;
   std::vector<std::pair<double, std::size_t> > order_;        // of new cells, by what they may lack

@@ -44,7 +44,7 @@ public:
 
   // For cells that have been found and labelled: whether the boundary keeps its topology, is close
   // to the surface, and has no flatter facets than before.
-  bool is_permitted()
+  bool is_permitted(const Exchangeable_boundary_3::Vertex_change& change = Exchangeable_boundary_3::Vertex_change())
   {
     removed_.clear();
     added_.clear();
@@ -53,10 +53,10 @@ public:
       return false;
     if(!changes_)
       return removed_.empty() && added_.empty();
-    if(!complex_.boundary.keeps_topology(removed_, added_, detached_.is_new() ? detached_.vertex() : -1, detached_.patch_of_new()))
+    if(!complex_.boundary.keeps_topology(removed_, added_, change))
       return false;
     // Where facets stay as many, those that are worse may stay so.
-    const double least = detached_.is_new() ? least_angle_
+    const double least = change.vertex >= 0 ? least_angle_
                                             : (std::min)((std::max)(least_angle_, small_angle), smallest_angle_before());
     std::vector<Triple> facets = moved_;
     for(const Facet& f : added_)

@@ -79,6 +79,7 @@ public:
   {
     snapshot_.numbering = numbering_;
     numbering_->input = &input;
+    numbering_->number_in_table = static_cast<int>(table_.sites.size());
     numbering_->first_inserted = static_cast<int>(table_.sites.size() - table_.inserted.size());
     snapshot_.is_input = true;
   }
@@ -115,10 +116,13 @@ public:
 private:
   static_assert(int(Mesh_table_3::no_patch) == int(Boundary_facet::no_patch), "facets without a patch");
 
+  // Of the table until vertices have numbers of their own.
+  std::size_t number_of_vertices() const { return snapshot_.sites.empty() ? table_.sites.size() : snapshot_.sites.size(); }
+
   // With the numbers that vertices have.
   Constrained_facets index(Indexed_triangulation_3& flat) const
   {
-    return index_cells(Cells_of_table_3{ table_, numbers_ }, table_.cells.size(), table_.sites.size(), threads_, flat);
+    return index_cells(Cells_of_table_3{ table_, numbers_ }, table_.cells.size(), number_of_vertices(), threads_, flat);
   }
 
   Boundary_complex_3 boundary(const Constrained_facets& constrained_facets) const
@@ -132,7 +136,7 @@ private:
       facets.push_back({ f.vertices, {{ c.label, table_.cells[c.neighbors[f.index]].label }},
                          on_surface != nullptr ? on_surface->patch : int(Boundary_facet::no_patch) });
     }
-    return Boundary_complex_3(std::move(facets), table_.sites.size(), threads_);
+    return Boundary_complex_3(std::move(facets), number_of_vertices(), threads_);
   }
 
   // Along Hilbert curves, the vertices of the interior first, then
@@ -152,6 +156,8 @@ private:
       return has_dimension(v, 2) && boundary.number_of_umbrellas(n) == 1 && boundary.umbrella(n, 0).is_disk;
     };
     std::vector<std::size_t> order = hilbert_order(table_.sites);
+    order.erase(std::remove_if(order.begin(), order.end(), [this](std::size_t v)
+                               { return table_.dimensions[v] == Mesh_table_3::removed; }), order.end());
     const auto boundary_begin = std::stable_partition(order.begin(), order.end(), is_interior);
     const auto fixed_begin = boundary_moves ? std::stable_partition(boundary_begin, order.end(), slides)
                                             : boundary_begin;

@@ -46,8 +46,8 @@ public:
   {
     restore_orders();
     Mesh_table_3 table;
-    table.sites.resize(snapshot_.sites.size());
-    table.dimensions.resize(snapshot_.sites.size());
+    table.sites.resize(numbering_.number_in_table);
+    table.dimensions.assign(numbering_.number_in_table, int(Mesh_table_3::removed));
     for(std::size_t v = 0; v < snapshot_.sites.size(); ++v)
     {
       table.sites[input_number(static_cast<int>(v))] = snapshot_.sites[v];
@@ -122,7 +122,7 @@ private:
         if(cells_[n]->label() != Domain_view_3::outside)
           add_circumradius(cells_[n], circumradii.part(k));
     });
-    table.mean_circumradii.assign(snapshot_.sites.size(), 0);
+    table.mean_circumradii.assign(numbering_.number_in_table, 0);
     circumradii.for_each_sum(0, circumradii.number_of_blocks(), [&](int v, const Circumradii& r)
     {
       if(r.number > 0)

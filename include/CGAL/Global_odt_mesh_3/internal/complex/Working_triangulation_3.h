@@ -128,6 +128,19 @@ public:
   void add_vertex() { vertices_.emplace_back(); }
   void remove_last_vertex() { vertices_.pop_back(); }
 
+  // Gives the vertices that are visible these numbers, in the order of those that they have.
+  void renumber(const std::vector<int>& numbers)
+  {
+    std::vector<Vertex_handle> vertices;
+    for(std::size_t v = 0; v < vertices_.size(); ++v)
+      if(vertices_[v] != Vertex_handle())
+      {
+        vertices_[v]->set_number(numbers[v]);
+        vertices.push_back(vertices_[v]);
+      }
+    vertices_ = std::move(vertices);
+  }
+
   // Whether each number has a vertex of its own.
   bool is_complete() const
   {
@@ -186,12 +199,12 @@ public:
   // Becomes the triangulation of a table, whatever that is like, in which its vertices are numbered otherwise.
   void copy(const Mesh_table_3& table, const std::vector<int>& numbers_in_table, const Thread_policy& threads)
   {
-    clear(table.sites.size());
+    clear(numbers_in_table.size());
     tr_.tds().clear();
     tr_.tds().set_dimension(3);
     tr_.set_infinite_vertex(tr_.tds().create_vertex());
     std::vector<Vertex_handle> in_table(table.sites.size());
-    for(std::size_t v = 0; v < table.sites.size(); ++v)
+    for(std::size_t v = 0; v < numbers_in_table.size(); ++v)
     {
       create_vertex(static_cast<int>(v), table.sites[numbers_in_table[v]]);
       in_table[numbers_in_table[v]] = vertices_[v];

@@ -18,6 +18,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <functional>
 #include <iterator>
 #include <type_traits>
 #include <utility>
@@ -29,7 +30,8 @@ namespace internal {
 
 // Reads and writes a c3t3.
 //
-// Vertices stay, with all that the c3t3 says of them: they get their points. Cells are new, in the memory of the old ones.
+// Vertices stay, with all that the c3t3 says of them, unless the table has removed them: they get their points. Those that have
+// been inserted are created. Cells are new, in the memory of the old ones.
 template <class C3t3, class Mesh_domain>
 class C3t3_view_3
   : public Mesh_view_3
@@ -38,9 +40,12 @@ public:
   typedef typename C3t3::Triangulation Triangulation;
   typedef typename Triangulation::Vertex_handle Vertex_handle;
 
-  C3t3_view_3(C3t3& c3t3, Mesh_domain_view_3<Mesh_domain>& domain)
+  // `before_removal` is told of the vertices that are removed.
+  C3t3_view_3(C3t3& c3t3, Mesh_domain_view_3<Mesh_domain>& domain,
+              std::function<void(Vertex_handle)> before_removal = [](Vertex_handle) {})
     : c3t3_(c3t3)
     , domain_(domain)
+    , before_removal_(std::move(before_removal))
   {
     static_assert(std::is_same<typename Triangulation::Geom_traits::FT, double>::value,
                   "as for Mesh_3, points are to have coordinates of type double");
@@ -99,6 +104,9 @@ public:
     Created_vertices inserted(tr.tds());
     create_inserted(table, inserted);
     add_spare_cells(table.cells.size(), cells);
+    for(std::size_t v = 0; v < vertices_.size(); ++v)
+      if(table.dimensions[v] == Mesh_table_3::removed)
+        before_removal_(vertices_[v]);
 
     const std::vector<Vertex_handle>& kept = inserted.keep();
     vertices_.insert(vertices_.end(), kept.begin(), kept.end());
@@ -106,7 +114,10 @@ public:
     renew_cells(table.cells.size(), cells);
     connect_cells(table, vertices_, cells, Thread_policy(), tr);
     for(std::size_t v = 0; v < vertices_.size(); ++v)
-      write_vertex(vertices_[v], table.sites[v], table.mean_circumradii[v]);
+      if(table.dimensions[v] != Mesh_table_3::removed)
+        write_vertex(vertices_[v], table.sites[v], table.mean_circumradii[v]);
+      else if(vertices_[v] != Vertex_handle())
+        tr.tds().delete_vertex(vertices_[v]);
     for(std::size_t n = 0; n < cells.size(); ++n)
       if(table.cells[n].label != Domain_view_3::outside)
         c3t3_.add_to_complex(cells[n], domain_.subdomain(table.cells[n].label));
@@ -133,13 +144,16 @@ private:
     ~Created_vertices()
     {
       for(std::size_t n = 0; n < vertices_.size() && !is_kept_; ++n)
-        tds_.delete_vertex(vertices_[n]);
+        if(vertices_[n] != Vertex_handle())
+          tds_.delete_vertex(vertices_[n]);
     }
 
-    Vertex_handle create()
+    // Or none in its place.
+    Vertex_handle create(bool is_removed)
     {
-      vertices_.reserve(vertices_.size() + 1);
-      vertices_.push_back(tds_.create_vertex());
+      vertices_.emplace_back();
+      if(!is_removed)
+        vertices_.back() = tds_.create_vertex();
       return vertices_.back();
     }
 
@@ -159,7 +173,9 @@ private:
   {
     for(std::size_t n = vertices_.size(); n < table.sites.size(); ++n)
     {
-      const Vertex_handle v = created.create();
+      const Vertex_handle v = created.create(table.dimensions[n] == Mesh_table_3::removed);
+      if(v == Vertex_handle())
+        continue;
       const int place = table.inserted[n - vertices_.size()];
       c3t3_.set_dimension(v, table.dimensions[n]);
       c3t3_.set_index(v, domain_.index(table.dimensions[n], place));
@@ -299,6 +315,7 @@ private:
 
   C3t3& c3t3_;
   Mesh_domain_view_3<Mesh_domain>& domain_;
+  std::function<void(Vertex_handle)> before_removal_;
   std::vector<Vertex_handle> vertices_;
   std::vector<Center> centers_;               // by the numbers of facets in the table
 };

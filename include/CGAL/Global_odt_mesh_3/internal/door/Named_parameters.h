@@ -33,6 +33,7 @@ typedef Global_odt_tag<struct Annealing_schedule_name> annealing_schedule_t;
 typedef Global_odt_tag<struct Density_name> density_t;
 typedef Global_odt_tag<struct Do_insert_vertices_name> do_insert_vertices_t;
 typedef Global_odt_tag<struct Do_remove_slivers_name> do_remove_slivers_t;
+typedef Global_odt_tag<struct Do_remove_vertices_name> do_remove_vertices_t;
 typedef Global_odt_tag<struct Domain_is_thread_safe_name> domain_is_thread_safe_t;
 typedef Global_odt_tag<struct Number_of_rounds_name> number_of_rounds_t;
 typedef Global_odt_tag<struct Optimize_boundary_name> optimize_boundary_t;
@@ -123,6 +124,7 @@ inline constexpr Global_odt_parameter<internal_np::annealing_schedule_t> anneali
 inline constexpr Global_odt_parameter<internal_np::density_t> density{};
 inline constexpr Global_odt_parameter<internal_np::do_insert_vertices_t> do_insert_vertices{};
 inline constexpr Global_odt_parameter<internal_np::do_remove_slivers_t> do_remove_slivers{};
+inline constexpr Global_odt_parameter<internal_np::do_remove_vertices_t> do_remove_vertices{};
 inline constexpr Global_odt_parameter<internal_np::domain_is_thread_safe_t> domain_is_thread_safe{};
 inline constexpr Global_odt_parameter<internal_np::number_of_rounds_t> number_of_rounds{};
 inline constexpr Global_odt_parameter<internal_np::optimize_boundary_t> optimize_boundary{};

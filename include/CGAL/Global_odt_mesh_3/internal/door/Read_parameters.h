@@ -48,6 +48,7 @@ Odt_parameters read_parameters(const Arguments& arguments)
   arguments.template read<tags::sliver_bound>(p.sliver_bound);
   arguments.template read<internal_np::do_remove_slivers_t>(p.do_remove_slivers);
   arguments.template read<internal_np::do_insert_vertices_t>(p.do_insert_vertices);
+  arguments.template read<internal_np::do_remove_vertices_t>(p.do_remove_vertices);
   arguments.template read<internal_np::domain_is_thread_safe_t>(p.domain_is_thread_safe);
   arguments.template read<internal_np::random_seed_t>(p.random_seed);
   arguments.template read<internal_np::callback_t>(p.callback);

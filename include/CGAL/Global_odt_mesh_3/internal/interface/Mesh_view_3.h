@@ -30,6 +30,7 @@ struct Mesh_table_3
 {
   static constexpr int infinite = -1;           // the number of that vertex
   static constexpr int no_facet = -1, no_patch = -1;
+  static constexpr int removed = -2;            // not -1, the dimension of CGAL's far points
 
   struct Cell
   {
@@ -49,7 +50,7 @@ struct Mesh_table_3
   };
 
   std::vector<Site> sites;
-  std::vector<int> dimensions;                  // of what vertices are on
+  std::vector<int> dimensions;                  // of what vertices are on; of those that have been removed, `removed`
   std::vector<int> inserted;                    // of vertices that the user's mesh has not got, the last: patch or subdomain
   std::vector<double> mean_circumradii;         // of the cells in the complex around vertices, or 0; of an optimized mesh
   std::vector<Cell> cells;                      // all of the triangulation
@@ -119,7 +120,8 @@ public:
   // How many cells of the complex have a dihedral angle below a bound, in degrees.
   virtual std::size_t number_of_slivers(double bound) const = 0;
 
-  // Of a table for the same vertices and those that have been inserted; nothing has changed if that throws.
+  // Of a table for the same vertices, some of which are removed, and those that have been inserted; nothing has changed if that
+  // throws.
   virtual void write(const Mesh_table_3& table) = 0;
 };
 

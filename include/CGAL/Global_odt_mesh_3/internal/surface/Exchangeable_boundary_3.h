@@ -83,14 +83,25 @@ public:
     return result;
   }
 
+  // A vertex that an exchange inserts or removes, on a patch or inside.
+  struct Vertex_change
+  {
+    int vertex = -1;                // if there is one
+    bool is_inserted = false;
+    int patch = Boundary_facet::no_patch;
+  };
+
   // Whether after an exchange each patch would have as many facets, each vertex as many umbrellas,
-  // and there would be the same junctions. Around a vertex that is inserted on a patch there has to be a disk of it, which
-  // has two facets more than what it replaces.
-  bool keeps_topology(const std::vector<int>& removed, const std::vector<Facet>& added, int inserted, int patch)
+  // and there would be the same junctions. Around a vertex that is inserted on a patch or removed from it, there has to be a disk
+  // of it, which has two facets more than what is there without it.
+  bool keeps_topology(const std::vector<int>& removed, const std::vector<Facet>& added, const Vertex_change& change)
   {
     std::vector<int> patches_before, patches_after, vertices;
-    if(inserted >= 0 && patch != Boundary_facet::no_patch)
-      patches_before.insert(patches_before.end(), 2, patch);
+    if(change.patch != Boundary_facet::no_patch)
+    {
+      std::vector<int>& fewer = change.is_inserted ? patches_before : patches_after;
+      fewer.insert(fewer.end(), 2, change.patch);
+    }
     for(int n : removed)
     {
       patches_before.push_back(facets_[n].patch);
@@ -108,7 +119,7 @@ public:
     std::sort(vertices.begin(), vertices.end());
     vertices.erase(std::unique(vertices.begin(), vertices.end()), vertices.end());
     return std::all_of(vertices.begin(), vertices.end(), [&](int v)
-                       { return v == inserted ? makes_disk(v, added) : keeps_topology_at(v, removed, added); });
+                       { return v == change.vertex ? is_disk(v, change.is_inserted, added) : keeps_topology_at(v, removed, added); });
   }
 
   void exchange(const std::vector<int>& removed, const std::vector<Facet>& added)
@@ -163,12 +174,15 @@ private:
     return pattern(v, before_) == pattern(v, after_);
   }
 
-  // Whether the facets at the vertex are one.
-  bool makes_disk(int v, const std::vector<Facet>& added)
+  // Whether the facets at the vertex are one, among those added or as they are.
+  bool is_disk(int v, bool is_inserted, const std::vector<Facet>& added)
   {
     after_.clear();
-    std::copy_if(added.begin(), added.end(), std::back_inserter(after_), [v](const Facet& f)
-                 { return std::find(f.vertices.begin(), f.vertices.end(), v) != f.vertices.end(); });
+    for(int n : around_[v])
+      after_.push_back(facets_[n]);
+    if(is_inserted)
+      std::copy_if(added.begin(), added.end(), std::back_inserter(after_), [v](const Facet& f)
+                   { return std::find(f.vertices.begin(), f.vertices.end(), v) != f.vertices.end(); });
     return pattern(v, after_) == Pattern{ 1, {} };
   }
 

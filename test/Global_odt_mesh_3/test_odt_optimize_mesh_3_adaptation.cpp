@@ -3,7 +3,7 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// With do_insert_vertices, all that is promised holds but the number of vertices, and cells get better.
+// With do_insert_vertices and do_remove_vertices, all that is promised holds but the number of vertices, and cells get better.
 
 #include "mesh_contract.h"
 #include "mesh_domains.h"
@@ -17,6 +17,7 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <functional>
 #include <iostream>
 #include <set>
 #include <stdexcept>
@@ -82,12 +83,63 @@ std::vector<Handle<C3t3> > handles_of(const C3t3& c3t3)
   return handles;
 }
 
+// Is told of vertices that are removed.
+template <class Vertex_handle>
+struct Removal_visitor
+{
+  std::set<Vertex_handle> removed;
+
+  void after_compute_moves() {}
+  void after_move_points() {}
+  void end_of_iteration(int) {}
+  void after_rebuild_restricted_delaunay() {}
+  void before_vertex_removal(Vertex_handle v) { removed.insert(v); }
+};
+
+// Gives how many vertices are removed.
+template <class C3t3, class Domain>
+std::size_t test_removal(const std::string& name, const C3t3& input, const Domain& domain, double facet_angle = 30)
+{
+  std::size_t removed = 0;
+  for(bool inserts : { false, true })
+  {
+    Mesh_contract<C3t3, Domain> contract(input, domain, name + ", vertices removed");
+    contract.permit(inserts, true);
+    C3t3 without(input), c3t3(input);
+    CGAL::odt_optimize_mesh_3(without, domain);
+    auto handles = handles_of(c3t3);
+    Removal_visitor<typename C3t3::Vertex_handle> visitor;
+    CGAL::odt_optimize_mesh_3(c3t3, domain, params::do_remove_vertices = true, params::do_insert_vertices = inserts,
+                              params::visitor(std::ref(visitor)));
+    contract.check_moved(c3t3, surface, facet_angle);
+    handles.erase(std::remove_if(handles.begin(), handles.end(),
+                                 [&](const auto& h) { return visitor.removed.count(h.vertex) > 0; }), handles.end());
+    check_handles(name, c3t3, handles);
+    const std::size_t before = input.triangulation().number_of_vertices(), after = c3t3.triangulation().number_of_vertices();
+    check::that(after >= before - visitor.removed.size() && (inserts || after == before - visitor.removed.size()), name,
+                ": the visitor was told of ", visitor.removed.size(), " vertices, but there are ", after, " of ", before);
+    const auto angles_without = small_angles(without), angles = small_angles(c3t3);
+    std::cout << name << ": " << visitor.removed.size() << " of " << before << " vertices removed, now " << after
+              << ", smallest angle " << angles_without.first << " -> " << angles.first << ", cells below 30 degrees "
+              << angles_without.second << " -> " << angles.second << std::endl;
+    check::that(angles.first > (std::min)(angles_without.first, 30.) - 1 && angles.second <= angles_without.second, name,
+                ": removal makes cells worse");
+    removed += visitor.removed.size();
+  }
+  Mesh_contract<C3t3, Domain> contract(input, domain, name + ", vertices removed inside");
+  contract.permit(false, true);
+  C3t3 fixed(input);
+  CGAL::odt_optimize_mesh_3(fixed, domain, params::do_remove_vertices = true, params::optimize_boundary = false);
+  contract.check(fixed);
+  return removed;
+}
+
 // Optimizes the mesh in several ways. Gives how many vertices the call inserts by default.
 template <class C3t3, class Domain>
 std::size_t test(const std::string& name, const C3t3& input, const Domain& domain, double facet_angle = 30)
 {
   Mesh_contract<C3t3, Domain> contract(input, domain, name);
-  contract.permit_insertion();
+  contract.permit(true, false);
   C3t3 without(input), c3t3(input);
   CGAL::odt_optimize_mesh_3(without, domain);
   const auto handles = handles_of(c3t3);
@@ -205,6 +257,12 @@ int main()
   check::that(test("box with short feature edges", short_edges, box) > 100, "feature edges are short, but no vertices come");
   test("box with even edges", domains::mesh(box, 0.3, true), box);
   test("box without features", domains::mesh(box, 0.3, false), box);
+
+  check::that(test_removal("box with short feature edges", short_edges, box)
+              + test_removal("labeled image", domains::mesh(of_image, 0.15), of_image, 20)
+              + test_removal("three subdomains", domains::mesh(three, 0.15), three)
+              + test_removal("thin plate", domains::mesh(plate, 0.3), plate, 20) > 0, "no vertex is removed: the test is too weak");
+  check::that(test_removal("ball", ball, sphere) == 0, "vertices of a good mesh are removed");
 
   go_on<domains::Polyhedral_c3t3, domains::Polyhedral_criteria>(short_edges, box, 0.5);
   go_on<domains::Labeled_c3t3, domains::Labeled_criteria>(ball, sphere, 0.18);

@@ -3,11 +3,11 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef CGAL_GLOBAL_ODT_MESH_3_INTERNAL_SLIVERS_SLIVER_INSERTION_3_H
-#define CGAL_GLOBAL_ODT_MESH_3_INTERNAL_SLIVERS_SLIVER_INSERTION_3_H
+#ifndef CGAL_GLOBAL_ODT_MESH_3_INTERNAL_SLIVERS_SLIVER_EDITS_3_H
+#define CGAL_GLOBAL_ODT_MESH_3_INTERNAL_SLIVERS_SLIVER_EDITS_3_H
 
 #include <CGAL/Global_odt_mesh_3/internal/complex/Exact_relocation_3.h>
-#include <CGAL/Global_odt_mesh_3/internal/complex/Vertex_insertion_3.h>
+#include <CGAL/Global_odt_mesh_3/internal/complex/Vertex_edits_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/geometry/Facet_geometry_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/geometry/Random_source.h>
 #include <CGAL/Global_odt_mesh_3/internal/geometry/Site.h>
@@ -27,13 +27,16 @@ namespace CGAL {
 namespace Global_odt_mesh_3 {
 namespace internal {
 
-// Inserts vertices in and beside the cells with small dihedral angles, the worst first, where that makes angles larger.
-class Sliver_insertion_3
+// Inserts vertices in and beside the cells with small dihedral angles, or removes vertices of these, the worst first, where
+// that makes angles larger.
+class Sliver_edits_3
 {
 public:
-  Sliver_insertion_3(Vertex_insertion_3& insertion, unsigned int seed)
-    : insertion_(insertion)
-    , complex_(insertion.complex())
+  Sliver_edits_3(Vertex_edits_3& edits, bool inserts, bool removes, unsigned int seed)
+    : edits_(edits)
+    , complex_(edits.complex())
+    , inserts_(inserts)
+    , removes_(removes)
     , random_(seed)
   {}
 
@@ -41,7 +44,7 @@ public:
   template <class Predicate>
   void run(int step, const Predicate& may_go_on)
   {
-    Exact_relocation_3& trial = insertion_.trial();
+    Exact_relocation_3& trial = edits_.trial();
     trial.set_goal(Sliver_steps::angles[step], step);
     std::vector<std::pair<double, Quadruple> > slivers;
     for(const Quadruple& q : trial.slivers(Sliver_steps::angles[step]))
@@ -62,6 +65,7 @@ public:
 private:
   static constexpr int tries = 8;                         // around each middle of a cell, a facet, or an edge
   static constexpr double farthest = 0.2;                 // over the longest edge of the cell
+  static constexpr std::size_t tries_of_removal = 8;      // that take as long
   static constexpr std::size_t fewest_tries = 2000, tries_for_a_cell = 2;       // of the whole mesh
   static constexpr double least_improvement = 1e-6;       // square degrees
 
@@ -73,8 +77,34 @@ private:
 
   void improve(const Quadruple& q, Cell_handle c)
   {
-    const std::vector<Site>& sites = complex_.sites;
     Best best;
+    if(inserts_)
+      try_insertions(q, c, best);
+    if(removes_ && try_removals(q, best.change))
+      return;
+    if(best.vertex)
+      edits_.insert_for_angles(*best.vertex, 0, c);
+  }
+
+  // Whether a vertex has been removed because that is better than any insertion.
+  bool try_removals(const Quadruple& q, double most)
+  {
+    int best = -1;
+    for(int v : edits_.trial().movable_vertices(q))
+    {
+      number_of_tries_ += tries_of_removal;
+      const double change = edits_.change_without(v, most);
+      if(!(change < most))
+        continue;
+      most = change;
+      best = v;
+    }
+    return best >= 0 && edits_.remove_for_angles(best, 0);
+  }
+
+  void try_insertions(const Quadruple& q, Cell_handle c, Best& best)
+  {
+    const std::vector<Site>& sites = complex_.sites;
     std::vector<std::pair<double, std::array<int, 2> > > edges;
     for(int i = 0; i < 3; ++i)
       for(int j = i + 1; j < 4; ++j)
@@ -87,8 +117,6 @@ private:
                              3, c->label() }, length, c, best);
     for(int i = 0; i < 4; ++i)
       try_around(middle_of_facet({{ q[(i + 1) % 4], q[(i + 2) % 4], q[(i + 3) % 4] }}), length, c, best);
-    if(best.vertex)
-      insertion_.insert_for_angles(*best.vertex, 0, c);
   }
 
   std::optional<New_vertex_3> middle_of_facet(const Triple& t) const
@@ -110,14 +138,15 @@ private:
       if(v.dimension == 2 && !complex_.domain.project(v.point, v.normal, length, v.place))
         continue;
       ++number_of_tries_;
-      const double change = insertion_.change_of_angles(v, best.change, c);
+      const double change = edits_.change_of_angles(v, best.change, c);
       if(change < best.change)
         best = { change, v };
     }
   }
 
-  Vertex_insertion_3& insertion_;
+  Vertex_edits_3& edits_;
   const Editable_complex_3& complex_;
+  bool inserts_, removes_;
   Random_source random_;
   std::size_t number_of_tries_ = 0;
 };
@@ -126,4 +155,4 @@ private:
 } // namespace Global_odt_mesh_3
 } // namespace CGAL
 
-#endif // CGAL_GLOBAL_ODT_MESH_3_INTERNAL_SLIVERS_SLIVER_INSERTION_3_H
+#endif // CGAL_GLOBAL_ODT_MESH_3_INTERNAL_SLIVERS_SLIVER_EDITS_3_H

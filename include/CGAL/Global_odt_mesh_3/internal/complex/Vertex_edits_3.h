@@ -3,8 +3,8 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef CGAL_GLOBAL_ODT_MESH_3_INTERNAL_COMPLEX_VERTEX_INSERTION_3_H
-#define CGAL_GLOBAL_ODT_MESH_3_INTERNAL_COMPLEX_VERTEX_INSERTION_3_H
+#ifndef CGAL_GLOBAL_ODT_MESH_3_INTERNAL_COMPLEX_VERTEX_EDITS_3_H
+#define CGAL_GLOBAL_ODT_MESH_3_INTERNAL_COMPLEX_VERTEX_EDITS_3_H
 
 #include <CGAL/Global_odt_mesh_3/internal/complex/Candidate_checks_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/complex/Complex_snapshot_3.h>
@@ -25,6 +25,8 @@
 #include <Eigen/Core>
 
 #include <algorithm>
+#include <limits>
+#include <map>
 #include <memory>
 #include <optional>
 #include <utility>
@@ -69,33 +71,33 @@ inline std::optional<New_vertex_3> middle_of_edge(const Editable_complex_3& comp
   return New_vertex_3{ p, 2, facets[0].patch, n };
 }
 
-// Inserts vertices into the exact triangulation of a snapshot. One that is inserted inside leaves the boundary as it is; one on
-// a surface replaces the facets of a disk of its patch by those around it. None is inserted into a protecting ball.
-class Vertex_insertion_3
+// Inserts vertices into the exact triangulation of a snapshot, or removes some that can move. Inside, that leaves the boundary as it
+// is; on a surface, the facets of a disk of its patch are replaced. None is inserted into a protecting ball.
+class Vertex_edits_3
 {
 public:
   // Surfaces get vertices only if `boundary_moves`. The triangulation is that of the snapshot, and not any longer afterwards.
-  Vertex_insertion_3(const Complex_snapshot_3& snapshot, Working_triangulation_3& triangulation, const Domain_view_3& domain,
+  Vertex_edits_3(const Complex_snapshot_3& snapshot, Working_triangulation_3& triangulation, const Domain_view_3& domain,
                      const Fidelity_check_3& fidelity, const Facet_shape_check_3& shapes, bool boundary_moves,
                      const Thread_policy& threads)
     : numbering_(std::make_shared<Vertex_numbering_3>(*snapshot.numbering))
     , trial_(snapshot, *numbering_, triangulation, domain, fidelity, shapes, boundary_moves, Circumradius_bound_3(), threads)
   {}
 
-  Vertex_insertion_3(const Vertex_insertion_3&) = delete;
-  Vertex_insertion_3& operator=(const Vertex_insertion_3&) = delete;
+  Vertex_edits_3(const Vertex_edits_3&) = delete;
+  Vertex_edits_3& operator=(const Vertex_edits_3&) = delete;
 
   const Editable_complex_3& complex() const { return trial_.complex(); }
   Exact_relocation_3& trial() { return trial_; }
 
   int number_of_vertices() const { return static_cast<int>(complex().sites.size()); }
-  bool has_inserted() const { return !places_.empty(); }
+  bool has_changed() const { return !places_.empty() || has_removed_; }
 
   // Whether the vertex, which is near a cell, may be inserted so far from all others, whatever that does to angles, and has
   // been, as the last one.
-  bool insert(const New_vertex_3& vertex, double least_distance, Cell_handle near)
+  bool insert(const New_vertex_3& vertex, double least_distance, Cell_handle start)
   {
-    begin(vertex, near);
+    begin(vertex, start);
     const bool fits = trial_.fits(least_distance);
     end(fits);
     return fits;
@@ -103,49 +105,111 @@ public:
 
   // The change of the sum of the deficits if the vertex were there, or infinity if it may not be inserted there, if an angle
   // gets smaller than all before, or if the change is not less than `most`.
-  double change_of_angles(const New_vertex_3& vertex, double most, Cell_handle near)
+  double change_of_angles(const New_vertex_3& vertex, double most, Cell_handle start)
   {
-    begin(vertex, near);
+    begin(vertex, start);
     const double change = trial_.move(complex().sites.back(), most);
     end(false);
     return change;
   }
 
   // Whether the vertex has been inserted because that is less than `most`.
-  bool insert_for_angles(const New_vertex_3& vertex, double most, Cell_handle near)
+  bool insert_for_angles(const New_vertex_3& vertex, double most, Cell_handle start)
   {
-    begin(vertex, near);
+    begin(vertex, start);
     const bool is_better = trial_.move(complex().sites.back(), most) < most;
     end(is_better);
     return is_better;
   }
 
-  // The complex with the vertices, which follow those of the input.
+  // The change of the sum of the deficits if the vertex, which may move, were removed, or infinity as above.
+  double change_without(int v, double most)
+  {
+    trial_.detach(v);
+    const double change = trial_.leave(most);
+    const bool is_permitted = change < most && keeps_volumes(v);
+    trial_.reject();
+    return is_permitted ? change : (std::numeric_limits<double>::infinity)();
+  }
+
+  // Whether it has been removed because that is less than `most`.
+  bool remove_for_angles(int v, double most)
+  {
+    trial_.detach(v);
+    const bool is_better = trial_.leave(most) < most && keeps_volumes(v);
+    if(is_better)
+    {
+      for(const auto& c : trial_.changes_of_volume())
+        change_of_volume_[c.first] += c.second;
+      trial_.accept();
+    }
+    else
+      trial_.reject();
+    has_removed_ = has_removed_ || is_better;
+    return is_better;
+  }
+
+  // The complex, with the vertices that have been inserted after those of the input.
   Mesh_table_3 table()
   {
     Complex_snapshot_3 refined;
-    refined.numbering = numbering_;
-    refined.sites = complex().sites;
-    refined.boundary_cells = complex().snapshot.boundary_cells;
-    const std::vector<Editable_complex_3::Found_facet> found = complex().find_boundary();
+    std::vector<int> numbers;
+    refined.numbering = keep_visible(numbers, refined.sites);
+    const auto renumber = [&numbers](auto& vertices)
+    {
+      for(int& v : vertices)
+        v = numbers[v];
+    };
+    for(const auto& c : complex().snapshot.boundary_cells.entries())
+    {
+      Quadruple q = c.first;
+      renumber(q);
+      if(*std::min_element(q.begin(), q.end()) >= 0)
+        refined.boundary_cells.insert(sorted(q), c.second);
+    }
+    std::vector<Editable_complex_3::Found_facet> found = complex().find_boundary();
     std::vector<Boundary_facet> facets;
-    for(const auto& f : found)
+    for(auto& f : found)
+    {
       facets.push_back(f.of_boundary);
+      renumber(facets.back().vertices);
+    }
     refined.boundary = Boundary_geometry_3(
-      std::make_shared<const Boundary_complex_3>(std::move(facets), complex().sites.size(), complex().threads), complex().sites);
-    for(const auto& f : found)
-      refined.centers.push_back(center(f, refined.boundary));
+      std::make_shared<const Boundary_complex_3>(std::move(facets), refined.sites.size(), complex().threads), refined.sites);
+    for(std::size_t n = 0; n < found.size(); ++n)
+      refined.centers.push_back(center(found[n], refined.boundary.complex().facets()[n].vertices, refined));
     refined.number_facets();
+    trial_.complex().working.renumber(numbers);
     Mesh_table_3 table = Snapshot_tabulation_3(refined, complex().working, complex().threads)();
     table.inserted = places_;
     return table;
   }
 
 private:
-  void begin(const New_vertex_3& vertex, Cell_handle near)
+  static constexpr double most_of_volume = 0.003;         // by which all removals may change that of a subdomain
+
+  // Whether that still holds if the vertex leaves.
+  bool keeps_volumes(int v)
+  {
+    if(!numbering_->is_on_boundary(v))
+      return true;
+    if(volume_.empty())
+      for(Cell_handle c : complex().working.cells())
+        if(c->label() != Domain_view_3::outside)
+          volume_[c->label()] += trial_.volume(complex().numbers(c));
+    const std::map<int, double> changes = trial_.changes_of_volume();
+    return std::all_of(changes.begin(), changes.end(), [this](const std::pair<const int, double>& c)
+    {
+      const auto before = change_of_volume_.find(c.first);
+      const double change = c.second + (before == change_of_volume_.end() ? 0 : before->second);
+      return std::abs(change) <= most_of_volume * volume_.at(c.first);
+    });
+  }
+
+  void begin(const New_vertex_3& vertex, Cell_handle start)
   {
     const int v = add(vertex);
-    trial_.begin(v, vertex.dimension == 2 ? vertex.place : int(Boundary_facet::no_patch), near);
+    trial_.begin(v, vertex.dimension == 2 ? vertex.place : int(Boundary_facet::no_patch), start);
   }
 
   void end(bool is_accepted)
@@ -162,7 +226,7 @@ private:
   int add(const New_vertex_3& vertex)
   {
     const Site s = site_at(vertex.point, 0);
-    numbering_->input_numbers.push_back(number_of_vertices());
+    numbering_->input_numbers.push_back(numbering_->number_in_table + static_cast<int>(places_.size()));
     numbering_->input_sites.push_back(s);
     numbering_->dimensions.push_back(vertex.dimension);
     numbering_->subdomain.push_back(vertex.dimension == 3 ? vertex.place : int(Vertex_numbering_3::no_subdomain));
@@ -180,14 +244,45 @@ private:
     trial_.complex().remove_last_vertex();
   }
 
+  // The numbering without the vertices that have been removed, whose numbers become -1, and the sites.
+  std::shared_ptr<const Vertex_numbering_3> keep_visible(std::vector<int>& numbers, std::vector<Site>& sites) const
+  {
+    const auto kept = std::make_shared<Vertex_numbering_3>();
+    kept->input = numbering_->input;
+    kept->first_inserted = numbering_->first_inserted;
+    kept->number_in_table = numbering_->number_in_table + static_cast<int>(places_.size());
+    for(int v = 0; v < number_of_vertices(); ++v)
+    {
+      const bool is_visible = complex().working.is_visible(v);
+      numbers.push_back(is_visible ? static_cast<int>(sites.size()) : -1);
+      if(!is_visible)
+        continue;
+      kept->input_numbers.push_back(numbering_->input_numbers[v]);
+      kept->input_sites.push_back(numbering_->input_sites[v]);
+      kept->dimensions.push_back(numbering_->dimensions[v]);
+      kept->subdomain.push_back(numbering_->subdomain[v]);
+      sites.push_back(complex().sites[v]);
+    }
+    for(const auto& c : numbering_->input_boundary_cells.entries())
+    {
+      Vertex_numbering_3::Input_cell cell = c.second;
+      for(int& v : cell.vertices)
+        v = numbers[v];
+      if(*std::min_element(cell.vertices.begin(), cell.vertices.end()) >= 0)
+        kept->input_boundary_cells.insert(sorted(cell.vertices), cell);
+    }
+    return kept;
+  }
+
   // That of the snapshot, or else where the dual segment crosses the surface.
-  Complex_snapshot_3::Surface_center center(const Editable_complex_3::Found_facet& f, const Boundary_geometry_3& boundary) const
+  Complex_snapshot_3::Surface_center center(const Editable_complex_3::Found_facet& f, const Triple& vertices,
+                                            const Complex_snapshot_3& refined) const
   {
     const int known = complex().snapshot.facet_number(f.key);
     if(known >= 0)
       return complex().snapshot.centers[known];
     Complex_snapshot_3::Surface_center c;
-    c.point = estimated_surface_center(f.of_boundary.vertices, boundary, complex().sites);
+    c.point = estimated_surface_center(vertices, refined.boundary, refined.sites);
     const Cell_handle d = f.facet.first->neighbor(f.facet.second);
     const Exact_triangulation_3& tr = complex().triangulation();
     if(tr.is_infinite(f.facet.first) || tr.is_infinite(d))
@@ -204,10 +299,12 @@ private:
   std::shared_ptr<Vertex_numbering_3> numbering_;
   Exact_relocation_3 trial_;
   std::vector<int> places_;                 // of those that have been inserted
+  bool has_removed_ = false;
+  std::map<int, double> volume_, change_of_volume_;         // of subdomains, when a removal is first tried, and by removals
 };
 
 } // namespace internal
 } // namespace Global_odt_mesh_3
 } // namespace CGAL
 
-#endif // CGAL_GLOBAL_ODT_MESH_3_INTERNAL_COMPLEX_VERTEX_INSERTION_3_H
+#endif // CGAL_GLOBAL_ODT_MESH_3_INTERNAL_COMPLEX_VERTEX_EDITS_3_H

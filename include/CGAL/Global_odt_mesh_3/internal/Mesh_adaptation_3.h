@@ -3,19 +3,19 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef CGAL_GLOBAL_ODT_MESH_3_INTERNAL_MESH_REFINEMENT_3_H
-#define CGAL_GLOBAL_ODT_MESH_3_INTERNAL_MESH_REFINEMENT_3_H
+#ifndef CGAL_GLOBAL_ODT_MESH_3_INTERNAL_MESH_ADAPTATION_3_H
+#define CGAL_GLOBAL_ODT_MESH_3_INTERNAL_MESH_ADAPTATION_3_H
 
 #include <CGAL/Global_odt_mesh_3/internal/complex/Complex_updater_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/complex/Edge_splitting_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/complex/Snapshot_reader_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/complex/Tabulated_mesh_3.h>
-#include <CGAL/Global_odt_mesh_3/internal/complex/Vertex_insertion_3.h>
+#include <CGAL/Global_odt_mesh_3/internal/complex/Vertex_edits_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/geometry/Site.h>
 #include <CGAL/Global_odt_mesh_3/internal/interface/Domain_view_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/interface/Mesh_view_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/parallel/Thread_policy.h>
-#include <CGAL/Global_odt_mesh_3/internal/slivers/Sliver_insertion_3.h>
+#include <CGAL/Global_odt_mesh_3/internal/slivers/Sliver_edits_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/triangulation/Moving_triangulation_3.h>
 
 #include <Eigen/Core>
@@ -127,12 +127,12 @@ private:
   std::vector<double> feature_length_;    // at vertices on features, the shortest
 };
 
-// Inserts vertices into a mesh, as a stage of its own.
-class Mesh_refinement_3
+// Inserts vertices into a mesh, or removes them, as a stage of its own.
+class Mesh_adaptation_3
 {
 public:
   // Refers to its arguments.
-  Mesh_refinement_3(Tabulated_mesh_3& mesh, const Domain_view_3& domain, Boundary_motion motion, const Thread_policy& threads)
+  Mesh_adaptation_3(Tabulated_mesh_3& mesh, const Domain_view_3& domain, Boundary_motion motion, const Thread_policy& threads)
     : mesh_(mesh)
     , complex_(domain, motion, false, threads)
   {
@@ -144,33 +144,33 @@ public:
   void split_edges(const Predicate& may_go_on)
   {
     const std::vector<int>& in_table = complex_.snapshot().numbering->input_numbers;
-    std::vector<int> number(in_table.size());
+    std::vector<int> number(mesh_.table().sites.size());
     for(std::size_t v = 0; v < in_table.size(); ++v)
       number[in_table[v]] = static_cast<int>(v);
     std::vector<std::array<int, 2> > feature_edges = mesh_.table().feature_edges;
     for(std::array<int, 2>& e : feature_edges)
       e = {{ number[e[0]], number[e[1]] }};
     Graded_length_3 wanted(indexed_, feature_edges);
-    Vertex_insertion_3 insertion = complex_.make_insertion();
-    Edge_splitting_3(insertion).run(wanted, may_go_on);
-    store(insertion);
+    Vertex_edits_3 edits = complex_.make_edits();
+    Edge_splitting_3(edits).run(wanted, may_go_on);
+    store(edits);
   }
 
   // Where that makes the small angles of cells larger; whether there are such places.
   template <class Predicate>
-  bool insert_at_slivers(int step, unsigned int seed, const Predicate& may_go_on)
+  bool edit_slivers(bool inserts, bool removes, int step, unsigned int seed, const Predicate& may_go_on)
   {
-    Vertex_insertion_3 insertion = complex_.make_insertion();
-    Sliver_insertion_3(insertion, seed).run(step, may_go_on);
-    store(insertion);
-    return insertion.has_inserted();
+    Vertex_edits_3 edits = complex_.make_edits();
+    Sliver_edits_3(edits, inserts, removes, seed).run(step, may_go_on);
+    store(edits);
+    return edits.has_changed();
   }
 
 private:
-  void store(Vertex_insertion_3& insertion)
+  void store(Vertex_edits_3& edits)
   {
-    if(insertion.has_inserted())
-      mesh_.write(insertion.table());
+    if(edits.has_changed())
+      mesh_.write(edits.table());
   }
 
   Tabulated_mesh_3& mesh_;
@@ -182,4 +182,4 @@ private:
 } // namespace Global_odt_mesh_3
 } // namespace CGAL
 
-#endif // CGAL_GLOBAL_ODT_MESH_3_INTERNAL_MESH_REFINEMENT_3_H
+#endif // CGAL_GLOBAL_ODT_MESH_3_INTERNAL_MESH_ADAPTATION_3_H
