@@ -60,8 +60,9 @@ to \f$ E^\rho_{ODT} \f$ (see `surface_weight`). They end on the surface, exactly
 otherwise within the error bound of the domain. Vertices of
 dimension 0 and 1, that is, corners and vertices on features, stay. Vertices where
 surfaces meet, where a surface bends sharply, or on a surface that separates no subdomains move only to remove a
-sliver; those where surfaces meet move on the surface of their index. Unless `do_insert_vertices` is `true`, the result has as
-many vertices of each dimension and index and as many facets of each patch as the input. The Euler characteristic, the components, and the junctions of
+sliver; those where surfaces meet move on the surface of their index. Unless `do_insert_vertices` or
+`do_remove_vertices` is `true`, the result has as many vertices of each dimension and index and as many facets of each patch as the
+input. The Euler characteristic, the components, and the junctions of
 patches and subdomains are those of the input, and no centroid of a facet is farther from a polyhedral surface
 than the worst of the input, except of a sliver that is left between two facets of the surface. No facet of the
 boundary gets an angle below the smallest of the input or below 30 degrees, whichever is less, unless no valid mesh, or
@@ -75,7 +76,7 @@ complex, their patch indices and surface centers, and the volume of each subdoma
 
 If the domain, a field or the callback throws, `c3t3` is as it was before the call. For the same input and
 `random_seed` the result is the same, bit for bit, unless `time_limit` shortens the schedule. Handles to vertices
-of `c3t3` stay valid, those to cells do not.
+of `c3t3` stay valid unless `do_remove_vertices` is `true`, those to cells do not.
 
 If `C3T3::Triangulation::Concurrency_tag` is convertible to `CGAL::Parallel_tag` and the program links TBB, search,
 minimization, and most of the removal of slivers run on several threads, within the limits of the caller's
@@ -223,6 +224,14 @@ version of %CGAL in use accepts: `parameters::time_limit = 10, parameters::do_fr
                           angles below `sliver_bound`, or 30 degrees if that is 0, where no move helps. They get the
                           dimension and index of where they are; what else a vertex of `c3t3` has is constructed by
                           default. Handles to the other vertices stay valid.}
+    \cgalParamType{`bool`}
+    \cgalParamDefault{`false`}
+  \cgalParamNEnd
+  \cgalParamNBegin{do_remove_vertices}
+    \cgalParamDescription{whether, if `do_remove_slivers` is `true`, vertices inside and on surfaces may be removed in the end,
+                          where that raises the angles of cells below `sliver_bound`, or 30 degrees if that is 0. Handles to
+                          these vertices become invalid. A visitor with a member `before_vertex_removal(Vertex_handle)` is told
+                          of each of them, before `c3t3` changes.}
     \cgalParamType{`bool`}
     \cgalParamDefault{`false`}
   \cgalParamNEnd

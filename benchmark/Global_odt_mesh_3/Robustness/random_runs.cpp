@@ -64,12 +64,15 @@ struct Random_parameters
   double time_limit = 0, convergence = 0.02, freeze_bound = 0.01, sliver_bound = 0, surface_weight = 1.2;
   int max_iteration_number = 0, number_of_rounds = 4;
   bool do_freeze = true, optimize_boundary = true, do_remove_slivers = true, domain_is_thread_safe = false;
+  bool do_insert_vertices = false, do_remove_vertices = false;
   long callback_stops_after = -1, callback_throws_after = -1;
   unsigned int random_seed = 0;
 
   explicit Random_parameters(Draw& draw)
   {
     random_seed = static_cast<unsigned int>(draw.integer(0, 1000000));
+    do_insert_vertices = random_seed % 2 == 0;
+    do_remove_vertices = random_seed / 2 % 2 == 0;
     if(is_parallel)
       domain_is_thread_safe = draw.chance(0.5);
     if(draw.chance(0.5))
@@ -94,6 +97,7 @@ struct Random_parameters
                << ", sliver_bound " << p.sliver_bound << ", surface_weight " << p.surface_weight << ", max_iteration_number "
                << p.max_iteration_number << ", number_of_rounds " << p.number_of_rounds << ", do_freeze " << p.do_freeze
                << ", optimize_boundary " << p.optimize_boundary << ", do_remove_slivers " << p.do_remove_slivers
+               << ", do_insert_vertices " << p.do_insert_vertices << ", do_remove_vertices " << p.do_remove_vertices
                << ", domain_is_thread_safe " << p.domain_is_thread_safe
                << ", callback stops, throws after " << p.callback_stops_after << ", " << p.callback_throws_after
                << ", random_seed " << p.random_seed;
@@ -116,6 +120,8 @@ void optimize(C3t3& c3t3, const Domain& domain, const Random_parameters& p)
                             params::surface_weight = p.surface_weight, params::number_of_rounds = p.number_of_rounds,
                             params::optimize_boundary = p.optimize_boundary,
                             params::do_remove_slivers = p.do_remove_slivers,
+                            params::do_insert_vertices = p.do_insert_vertices,
+                            params::do_remove_vertices = p.do_remove_vertices,
                             params::domain_is_thread_safe(p.domain_is_thread_safe), params::callback(callback),
                             params::random_seed(p.random_seed));
 }
@@ -180,9 +186,11 @@ void run(Input& input, const std::string& method, Draw& draw, Outcome& outcome)
 {
   auto c3t3 = mesh_in_time(input);
   const auto original = c3t3;
-  const Mesh_contract<typename Input::C3t3, typename Input::Domain> contract(c3t3, input.domain, input.name);
+  Mesh_contract<typename Input::C3t3, typename Input::Domain> contract(c3t3, input.domain, input.name);
   outcome.vertices = c3t3.triangulation().number_of_vertices();
   const Random_parameters parameters(draw);
+  if(method != "cgal")
+    contract.permit(parameters.do_insert_vertices, parameters.do_remove_vertices);
   std::cerr << input.name << ", " << outcome.vertices << " vertices: " << parameters << std::endl;
   input.fail_sometimes(draw);
   bool has_thrown = false;

@@ -30,7 +30,6 @@
 #include <cstddef>
 #include <iterator>
 #include <limits>
-#include <map>
 #include <optional>
 #include <utility>
 #include <vector>
@@ -220,23 +219,7 @@ public:
     return change(most, { v, false, complex_.numbering.is_on_boundary(v) ? own_patch(v) : int(Boundary_facet::no_patch) });
   }
 
-  double volume(const Quadruple& q) const
-  { return Cell_products(site(q[0]), site(q[1]), site(q[2]), site(q[3])).determinant / 6; }
-
-  // By how much the volumes of subdomains change if the vertex leaves, by their labels.
-  std::map<int, double> changes_of_volume() const
-  {
-    std::map<int, double> changes;
-    const auto add = [&](const std::vector<Cell>& cells, double sign)
-    {
-      for(const Cell& c : cells)
-        if(is_inside(c.label))
-          changes[c.label] += sign * volume(c.vertices);
-    };
-    add(detached_.old_cells(), -1);
-    add(detached_.new_cells(), 1);
-    return changes;
-  }
+  const Detached_vertex_3& detached() const { return detached_; }
 
   // The sum of the deficits of the new cells.
   double deficit_after() const { return after_.deficit; }

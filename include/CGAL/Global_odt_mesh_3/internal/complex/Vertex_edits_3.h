@@ -8,10 +8,12 @@
 
 #include <CGAL/Global_odt_mesh_3/internal/complex/Candidate_checks_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/complex/Complex_snapshot_3.h>
+#include <CGAL/Global_odt_mesh_3/internal/complex/Detached_vertex_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/complex/Editable_complex_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/complex/Exact_relocation_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/complex/Snapshot_tabulation_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/complex/Working_triangulation_3.h>
+#include <CGAL/Global_odt_mesh_3/internal/geometry/Cell_geometry_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/geometry/Circumradius_bound_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/geometry/Facet_geometry_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/geometry/Site.h>
@@ -139,7 +141,7 @@ public:
     const bool is_better = trial_.leave(most) < most && keeps_volumes(v);
     if(is_better)
     {
-      for(const auto& c : trial_.changes_of_volume())
+      for(const auto& c : changes_of_volume())
         change_of_volume_[c.first] += c.second;
       trial_.accept();
     }
@@ -196,14 +198,35 @@ private:
     if(volume_.empty())
       for(Cell_handle c : complex().working.cells())
         if(c->label() != Domain_view_3::outside)
-          volume_[c->label()] += trial_.volume(complex().numbers(c));
-    const std::map<int, double> changes = trial_.changes_of_volume();
+          volume_[c->label()] += volume(complex().numbers(c));
+    const std::map<int, double> changes = changes_of_volume();
     return std::all_of(changes.begin(), changes.end(), [this](const std::pair<const int, double>& c)
     {
       const auto before = change_of_volume_.find(c.first);
       const double change = c.second + (before == change_of_volume_.end() ? 0 : before->second);
       return std::abs(change) <= most_of_volume * volume_.at(c.first);
     });
+  }
+
+  double volume(const Quadruple& q) const
+  {
+    const std::vector<Site>& s = complex().sites;
+    return Cell_products(s[q[0]], s[q[1]], s[q[2]], s[q[3]]).determinant / 6;
+  }
+
+  // By how much the volumes of subdomains change with the cells that are tried, by their labels.
+  std::map<int, double> changes_of_volume() const
+  {
+    std::map<int, double> changes;
+    const auto add = [&](const std::vector<Detached_vertex_3::Cell>& cells, double sign)
+    {
+      for(const Detached_vertex_3::Cell& c : cells)
+        if(c.label != Domain_view_3::outside)
+          changes[c.label] += sign * volume(c.vertices);
+    };
+    add(trial_.detached().old_cells(), -1);
+    add(trial_.detached().new_cells(), 1);
+    return changes;
   }
 
   void begin(const New_vertex_3& vertex, Cell_handle start)
