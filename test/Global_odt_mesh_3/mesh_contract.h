@@ -166,8 +166,14 @@ private:
                 " facets differ in patch or surface center on their two sides");
     check::that(after.centers_off <= before_.centers_off, n, after.centers_off,
                 " surface centers are not equidistant from their facets, before ", before_.centers_off);
-    check::that(after.misplaced_facets <= before_.misplaced_facets, n, after.misplaced_facets,
-                " facets are not where subdomains differ, before ", before_.misplaced_facets);
+    check::that(after.missing_facets <= before_.missing_facets, n, after.missing_facets,
+                " facets between subdomains are missing, before ", before_.missing_facets);
+    for(const auto& u : after.unseparating)
+    {
+      const auto b = before_.unseparating.find(u.first);
+      check::that(b != before_.unseparating.end() && (may_insert_ || u.second <= b->second), n, u.second, " facets of patch ",
+                  u.first, " are inside of a subdomain, before ", b == before_.unseparating.end() ? 0 : b->second);
+    }
     check::that(after.misplaced_cells <= before_.misplaced_cells, n, after.misplaced_cells,
                 " cells have their dual point in another subdomain, before ", before_.misplaced_cells);
     check::that(after.corners == before_.corners, n, "corners changed");
@@ -184,12 +190,15 @@ private:
   bool is_kept(Number after, Number before) const
   { return (may_insert_ || after <= before) && (may_remove_ || after >= before); }
 
-  // Whether as many vertices of dimension 2 have each index.
+  // Whether as many vertices of dimension 2 have each index. Patches between features may get their first ones.
   bool keeps_indices(const State& after) const
   {
-    const auto b = count_indices(before_.sliding), a = count_indices(after.sliding);
-    return std::equal(b.begin(), b.end(), a.begin(), a.end(), [this](const auto& x, const auto& y)
-                      { return x.first == y.first && is_kept(y.second, x.second); });
+    auto b = count_indices(before_.sliding), a = count_indices(after.sliding);
+    std::set<Index> indices;
+    for(const auto& count : { b, a })
+      for(const auto& c : count)
+        indices.insert(c.first);
+    return std::all_of(indices.begin(), indices.end(), [&](const Index& i) { return is_kept(a[i], b[i]); });
   }
 
   bool keeps_patches(const State& after) const
@@ -285,7 +294,7 @@ private:
   struct State
   {
     std::size_t vertices = 0, interior = 0, hidden = 0, one_sided_facets = 0, centers_off = 0,
-                misplaced_facets = 0, misplaced_cells = 0,
+                missing_facets = 0, misplaced_cells = 0,
                 interior_on_boundary = 0, surface_off_boundary = 0, stale_duals = 0, bad_indices = 0, far_points = 0, cells = 0;
     bool counters_right = false;
     long euler = 0;
@@ -294,6 +303,7 @@ private:
     check::Largest farthest_centroid, farthest_centroid_off_slivers;
     double smallest_facet_angle = 60;             // of the facets of the complex, in degrees
     std::map<Point, std::tuple<int, bool, Index> > fixed, sliding;    // of dimensions -1, 0, 1, and 2
+    std::map<std::string, std::size_t> unseparating;                  // facets inside of a subdomain, by their patches
     std::map<std::string, std::array<long, 3> > patches;              // facets, Euler characteristic, components
     std::set<Segment> junctions;                  // edges without just two facets of one patch
     std::map<Triangle, std::pair<std::string, std::array<double, 3> > > facets;   // patch and surface center
@@ -553,8 +563,9 @@ private:
       {
         const Facet mirror = tr.mirror_facet(*f);
         const bool differ = c3t3.subdomain_index(f->first) != c3t3.subdomain_index(mirror.first);
-        if(differ != c3t3.is_in_complex(*f))
-          ++misplaced_facets;
+        missing_facets += differ && !c3t3.is_in_complex(*f);
+        if(!differ && c3t3.is_in_complex(*f))
+          ++unseparating[patch_to_string(c3t3.surface_patch_index(*f))];
         if(c3t3.is_in_complex(*f) != c3t3.is_in_complex(mirror))
           ++one_sided_facets;
         if(!c3t3.is_in_complex(*f))
