@@ -26,6 +26,7 @@
 #include <cstddef>
 #include <functional>
 #include <limits>
+#include <optional>
 #include <queue>
 #include <utility>
 #include <vector>
@@ -162,15 +163,17 @@ public:
   {
     Vertex_edits_3 edits = complex_.make_edits();
     Sliver_edits_3(edits, inserts, removes, seed).run(step, may_go_on);
-    store(edits);
-    return edits.has_changed();
+    return store(edits);
   }
 
 private:
-  void store(Vertex_edits_3& edits)
+  // Whether something has changed.
+  bool store(Vertex_edits_3& edits)
   {
-    if(edits.has_changed())
-      mesh_.write(edits.table());
+    const std::optional<Mesh_table_3> table = edits.has_changed() ? edits.table() : std::nullopt;
+    if(table)
+      mesh_.write(*table);
+    return table.has_value();
   }
 
   Tabulated_mesh_3& mesh_;

@@ -101,7 +101,7 @@ private:
   Complex_candidate_3& candidate_;
   const Fidelity_check_3& fidelity_;
   const Facet_shape_check_3& shapes_;
-  Surface_center_search_3 centers_;
+  Candidate_center_search_3 centers_;
 };
 
 // Takes flat cells off the boundary, on the way: they get the label that is on the other side of two of their facets, which

@@ -187,9 +187,7 @@ private:
                                                : estimated_surface_center(f.vertices, snapshot_.boundary, snapshot_.sites);
       const int patch = on_surface != nullptr ? on_surface->patch : int(Boundary_facet::no_patch);
       const int source = on_surface != nullptr ? on_surface->source : int(Mesh_table_3::no_facet);
-      // Facets around inserted vertices may have none yet.
-      const bool is_known = has_center || on_surface == nullptr || source != Mesh_table_3::no_facet;
-      snapshot_.centers.push_back({ point, patch, source, is_known, is_known });
+      snapshot_.centers.push_back({ point, patch, source, true, true });
     }
   }
 

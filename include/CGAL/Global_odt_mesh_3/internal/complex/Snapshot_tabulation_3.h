@@ -165,8 +165,7 @@ private:
       if(patch == Boundary_facet::no_patch)
         continue;
       const Complex_snapshot_3::Surface_center& c = snapshot_.centers[n];
-      const int patch_of_center = !c.is_exact ? int(Mesh_table_3::no_patch)
-                                : c.patch < 0 || c.patch == Domain_view_3::other_patch ? patch : c.patch;
+      const int patch_of_center = c.patch < 0 || c.patch == Domain_view_3::other_patch ? patch : c.patch;
       table.facets.push_back({ facets_[n].first->label(), facets_[n].second, patch, c.point, patch_of_center, c.source });
     }
   }

@@ -12,6 +12,7 @@
 #include <CGAL/Global_odt_mesh_3/internal/complex/Editable_complex_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/complex/Exact_relocation_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/complex/Snapshot_tabulation_3.h>
+#include <CGAL/Global_odt_mesh_3/internal/complex/Surface_center_search_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/complex/Working_triangulation_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/geometry/Cell_geometry_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/geometry/Circumradius_bound_3.h>
@@ -151,8 +152,9 @@ public:
     return is_better;
   }
 
-  // The complex, with the vertices that have been inserted after those of the input.
-  Mesh_table_3 table()
+  // The complex, with the vertices that have been inserted after those of the input; or none if the domain finds no surface
+  // center for a facet.
+  std::optional<Mesh_table_3> table()
   {
     Complex_snapshot_3 refined;
     std::vector<int> numbers;
@@ -169,9 +171,9 @@ public:
       if(*std::min_element(q.begin(), q.end()) >= 0)
         refined.boundary_cells.insert(sorted(q), c.second);
     }
-    std::vector<Editable_complex_3::Found_facet> found = complex().find_boundary();
+    const std::vector<Editable_complex_3::Found_facet> found = complex().find_boundary();
     std::vector<Boundary_facet> facets;
-    for(auto& f : found)
+    for(const auto& f : found)
     {
       facets.push_back(f.of_boundary);
       renumber(facets.back().vertices);
@@ -179,7 +181,12 @@ public:
     refined.boundary = Boundary_geometry_3(
       std::make_shared<const Boundary_complex_3>(std::move(facets), refined.sites.size(), complex().threads), refined.sites);
     for(std::size_t n = 0; n < found.size(); ++n)
-      refined.centers.push_back(center(found[n], refined.boundary.complex().facets()[n].vertices, refined));
+    {
+      const Triple& t = refined.boundary.complex().facets()[n].vertices;
+      refined.centers.push_back(center(found[n], estimated_surface_center(t, refined.boundary, refined.sites)));
+      if(!refined.centers.back().is_exact)
+        return std::nullopt;
+    }
     refined.number_facets();
     trial_.complex().working.renumber(numbers);
     Mesh_table_3 table = Snapshot_tabulation_3(refined, complex().working, complex().threads)();
@@ -297,26 +304,20 @@ private:
     return kept;
   }
 
-  // That of the snapshot, or else where the dual segment crosses the surface.
-  Complex_snapshot_3::Surface_center center(const Editable_complex_3::Found_facet& f, const Triple& vertices,
-                                            const Complex_snapshot_3& refined) const
+  // That of the snapshot, unless the dual segment ends before it, or one that is searched for.
+  Complex_snapshot_3::Surface_center center(const Editable_complex_3::Found_facet& f, const Eigen::Vector3d& expected) const
   {
-    const int known = complex().snapshot.facet_number(f.key);
-    if(known >= 0)
-      return complex().snapshot.centers[known];
-    Complex_snapshot_3::Surface_center c;
-    c.point = estimated_surface_center(vertices, refined.boundary, refined.sites);
-    const Cell_handle d = f.facet.first->neighbor(f.facet.second);
-    const Exact_triangulation_3& tr = complex().triangulation();
-    if(tr.is_infinite(f.facet.first) || tr.is_infinite(d))
-      return c;
-    const Eigen::Vector3d from = coordinates(tr.dual(f.facet.first)), to = coordinates(tr.dual(d));
-    Eigen::Vector3d p = (from + to) / 2;
-    const double length = (to - from).norm();
-    c.is_exact = length > 0 && complex().domain.intersect(p, (to - from) / length, length / 2, c.patch);
-    if(c.is_exact)
-      c.point = p;
-    return c;
+    const Surface_center_search_3 search(complex().sites, complex().triangulation(), complex().domain);
+    const Triple& t = f.of_boundary.vertices;
+    const int n = complex().snapshot.facet_number(f.key);
+    Complex_snapshot_3::Surface_center known, found;
+    if(n >= 0)
+      known = complex().snapshot.centers[n];
+    if(known.is_exact && search.is_between_subdomains(f.facet, t, known))
+      return known;
+    found.point = expected;
+    search.search(f.facet, t, found);
+    return found.is_exact ? found : known;
   }
 
   std::shared_ptr<Vertex_numbering_3> numbering_;
