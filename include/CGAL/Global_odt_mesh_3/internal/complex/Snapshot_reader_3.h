@@ -181,11 +181,14 @@ private:
     for(const Constrained_facet& f : facets)
     {
       const Mesh_table_3::Facet* const on_surface = table_.facet(f.cell, f.index);
-      const bool has_center = on_surface != nullptr && on_surface->patch_of_center == on_surface->patch
-                              && is_on_dual_line(on_surface->center, f.vertices);
+      // One that has been found since the user's mesh is right, even if it is on another patch.
+      const bool is_found = on_surface != nullptr && on_surface->source == Mesh_table_3::no_facet;
+      const bool has_center = is_found || (on_surface != nullptr && on_surface->patch_of_center == on_surface->patch
+                                           && is_on_dual_line(on_surface->center, f.vertices));
       const Eigen::Vector3d point = has_center ? on_surface->center
                                                : estimated_surface_center(f.vertices, snapshot_.boundary, snapshot_.sites);
-      const int patch = on_surface != nullptr ? on_surface->patch : int(Boundary_facet::no_patch);
+      const int patch = is_found ? on_surface->patch_of_center
+                                 : on_surface != nullptr ? on_surface->patch : int(Boundary_facet::no_patch);
       const int source = on_surface != nullptr ? on_surface->source : int(Mesh_table_3::no_facet);
       snapshot_.centers.push_back({ point, patch, source, true, true });
     }
