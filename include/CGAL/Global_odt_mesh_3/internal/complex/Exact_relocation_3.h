@@ -278,8 +278,11 @@ private:
     return result;
   }
 
+  // Not one that has been inserted into the snapshot.
   bool is_movable(int v)
   {
+    if(v >= static_cast<int>(complex_.snapshot.sites.size()))
+      return false;
     if(!complex_.numbering.is_on_boundary(v) || !boundary_moves_)
       return complex_.numbering.is_interior(v);
     return complex_.numbering.dimensions[v] == 2 && complex_.sites[v].weight == 0

@@ -195,7 +195,8 @@ public:
   }
 
 private:
-  static constexpr double most_of_volume = 0.003;         // by which all removals may change that of a subdomain
+  // By which all removals may change that of a subdomain. Without a bound, a layer of a segmented head lost 4 % of its volume.
+  static constexpr double most_of_volume = 0.003;
 
   // Whether that still holds if the vertex leaves.
   bool keeps_volumes(int v)

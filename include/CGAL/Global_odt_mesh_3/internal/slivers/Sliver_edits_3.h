@@ -82,7 +82,8 @@ private:
       try_insertions(q, c, best);
     if(removes_ && try_removals(q, best.change))
       return;
-    if(best.vertex)
+    // Vertices that have been detached have got other cells.
+    if(best.vertex && edits_.trial().find_cell(q, c))
       edits_.insert_for_angles(*best.vertex, 0, c);
   }
 
