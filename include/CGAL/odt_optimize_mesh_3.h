@@ -43,14 +43,14 @@ that are left are removed.
 The function takes the place of the function of the same name of the package 3D Mesh Generation.
 The density \f$ \rho \f$ is \f$ 1/\mu^5 \f$, where \f$ \mu \f$ is the size of the cells, since the minimizer
 of \f$ E^\rho_{ODT} \f$ equidistributes the integral of \f$ \rho^{3/5} \f$. By default, the sizes are
-those of the input's cells, so that a graded mesh stays graded; see `sizing_field` and `density`. As the number of
-vertices is that of the input, only the ratios of sizes or densities matter.
+those of the input's cells, so that a graded mesh stays graded; see `sizing_field` and `density`. As they do not decide
+on the number of vertices, only the ratios of sizes or densities matter.
 
 The global search consists of rounds (see `number_of_rounds` and `annealing_schedule`). At the end, slivers are
 removed: vertices of cells with dihedral angles below a bound try positions around them, one by one. The bound rises in
 steps of 20, 30, 35, 40, ... degrees, and a step is kept only if the smallest angle of all cells and the numbers of
-cells below the previous steps have not become worse, so that a higher `sliver_bound` never leads to smaller angles.
-A step up to 30 degrees is repeated with other random numbers as long as this removes a fifth of the cells below it.
+cells below the previous steps have not become worse, so that a higher `sliver_bound` never leads to smaller angles,
+unless vertices are inserted or removed. A step up to 30 degrees is repeated with other random numbers as long as this removes a fifth of the cells below it.
 The number of trials is bounded by the work of the previous stages and the numbers of cells below 20 degrees and of cells
 that are removed; where it does not suffice for the bound, a higher `number_of_rounds` leads to more trials.
 
