@@ -472,7 +472,7 @@ static void missed_surface_centers(const Ellipsoid_domain& domain, const Ellipso
   Candidate_at_rest at_rest(domain, input);
   odt::Complex_candidate_3& candidate = *at_rest.candidate;
   const odt::Complex_snapshot_3& snapshot = at_rest.complex.snapshot();
-  odt::Surface_center_search_3 search(candidate, at_rest.domain);
+  odt::Candidate_center_search_3 search(candidate, at_rest.domain);
   // One between finite cells.
   const odt::Working_triangulation_3& working = at_rest.complex.triangulation();
   const auto& tr = working.triangulation();

@@ -42,6 +42,13 @@ struct Wants_removals<Visitor, Vertex_handle,
                       std::void_t<decltype(std::declval<Visitor&>().before_vertex_removal(std::declval<Vertex_handle>()))> >
   : std::true_type {};
 
+template <class Visitor, class Vertex_handle>
+void tell_of_removal([[maybe_unused]] Visitor& visitor, [[maybe_unused]] Vertex_handle v)
+{
+  if constexpr (Wants_removals<Visitor, Vertex_handle>::value)
+    visitor.before_vertex_removal(v);
+}
+
 template <class Visitor>
 class User_visitor
   : public Optimization_visitor
@@ -74,11 +81,7 @@ public:
                        Visitor& visitor, const User_fields_3<C3t3>& fields = User_fields_3<C3t3>())
     : fields_(fields)
     , domain_(domain, parameters.domain_is_thread_safe ? threads() : Thread_policy())
-    , mesh_(c3t3, domain_, [&visitor]([[maybe_unused]] typename C3t3::Vertex_handle v)
-    {
-      if constexpr (Wants_removals<Visitor, typename C3t3::Vertex_handle>::value)
-        visitor.before_vertex_removal(v);
-    })
+    , mesh_(c3t3, domain_, [&visitor](typename C3t3::Vertex_handle v) { tell_of_removal(visitor, v); })
     , task_(task)
     , parameters_(parameters)
     , visitor_(visitor)

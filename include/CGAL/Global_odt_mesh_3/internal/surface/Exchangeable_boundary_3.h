@@ -122,6 +122,10 @@ public:
                        { return v == change.vertex ? is_disk(v, change.is_inserted, added) : keeps_topology_at(v, removed, added); });
   }
 
+  // The same if all vertices stay.
+  bool keeps_topology(const std::vector<int>& removed, const std::vector<Facet>& added)
+  { return keeps_topology(removed, added, Vertex_change()); }
+
   void exchange(const std::vector<int>& removed, const std::vector<Facet>& added)
   {
     for(int n : removed)
