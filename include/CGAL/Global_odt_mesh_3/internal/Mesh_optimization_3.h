@@ -45,7 +45,7 @@ public:
     , control_(parameters, visitor)
   {}
 
-  Mesh_optimization_return_code run(Mesh_view_3& mesh, Odt_task task)
+  Mesh_optimization_return_code run(User_mesh_view_3& mesh, Odt_task task)
   {
     const std::optional<Outcome> outcome
       = parameters_.do_insert_vertices || parameters_.do_remove_vertices ? adapt_and_optimize(mesh, task)
@@ -91,7 +91,7 @@ private:
 
   // Vertices are inserted where edges are too long, before all vertices move; and then inserted or removed at the slivers that
   // are left.
-  std::optional<Outcome> adapt_and_optimize(Mesh_view_3& mesh, Odt_task task)
+  std::optional<Outcome> adapt_and_optimize(User_mesh_view_3& mesh, Odt_task task)
   {
     Tabulated_mesh_3 adapted(mesh, threads_);
     if(parameters_.do_insert_vertices)

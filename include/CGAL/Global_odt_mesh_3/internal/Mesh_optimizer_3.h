@@ -15,7 +15,7 @@ namespace Global_odt_mesh_3 {
 namespace internal {
 
 class Domain_view_3;
-class Mesh_view_3;
+class User_mesh_view_3;
 class Optimization_visitor;
 class Thread_policy;
 struct User_field_3;
@@ -23,7 +23,7 @@ struct User_field_3;
 // All that happens between reading the mesh and writing it. It knows no type of the user, and may be compiled once, in a
 // library.
 Mesh_optimization_return_code
-optimize_mesh(Mesh_view_3& mesh, const Domain_view_3& domain, Odt_task task, const Odt_parameters& parameters,
+optimize_mesh(User_mesh_view_3& mesh, const Domain_view_3& domain, Odt_task task, const Odt_parameters& parameters,
               const User_field_3& field, Optimization_visitor& visitor, const Thread_policy& threads);
 
 } // namespace internal

@@ -29,7 +29,7 @@ namespace internal {
 
 CGAL_GLOBAL_ODT_MESH_3_INLINE
 Mesh_optimization_return_code
-optimize_mesh(Mesh_view_3& mesh, const Domain_view_3& domain, Odt_task task, const Odt_parameters& parameters,
+optimize_mesh(User_mesh_view_3& mesh, const Domain_view_3& domain, Odt_task task, const Odt_parameters& parameters,
               const User_field_3& field, Optimization_visitor& visitor, const Thread_policy& threads)
 {
   return Mesh_optimization_3(domain, parameters, field, visitor, threads).run(mesh, task);

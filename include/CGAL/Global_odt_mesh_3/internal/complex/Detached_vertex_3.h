@@ -74,9 +74,6 @@ public:
     start_ = start;
   }
 
-  // Such a vertex does not come.
-  void give_up() { vertex_ = -1; }
-
   // The cells are those without the vertex.
   void find_cells_without()
   {
@@ -117,9 +114,14 @@ public:
     start_ = hole_.front().handle;
   }
 
-  // To where it was; everything is as before.
+  // To where it was, which is nowhere if it is new; everything is as before.
   void reattach()
   {
+    if(is_new_)
+    {
+      vertex_ = -1;
+      return;
+    }
     complex_.sites[vertex_] = from_;
     insert(start_, star_);
   }

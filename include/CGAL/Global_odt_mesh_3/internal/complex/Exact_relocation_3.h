@@ -173,7 +173,8 @@ public:
   // Whether such a vertex may be where its site is, so far from others, whatever becomes of angles.
   bool fits(double least_distance)
   {
-    return detached_.find_cells() && detached_.has_room(least_distance) && label_cells(infinity) && exchange_.is_permitted(insertion());
+    return detached_.find_cells() && detached_.has_room(least_distance) && label_cells(infinity)
+           && exchange_.is_permitted(vertex_change());
   }
 
   // Over which it makes sense to move the detached vertex.
@@ -203,20 +204,15 @@ public:
   double move(const Site& s, double most)
   {
     complex_.sites[detached_.vertex()] = s;
-    if(!detached_.find_cells())
-      return infinity;
-    if(!detached_.is_new())
-      return change(most, Vertex_change());
-    return detached_.has_room(0) ? change(most, insertion()) : infinity;
+    return detached_.find_cells() && (!detached_.is_new() || detached_.has_room(0)) ? change(most) : infinity;
   }
 
   // The same if the detached vertex were removed.
   double leave(double most)
   {
-    const int v = detached_.vertex();
     leaves_ = true;
     detached_.find_cells_without();
-    return change(most, { v, false, complex_.numbering.is_on_boundary(v) ? own_patch(v) : int(Boundary_facet::no_patch) });
+    return change(most);
   }
 
   const Detached_vertex_3& detached() const { return detached_; }
@@ -234,14 +230,10 @@ public:
       detached_.attach();
   }
 
-  // A vertex that is new has no place then.
   void reject()
   {
     leaves_ = false;
-    if(detached_.is_new())
-      detached_.give_up();
-    else
-      detached_.reattach();
+    detached_.reattach();
   }
 
 private:
@@ -317,15 +309,22 @@ private:
     return true;
   }
 
-  Vertex_change insertion() const { return { detached_.vertex(), true, detached_.patch_of_new() }; }
+  // What becomes of the number of vertices.
+  Vertex_change vertex_change() const
+  {
+    const int v = detached_.vertex();
+    return detached_.is_new() ? Vertex_change{ v, true, detached_.patch_of_new() }
+         : leaves_ ? Vertex_change{ v, false, own_patch(v) } : Vertex_change();
+  }
 
   // Of the sum of the deficits, by the cells that have been found.
-  double change(double most, const Vertex_change& of_vertices)
+  double change(double most)
   {
     if(!label_cells(most))
       return infinity;
     const double change = change_of_deficit();
-    return change < most && after_.is_not_worse_than(before_, steps_) && exchange_.is_permitted(of_vertices) ? change : infinity;
+    return change < most && after_.is_not_worse_than(before_, steps_) && exchange_.is_permitted(vertex_change())
+           ? change : infinity;
   }
 
   double change_of_deficit()

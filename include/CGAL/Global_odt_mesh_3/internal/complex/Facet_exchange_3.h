@@ -44,7 +44,7 @@ public:
 
   // For cells that have been found and labelled: whether the boundary keeps its topology, is close
   // to the surface, and has no flatter facets than before.
-  bool is_permitted(const Exchangeable_boundary_3::Vertex_change& change = Exchangeable_boundary_3::Vertex_change())
+  bool is_permitted(const Exchangeable_boundary_3::Vertex_change& change)
   {
     removed_.clear();
     added_.clear();

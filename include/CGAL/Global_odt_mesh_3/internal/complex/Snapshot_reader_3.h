@@ -62,9 +62,7 @@ struct Cells_of_table_3
   Cell_across across(int n, int i) const
   {
     const int d = table.cells[n].neighbors[i];
-    const Quadruple& back = table.cells[d].neighbors;
-    const auto k = std::find(back.begin(), back.end(), n) - back.begin();
-    return { is_inside(d), number(table.cells[d].vertices[k]) };
+    return { is_inside(d), number(table.cells[d].vertices[table.mirror_index(n, i)]) };
   }
 };
 

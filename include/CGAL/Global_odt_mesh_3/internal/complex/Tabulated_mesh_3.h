@@ -13,8 +13,9 @@
 #include <CGAL/Global_odt_mesh_3/internal/parallel/Thread_policy.h>
 
 #include <algorithm>
-#include <cstddef>
+#include <array>
 #include <utility>
+#include <vector>
 
 namespace CGAL {
 namespace Global_odt_mesh_3 {
@@ -25,14 +26,16 @@ class Tabulated_mesh_3
   : public Mesh_view_3
 {
 public:
-  Tabulated_mesh_3(Mesh_view_3& input, const Thread_policy& threads)
+  Tabulated_mesh_3(User_mesh_view_3& input, const Thread_policy& threads)
     : input_(input)
   {
     set_table(input.read(threads));
+    feature_edges_ = input.feature_edges();
     number_of_input_vertices_ = static_cast<int>(table_.sites.size());
   }
 
   const Mesh_table_3& table() const { return table_; }
+  const std::vector<std::array<int, 2> >& feature_edges() const { return feature_edges_; }
   bool is_changed() const { return is_changed_; }
 
   // To what it was once.
@@ -45,31 +48,17 @@ public:
 
   bool is_cell(const Quadruple& q) const override { return cells_.find(sorted(q)) != nullptr; }
 
-  std::size_t number_of_slivers(double bound) const override
-  {
-    const Angle_deficit_3 deficit(bound);
-    const auto site = [this](int v) { return table_.sites[v]; };
-    return std::count_if(table_.cells.begin(), table_.cells.end(), [&](const Mesh_table_3::Cell& c)
-    {
-      const Quadruple& q = c.vertices;
-      return c.label != Domain_view_3::outside && deficit({{ site(q[0]), site(q[1]), site(q[2]), site(q[3]) }}) > 0;
-    });
-  }
-
-  // What vertices are on, and feature edges, stays.
+  // The places of those that have been inserted before stay.
   void write(const Mesh_table_3& table) override
   {
     Mesh_table_3 next = table;
     next.inserted.insert(next.inserted.begin(), table_.inserted.begin(), table_.inserted.end());
-    next.feature_edges = table_.feature_edges;
     next.facets.clear();
     for(const Mesh_table_3::Facet& f : table.facets)
     {
-      const int d = table.cells[f.cell].neighbors[f.index];
-      const Quadruple& back = table.cells[d].neighbors;
       Mesh_table_3::Facet mirror = f;
-      mirror.cell = d;
-      mirror.index = static_cast<int>(std::find(back.begin(), back.end(), f.cell) - back.begin());
+      mirror.cell = table.cells[f.cell].neighbors[f.index];
+      mirror.index = table.mirror_index(f.cell, f.index);
       for(const Mesh_table_3::Facet& side : { f, mirror })
       {
         next.cells[side.cell].facets |= 1 << side.index;
@@ -92,8 +81,9 @@ private:
       cells_.insert(sorted(c.vertices), c.label);
   }
 
-  Mesh_view_3& input_;
+  User_mesh_view_3& input_;
   Mesh_table_3 table_;
+  std::vector<std::array<int, 2> > feature_edges_;
   int number_of_input_vertices_ = 0;
   bool is_changed_ = false;                 // what has been written stays written even if it is returned from
   Tuple_table<Quadruple, int> cells_;

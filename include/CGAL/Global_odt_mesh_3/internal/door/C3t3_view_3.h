@@ -17,6 +17,7 @@
 #include <CGAL/Unique_hash_map.h>
 
 #include <algorithm>
+#include <array>
 #include <cstddef>
 #include <functional>
 #include <iterator>
@@ -34,7 +35,7 @@ namespace internal {
 // been inserted are created. Cells are new, in the memory of the old ones.
 template <class C3t3, class Mesh_domain>
 class C3t3_view_3
-  : public Mesh_view_3
+  : public User_mesh_view_3
 {
 public:
   typedef typename C3t3::Triangulation Triangulation;
@@ -94,6 +95,24 @@ public:
     { return deficit({{ site(c.vertex(0)), site(c.vertex(1)), site(c.vertex(2)), site(c.vertex(3)) }}) > 0; });
   }
 
+  std::vector<std::array<int, 2> > feature_edges() const override
+  {
+    const Vertex_numbers number = vertex_numbers();
+    std::vector<std::array<int, 2> > edges;
+    std::vector<std::pair<Vertex_handle, typename C3t3::Curve_index> > adjacent;
+    for(std::size_t v = 0; v < vertices_.size(); ++v)
+    {
+      if(vertices_[v]->in_dimension() < 0 || vertices_[v]->in_dimension() > 1)
+        continue;
+      adjacent.clear();
+      c3t3_.adjacent_vertices_in_complex(vertices_[v], std::back_inserter(adjacent));
+      for(const auto& a : adjacent)
+        if(const int w = number[a.first]; static_cast<int>(v) < w)
+          edges.push_back({{ static_cast<int>(v), w }});
+    }
+    return edges;
+  }
+
   // Whatever may throw, as it takes memory, comes before the first change.
   void write(const Mesh_table_3& table) override
   {
@@ -130,6 +149,8 @@ private:
   typedef typename Triangulation::Facet Facet;
   typedef typename Triangulation::Bare_point Bare_point;
   typedef typename Mesh_domain_view_3<Mesh_domain>::Index Index;
+  typedef CGAL::Hash_handles_with_or_without_timestamps Hash;
+  typedef CGAL::Unique_hash_map<Vertex_handle, int, Hash> Vertex_numbers;
   // As a cell has it of a facet.
   typedef std::pair<Bare_point, Index> Center;
 
@@ -194,19 +215,23 @@ private:
     }
   }
 
+  Vertex_numbers vertex_numbers() const
+  {
+    Vertex_numbers number(int(Mesh_table_3::infinite), vertices_.size());
+    for(std::size_t v = 0; v < vertices_.size(); ++v)
+      number[vertices_[v]] = static_cast<int>(v);
+    return number;
+  }
+
   void read_cells(const std::vector<Cell_handle>& cells, const Thread_policy& threads, Mesh_table_3& table) const
   {
-    typedef CGAL::Hash_handles_with_or_without_timestamps Hash;
-    CGAL::Unique_hash_map<Vertex_handle, int, Hash> vertex_number(int(Mesh_table_3::infinite), vertices_.size());
-    for(std::size_t v = 0; v < vertices_.size(); ++v)
-      vertex_number[vertices_[v]] = static_cast<int>(v);
+    const Vertex_numbers vertex_number = vertex_numbers();
     CGAL::Unique_hash_map<Cell_handle, int, Hash> cell_number(-1, cells.size());
     for(std::size_t n = 0; n < cells.size(); ++n)
       cell_number[cells[n]] = static_cast<int>(n);
-    read_feature_edges(vertex_number, table);
     table.cells.resize(cells.size());
     for_each_in_chunks(static_cast<int>(cells.size()), threads,
-                       [&, &v = std::as_const(vertex_number), &c = std::as_const(cell_number)](int n)
+                       [&, &v = vertex_number, &c = std::as_const(cell_number)](int n)
     {
       for(int i = 0; i < 4; ++i)
       {
@@ -214,22 +239,6 @@ private:
         table.cells[n].neighbors[i] = c[cells[n]->neighbor(i)];
       }
     });
-  }
-
-  template <class Numbers>
-  void read_feature_edges(const Numbers& vertex_number, Mesh_table_3& table) const
-  {
-    std::vector<std::pair<Vertex_handle, typename C3t3::Curve_index> > adjacent;
-    for(std::size_t v = 0; v < vertices_.size(); ++v)
-    {
-      if(table.dimensions[v] < 0 || table.dimensions[v] > 1)
-        continue;
-      adjacent.clear();
-      c3t3_.adjacent_vertices_in_complex(vertices_[v], std::back_inserter(adjacent));
-      for(const auto& a : adjacent)
-        if(const int w = vertex_number[a.first]; static_cast<int>(v) < w)
-          table.feature_edges.push_back({{ static_cast<int>(v), w }});
-    }
   }
 
   Mesh_table_3::Facet read_facet(Cell_handle c, int n, int i)

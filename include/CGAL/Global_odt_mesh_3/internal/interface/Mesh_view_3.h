@@ -55,7 +55,13 @@ struct Mesh_table_3
   std::vector<double> mean_circumradii;         // of the cells in the complex around vertices, or 0; of an optimized mesh
   std::vector<Cell> cells;                      // all of the triangulation
   std::vector<Facet> facets;                    // those in the complex; of the input from both sides, by cell and index
-  std::vector<std::array<int, 2> > feature_edges;   // of the input
+
+  // That facet of a cell, from the neighbor across it.
+  int mirror_index(int cell, int index) const
+  {
+    const Quadruple& back = cells[cells[cell].neighbors[index]].neighbors;
+    return static_cast<int>(std::find(back.begin(), back.end(), cell) - back.begin());
+  }
 
   // Of the input, or null.
   const Facet* facet(int cell, int index) const
@@ -101,8 +107,8 @@ std::vector<typename Triangulation::Cell_handle> all_cells(const Triangulation& 
   return cells;
 }
 
-// The mesh of the user, whatever its type. Vertices and facets are numbered as in its table, subdomains and patches as by the
-// view of the domain.
+// A mesh that is optimized. Vertices and facets are numbered as in its table, subdomains and patches as by the view of the
+// domain.
 class Mesh_view_3
 {
 public:
@@ -117,12 +123,21 @@ public:
   // Not to be asked by several threads, as CGAL marks cells while it looks.
   virtual bool is_cell(const Quadruple& vertices) const = 0;
 
-  // How many cells of the complex have a dihedral angle below a bound, in degrees.
-  virtual std::size_t number_of_slivers(double bound) const = 0;
-
   // Of a table for the same vertices, some of which are removed, and those that have been inserted; nothing has changed if that
   // throws.
   virtual void write(const Mesh_table_3& table) = 0;
+};
+
+// That of the user, whatever its type.
+class User_mesh_view_3
+  : public Mesh_view_3
+{
+public:
+  // How many cells of the complex have a dihedral angle below a bound, in degrees.
+  virtual std::size_t number_of_slivers(double bound) const = 0;
+
+  // By the vertices, as they have been read.
+  virtual std::vector<std::array<int, 2> > feature_edges() const = 0;
 };
 
 } // namespace internal

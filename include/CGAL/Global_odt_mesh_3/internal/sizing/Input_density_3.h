@@ -15,7 +15,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <cstddef>
 #include <vector>
 
@@ -78,22 +77,7 @@ private:
 
   void compute_sizes(const Moving_triangulation_3& mesh)
   {
-    const std::size_t n = sites_.size();
-    std::vector<double> sum(n, 0), count(n, 0);
-    for(int c = 0; c < topology_.number_of_cell_slots(); ++c)
-      for(int i = 0; topology_.is_alive(c) && i < 3; ++i)
-        for(int j = i + 1; j < 4; ++j)
-        {
-          const int u = topology_.vertices(c)[i], v = topology_.vertices(c)[j];
-          const double l = std::sqrt(Constrained_triangulation_3::squared_distance(sites_[u], sites_[v]));
-          sum[u] += l; sum[v] += l;
-          ++count[u]; ++count[v];
-        }
-    size_.assign(n, 0);
-    for(std::size_t v = 0; v < n; ++v)
-      if(count[v] > 0)
-        size_[v] = sum[v] / count[v];
-
+    mesh.mean_edge_lengths(static_cast<int>(sites_.size()), size_);
     std::vector<double> sorted;
     for(int v = 0; v < mesh.number_of_movable_vertices; ++v)
       sorted.push_back(size_[v]);

@@ -150,20 +150,23 @@ struct Constrained_triangulation_3
 
   // The mean length of the edges of each movable vertex; an edge counts once for
   // each of its cells.
-  void mean_edge_lengths(std::vector<double>& length) const
+  void mean_edge_lengths(std::vector<double>& length) const { mean_edge_lengths(number_of_movable_vertices, length); }
+
+  // The same of the first vertices, or 0 if they have no cell.
+  void mean_edge_lengths(int number_of_vertices, std::vector<double>& length) const
   {
-    length.assign(number_of_movable_vertices, 0);
-    std::vector<int> count(number_of_movable_vertices, 0);
+    length.assign(number_of_vertices, 0);
+    std::vector<int> count(number_of_vertices, 0);
     for_each_edge([&](int u, int v, double squared_length)
     {
       for(int w : { u, v })
-        if(w < number_of_movable_vertices)
+        if(w < number_of_vertices)
         {
           length[w] += std::sqrt(squared_length);
           ++count[w];
         }
     });
-    for(int v = 0; v < number_of_movable_vertices; ++v)
+    for(int v = 0; v < number_of_vertices; ++v)
       length[v] /= (std::max)(1, count[v]);
   }
 
