@@ -18,6 +18,7 @@
 #include <CGAL/Global_odt_mesh_3/internal/interface/Optimization_visitor.h>
 #include <CGAL/Global_odt_mesh_3/internal/interface/User_field_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/parallel/Thread_policy.h>
+#include <CGAL/Global_odt_mesh_3/internal/sizing/Size_criteria_3.h>
 
 #include <CGAL/Mesh_optimization_return_code.h>
 
@@ -89,13 +90,14 @@ private:
     return std::nullopt;
   }
 
-  // Vertices are inserted where edges are too long, before all vertices move; and then inserted or removed at the slivers that
-  // are left.
+  // Vertices are inserted and removed for the sizes that are wanted, before all vertices move; and then where cells are too
+  // large and at the slivers that are left.
   std::optional<Outcome> adapt_and_optimize(User_mesh_view_3& mesh, Odt_task task)
   {
     Tabulated_mesh_3 adapted(mesh, threads_);
-    if(parameters_.do_insert_vertices)
-      adaptation(adapted).split_edges([this] { return control_.has_time(); });
+    const Size_criteria_3 criteria(adapted.table(), sizes());
+    const auto has_time = [this] { return control_.has_time(); };
+    adaptation(adapted).adapt_sizes(field_, parameters_, has_time);
     std::optional<Outcome> outcome = optimize(adapted, task, parameters_);
     if(!outcome)
       return outcome;
@@ -105,9 +107,11 @@ private:
     for(unsigned int n = 0; n < most_adaptations && parameters_.do_remove_slivers && control_.goes_on(); ++n)
     {
       Mesh_table_3 before = adapted.table();
+      const bool is_refined = refine(adapted, criteria, n);
       if(!adaptation(adapted).edit_slivers(parameters_.do_insert_vertices, parameters_.do_remove_vertices,
                                            Sliver_steps::last(of_slivers.sliver_bound), parameters_.random_seed + n,
-                                           [this] { return control_.may_go_on(); }))
+                                           [this] { return control_.may_go_on(); })
+         && !is_refined)
         break;
       if(!optimize(adapted, Odt_task::REMOVE_SLIVERS, of_slivers))
       {
@@ -115,11 +119,26 @@ private:
         break;
       }
     }
+    for(unsigned int n = 0; n < most_adaptations && control_.goes_on() && refine(adapted, criteria, n); ++n) {}
     if(!control_.goes_on())
       outcome = Outcome{ control_.code(), control_.code() };
     if(adapted.is_changed())
       mesh.write(adapted.table());
     return outcome;
+  }
+
+  // That bound cells in the end; none if those of the input do.
+  User_field_3 sizes() const { return field_ && field_.meaning == User_field_3::SIZE ? field_ : User_field_3(); }
+
+  // Whether vertices have been inserted into cells or facets that are too large.
+  bool refine(Tabulated_mesh_3& mesh, const Size_criteria_3& criteria, unsigned int n)
+  {
+    const bool has_own_sizes = parameters_.number_of_vertices > 0 || (field_ && field_.meaning == User_field_3::DENSITY);
+    if(!parameters_.do_insert_vertices || has_own_sizes)
+      return false;
+    const std::vector<Size_criteria_3::Violation> violations = criteria.violations(mesh.table());
+    return !violations.empty()
+           && adaptation(mesh).refine(violations, parameters_.random_seed + n, [this] { return control_.has_time(); });
   }
 
   Mesh_adaptation_3 adaptation(Tabulated_mesh_3& mesh) const

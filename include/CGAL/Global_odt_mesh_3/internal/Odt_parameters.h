@@ -44,6 +44,7 @@ struct Odt_parameters
   double sliver_bound = 0;                                  // in degrees; 0: as high as can be had
   bool do_remove_slivers = true;
   bool do_insert_vertices = false, do_remove_vertices = false;
+  std::size_t number_of_vertices = 0;                       // that the mesh is to have; 0: any
   bool domain_is_thread_safe = false;
   unsigned int random_seed = 0;
   std::function<bool(double)> callback;
@@ -57,6 +58,10 @@ struct Odt_parameters
     std::visit([](const auto& schedule) { schedule.check(); }, annealing_schedule);
     CGAL_GLOBAL_ODT_MESH_3_CHECK_PARAMETER(surface_weight >= 0 && std::isfinite(surface_weight),
                                            "surface_weight must be finite, not negative");
+    CGAL_GLOBAL_ODT_MESH_3_CHECK_PARAMETER(number_of_vertices == 0 || (do_insert_vertices && do_remove_vertices),
+                                           "number_of_vertices needs do_insert_vertices and do_remove_vertices");
+    CGAL_GLOBAL_ODT_MESH_3_CHECK_PARAMETER(number_of_vertices <= std::size_t((std::numeric_limits<int>::max)()),
+                                           "number_of_vertices must be less than 2^31");
     CGAL_GLOBAL_ODT_MESH_3_CHECK_PARAMETER(sliver_bound >= 0 && sliver_bound <= 70.5,
                                            "sliver_bound must be in [0, 70.5] degrees");
   }

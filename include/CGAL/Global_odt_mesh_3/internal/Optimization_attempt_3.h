@@ -79,7 +79,10 @@ public:
       return false;
     control_.start(plan_->usual_most_iterations());
     if(plan_->is_done())
+    {
+      largest_cells_ = std::make_unique<Largest_cells_3>(mesh_, complex_.snapshot().numbering->subdomain, local_size(), true);
       return remove_slivers();
+    }
     rounds_ = std::make_unique<Optimization_rounds_3>(mesh_, *plan_, parameters_, field_, control_, threads_,
                                                        *complex_.snapshot().numbering);
     largest_cells_ = std::make_unique<Largest_cells_3>(mesh_, complex_.snapshot().numbering->subdomain, local_size(),
@@ -118,7 +121,7 @@ private:
 
   Stage_clock::In_stage during(Stage_clock::Stage stage) const { return Stage_clock::In_stage(threads_.clock(), stage); }
 
-  std::function<double(int)> local_size() const { return [this](int v) { return rounds_->local_size(v); }; }
+  std::function<double(int)> local_size() const { return [this](int v) { return rounds_ ? rounds_->local_size(v) : 1.; }; }
 
   bool boundary_moves() const { return number_of_surface_vertices() > 0; }
 
@@ -198,8 +201,7 @@ private:
   bool remove_slivers()
   {
     const auto in_stage = during(Stage_clock::REMOVE_SLIVERS);
-    if(largest_cells_)
-      mesh_.size_bound = largest_cells_->bound(mesh_, local_size());
+    mesh_.size_bound = largest_cells_->bound(mesh_, local_size());
     Sliver_stage_3 stage(complex_, mesh_, parameters_.sliver_bound, parameters_.random_seed, most_tries_for_slivers());
     if(!stage.run([this] { return control_.has_time(); }, [this] { return control_.may_go_on(); }))
       return false;
@@ -231,7 +233,7 @@ private:
   Moving_triangulation_3 mesh_;
   std::unique_ptr<Round_plan> plan_;
   std::unique_ptr<Optimization_rounds_3> rounds_;
-  std::unique_ptr<Largest_cells_3> largest_cells_;        // where there are rounds, too
+  std::unique_ptr<Largest_cells_3> largest_cells_;
   Mesh_optimization_return_code code_;
 };
 

@@ -90,6 +90,8 @@ public:
       farthest_centroid_ = (std::max)(farthest_centroid_, d);
   }
 
+  void permit_distances(double factor) { farthest_centroid_ *= factor; }
+
   // Whether a boundary facet may have its centroid there.
   bool is_close(const Eigen::Vector3d& point) const
   {

@@ -111,8 +111,9 @@ public:
     return angle;
   }
 
-  // Those of a cell that may move.
-  std::vector<int> movable_vertices(const Quadruple& q) { return movable_vertices(q.begin(), q.end()); }
+  // Those of a cell or an edge that may move.
+  template <std::size_t n>
+  std::vector<int> movable_vertices(const std::array<int, n>& t) { return movable_vertices(t.begin(), t.end()); }
 
   // Those opposite to a cell in its neighbors that may move.
   std::vector<int> movable_vertices_beyond(const Quadruple& q)
@@ -215,12 +216,20 @@ public:
     return change(most);
   }
 
+  // Whether it may be removed, whatever becomes of angles.
+  bool may_leave()
+  {
+    leaves_ = true;
+    detached_.find_cells_without();
+    return label_cells(infinity) && exchange_.is_permitted(vertex_change());
+  }
+
   const Detached_vertex_3& detached() const { return detached_; }
 
   // The sum of the deficits of the new cells.
   double deficit_after() const { return after_.deficit; }
 
-  // The vertex stays where move() has put it, or out if leave() has been called, which has to have given a number.
+  // The vertex stays where move() has put it, or out if leave() or may_leave() have been called and permit that.
   void accept()
   {
     exchange_.apply();

@@ -20,6 +20,7 @@
 #include <CGAL/Global_odt_mesh_3/internal/geometry/Site.h>
 #include <CGAL/Global_odt_mesh_3/internal/interface/Domain_view_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/interface/Mesh_view_3.h>
+#include <CGAL/Global_odt_mesh_3/internal/interface/User_field_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/parallel/Thread_policy.h>
 #include <CGAL/Global_odt_mesh_3/internal/surface/Boundary_complex_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/surface/Boundary_geometry_3.h>
@@ -28,6 +29,7 @@
 #include <Eigen/Core>
 
 #include <algorithm>
+#include <array>
 #include <limits>
 #include <map>
 #include <memory>
@@ -79,12 +81,14 @@ inline std::optional<New_vertex_3> middle_of_edge(const Editable_complex_3& comp
 class Vertex_edits_3
 {
 public:
-  // Surfaces get vertices only if `boundary_moves`. The triangulation is that of the snapshot, and not any longer afterwards.
+  // Surfaces get vertices only if `boundary_moves`. The triangulation is that of the snapshot, and not any longer afterwards. The
+  // bound on changes of volumes is multiplied.
   Vertex_edits_3(const Complex_snapshot_3& snapshot, Working_triangulation_3& triangulation, const Domain_view_3& domain,
                      const Fidelity_check_3& fidelity, const Facet_shape_check_3& shapes, bool boundary_moves,
-                     const Thread_policy& threads)
+                 double permitted_changes_of_volume, const Thread_policy& threads)
     : numbering_(std::make_shared<Vertex_numbering_3>(*snapshot.numbering))
     , trial_(snapshot, *numbering_, triangulation, domain, fidelity, shapes, boundary_moves, Circumradius_bound_3(), threads)
+    , most_of_volume_(usual_most_of_volume * permitted_changes_of_volume)
   {}
 
   Vertex_edits_3(const Vertex_edits_3&) = delete;
@@ -93,8 +97,10 @@ public:
   const Editable_complex_3& complex() const { return trial_.complex(); }
   Exact_relocation_3& trial() { return trial_; }
 
+  // The next one that is inserted gets this number.
   int number_of_vertices() const { return static_cast<int>(complex().sites.size()); }
-  bool has_changed() const { return !places_.empty() || has_removed_; }
+  int number_of_visible_vertices() const { return number_of_vertices() - number_of_removed_; }
+  bool has_changed() const { return !places_.empty() || number_of_removed_ > 0; }
 
   // Whether the vertex, which is near a cell, may be inserted so far from all others, whatever that does to angles, and has
   // been, as the last one.
@@ -106,50 +112,49 @@ public:
     return fits;
   }
 
+  // Whether the vertex, which may move, may be removed, whatever that does to angles, and has been.
+  bool remove(int v)
+  {
+    trial_.detach(v);
+    const bool is_permitted = trial_.may_leave() && keeps_volumes(v);
+    end_removal(is_permitted);
+    return is_permitted;
+  }
+
   // The change of the sum of the deficits if the vertex were there, or infinity if it may not be inserted there, if an angle
-  // gets smaller than all before, or if the change is not less than `most`.
-  double change_of_angles(const New_vertex_3& vertex, double most, Cell_handle start)
+  // gets smaller than all before, or if the change is not less than `most`. It stays there if it is less, and `stays`.
+  double insert_for_angles(const New_vertex_3& vertex, double most, Cell_handle start, bool stays)
   {
     begin(vertex, start);
     const double change = trial_.move(complex().sites.back(), most);
-    end(false);
+    end(stays && change < most);
     return change;
   }
 
-  // Whether the vertex has been inserted because that is less than `most`.
-  bool insert_for_angles(const New_vertex_3& vertex, double most, Cell_handle start)
-  {
-    begin(vertex, start);
-    const bool is_better = trial_.move(complex().sites.back(), most) < most;
-    end(is_better);
-    return is_better;
-  }
-
-  // The change of the sum of the deficits if the vertex, which may move, were removed, or infinity as above.
-  double change_without(int v, double most)
+  // The same if the vertex, which may move, were removed.
+  double remove_for_angles(int v, double most, bool leaves)
   {
     trial_.detach(v);
     const double change = trial_.leave(most);
     const bool is_permitted = change < most && keeps_volumes(v);
-    trial_.reject();
+    end_removal(leaves && is_permitted);
     return is_permitted ? change : (std::numeric_limits<double>::infinity)();
   }
 
-  // Whether it has been removed because that is less than `most`.
-  bool remove_for_angles(int v, double most)
+  // Of the last vertex that has been inserted.
+  Vertex_stratum stratum_of_last() const { return { -1, numbering_->dimensions.back(), places_.back() }; }
+
+  // Those of the cells that the last removal has made.
+  std::vector<std::array<int, 2> > new_edges() const
   {
-    trial_.detach(v);
-    const bool is_better = trial_.leave(most) < most && keeps_volumes(v);
-    if(is_better)
-    {
-      for(const auto& c : changes_of_volume())
-        change_of_volume_[c.first] += c.second;
-      trial_.accept();
-    }
-    else
-      trial_.reject();
-    has_removed_ = has_removed_ || is_better;
-    return is_better;
+    std::vector<std::array<int, 2> > edges;
+    for(const Detached_vertex_3::Cell& c : trial_.detached().new_cells())
+      for(int i = 0; i < 3 && c.label != Domain_view_3::outside; ++i)
+        for(int j = i + 1; j < 4; ++j)
+          edges.push_back({{ (std::min)(c.vertices[i], c.vertices[j]), (std::max)(c.vertices[i], c.vertices[j]) }});
+    std::sort(edges.begin(), edges.end());
+    edges.erase(std::unique(edges.begin(), edges.end()), edges.end());
+    return edges;
   }
 
   // The complex, with the vertices that have been inserted after those of the input; or none if the domain finds no surface
@@ -195,10 +200,10 @@ public:
   }
 
 private:
-  // By which all removals may change that of a subdomain. Without a bound, a layer of a segmented head lost 4 % of its volume.
-  static constexpr double most_of_volume = 0.003;
+  // Without a bound, a layer of a segmented head lost 4 % of its volume.
+  static constexpr double usual_most_of_volume = 0.003;
 
-  // Whether that still holds if the vertex leaves.
+  // Whether volumes change so little if the vertex leaves.
   bool keeps_volumes(int v)
   {
     if(!numbering_->is_on_boundary(v))
@@ -212,7 +217,7 @@ private:
     {
       const auto before = change_of_volume_.find(c.first);
       const double change = c.second + (before == change_of_volume_.end() ? 0 : before->second);
-      return std::abs(change) <= most_of_volume * volume_.at(c.first);
+      return std::abs(change) <= most_of_volume_ * volume_.at(c.first);
     });
   }
 
@@ -252,6 +257,16 @@ private:
       trial_.reject();
       remove_last();
     }
+  }
+
+  void end_removal(bool is_accepted)
+  {
+    if(!is_accepted)
+      return trial_.reject();
+    for(const auto& c : changes_of_volume())
+      change_of_volume_[c.first] += c.second;
+    trial_.accept();
+    ++number_of_removed_;
   }
 
   int add(const New_vertex_3& vertex)
@@ -324,7 +339,8 @@ private:
   std::shared_ptr<Vertex_numbering_3> numbering_;
   Exact_relocation_3 trial_;
   std::vector<int> places_;                 // of those that have been inserted
-  bool has_removed_ = false;
+  int number_of_removed_ = 0;
+  double most_of_volume_;                   // by which removals may change that of a subdomain
   std::map<int, double> volume_, change_of_volume_;         // of subdomains, when a removal is first tried, and by removals
 };
 

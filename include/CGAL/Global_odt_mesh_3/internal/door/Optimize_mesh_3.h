@@ -59,7 +59,7 @@ using Optimization_parameters = std::conditional_t<
   is_periodic<C3T3>,
   Parameter_list<tags::time_limit, tags::max_iteration_number, tags::convergence, tags::freeze_bound, tags::do_freeze>,
   Parameter_list<tags::time_limit, tags::max_iteration_number, tags::convergence, tags::freeze_bound, tags::do_freeze,
-                 tags::sliver_bound, internal_np::do_remove_slivers_t, internal_np::do_insert_vertices_t, internal_np::do_remove_vertices_t,
+                 tags::sliver_bound, internal_np::do_remove_slivers_t, internal_np::do_insert_vertices_t, internal_np::do_remove_vertices_t, internal_np::number_of_vertices_t,
                  tags::sizing_field, internal_np::density_t,
                  internal_np::quadrature_t, internal_np::annealing_schedule_t, internal_np::number_of_rounds_t,
                  internal_np::optimize_boundary_t, internal_np::surface_weight_t, internal_np::domain_is_thread_safe_t,

@@ -49,6 +49,11 @@ Odt_parameters read_parameters(const Arguments& arguments)
   arguments.template read<internal_np::do_remove_slivers_t>(p.do_remove_slivers);
   arguments.template read<internal_np::do_insert_vertices_t>(p.do_insert_vertices);
   arguments.template read<internal_np::do_remove_vertices_t>(p.do_remove_vertices);
+  if constexpr (Arguments::template has<internal_np::number_of_vertices_t>)
+  {
+    read_count<internal_np::number_of_vertices_t>(arguments, p.number_of_vertices, "number_of_vertices must be a number, not negative");
+    CGAL_GLOBAL_ODT_MESH_3_CHECK_PARAMETER(p.number_of_vertices > 0, "number_of_vertices must be positive");
+  }
   arguments.template read<internal_np::domain_is_thread_safe_t>(p.domain_is_thread_safe);
   arguments.template read<internal_np::random_seed_t>(p.random_seed);
   arguments.template read<internal_np::callback_t>(p.callback);

@@ -8,6 +8,7 @@
 
 #include <CGAL/Global_odt_mesh_3/internal/geometry/Site.h>
 #include <CGAL/Global_odt_mesh_3/internal/geometry/Vertex_tuples.h>
+#include <CGAL/Global_odt_mesh_3/internal/interface/User_field_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/parallel/Chunked_loops.h>
 #include <CGAL/Global_odt_mesh_3/internal/parallel/Thread_policy.h>
 
@@ -55,6 +56,12 @@ struct Mesh_table_3
   std::vector<double> mean_circumradii;         // of the cells in the complex around vertices, or 0; of an optimized mesh
   std::vector<Cell> cells;                      // all of the triangulation
   std::vector<Facet> facets;                    // those in the complex; of the input from both sides, by cell and index
+
+  Vertex_stratum stratum(int v) const
+  {
+    const std::size_t first_inserted = sites.size() - inserted.size(), n = v;
+    return n < first_inserted ? Vertex_stratum{ v, dimensions[v], 0 } : Vertex_stratum{ -1, dimensions[v], inserted[n - first_inserted] };
+  }
 
   // That facet of a cell, from the neighbor across it.
   int mirror_index(int cell, int index) const

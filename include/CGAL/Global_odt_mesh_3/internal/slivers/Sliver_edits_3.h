@@ -17,8 +17,8 @@
 #include <CGAL/Global_odt_mesh_3/internal/surface/Exchangeable_boundary_3.h>
 
 #include <algorithm>
-#include <array>
 #include <cstddef>
+#include <limits>
 #include <optional>
 #include <utility>
 #include <vector>
@@ -62,12 +62,39 @@ public:
     }
   }
 
+  // Inserts a vertex into a cell or, if there is one, into its facet on that patch, where that is best for angles.
+  void split(const Quadruple& q, int facet, int patch)
+  {
+    Cell_handle c;
+    if(!edits_.trial().find_cell(q, c))
+      return;
+    edits_.trial().set_goal(Sliver_steps::angles[step_of_split], step_of_split);
+    Best best;
+    best.change = (std::numeric_limits<double>::infinity)();
+    const double length = edges(q).front().length;
+    if(facet < 0)
+      try_insertions(q, c, best);
+    else
+      try_around(middle_of_facet({{ q[(facet + 1) % 4], q[(facet + 2) % 4], q[(facet + 3) % 4] }}), farthest * length, c, best);
+    if(best.vertex)
+      edits_.insert_for_angles(*best.vertex, (std::numeric_limits<double>::infinity)(), c, true);
+  }
+
 private:
+  // In which cells are split: no more of them come below 30 degrees. Where cells were split whatever their angles got, those of
+  // an elephant fell from 30 to 8 degrees, and no more cells kept their size.
+  static constexpr int step_of_split = 3;
   static constexpr int tries = 8;                         // around each middle of a cell, a facet, or an edge
   static constexpr double farthest = 0.2;                 // over the longest edge of the cell
   static constexpr std::size_t tries_of_removal = 8;      // that take as long
   static constexpr std::size_t fewest_tries = 2000, tries_for_a_cell = 2;       // of the whole mesh
   static constexpr double least_improvement = 1e-6;       // square degrees
+
+  struct Edge
+  {
+    double length;
+    int u, v;
+  };
 
   struct Best
   {
@@ -84,7 +111,7 @@ private:
       return;
     // Vertices that have been detached have got other cells.
     if(best.vertex && edits_.trial().find_cell(q, c))
-      edits_.insert_for_angles(*best.vertex, 0, c);
+      edits_.insert_for_angles(*best.vertex, 0, c, true);
   }
 
   // Whether a vertex has been removed because that is better than any insertion.
@@ -94,39 +121,53 @@ private:
     for(int v : edits_.trial().movable_vertices(q))
     {
       number_of_tries_ += tries_of_removal;
-      const double change = edits_.change_without(v, most);
+      const double change = edits_.remove_for_angles(v, most, false);
       if(!(change < most))
         continue;
       most = change;
       best = v;
     }
-    return best >= 0 && edits_.remove_for_angles(best, 0);
+    return best >= 0 && edits_.remove_for_angles(best, 0, true) < 0;
   }
 
   void try_insertions(const Quadruple& q, Cell_handle c, Best& best)
   {
-    const std::vector<Site>& sites = complex_.sites;
-    std::vector<std::pair<double, std::array<int, 2> > > edges;
-    for(int i = 0; i < 3; ++i)
-      for(int j = i + 1; j < 4; ++j)
-        edges.push_back({ -(position(sites[q[i]]) - position(sites[q[j]])).norm(), {{ q[i], q[j] }} });
-    std::sort(edges.begin(), edges.end());
-    const double length = farthest * -edges.front().first;
+    const std::vector<Edge> longest = edges(q);
+    const double length = farthest * longest.front().length;
     for(int n = 0; n < 2; ++n)
-      try_around(middle_of_edge(complex_, edges[n].second[0], edges[n].second[1], c), length, c, best);
-    try_around(New_vertex_3{ (position(sites[q[0]]) + position(sites[q[1]]) + position(sites[q[2]]) + position(sites[q[3]])) / 4,
-                             3, c->label() }, length, c, best);
+      try_around(middle_of_edge(complex_, longest[n].u, longest[n].v, c), length, c, best);
+    try_around(middle_of_cell(q, c), length, c, best);
     for(int i = 0; i < 4; ++i)
       try_around(middle_of_facet({{ q[(i + 1) % 4], q[(i + 2) % 4], q[(i + 3) % 4] }}), length, c, best);
   }
 
+  // Of a cell, the longest first.
+  std::vector<Edge> edges(const Quadruple& q) const
+  {
+    std::vector<Edge> result;
+    for(int i = 0; i < 3; ++i)
+      for(int j = i + 1; j < 4; ++j)
+        result.push_back({ (position(complex_.sites[q[i]]) - position(complex_.sites[q[j]])).norm(), q[i], q[j] });
+    std::sort(result.begin(), result.end(), [](const Edge& a, const Edge& b)
+              { return a.length != b.length ? a.length > b.length : std::make_pair(a.u, a.v) < std::make_pair(b.u, b.v); });
+    return result;
+  }
+
+  New_vertex_3 middle_of_cell(const Quadruple& q, Cell_handle c) const
+  {
+    const std::vector<Site>& s = complex_.sites;
+    return { (position(s[q[0]]) + position(s[q[1]]) + position(s[q[2]]) + position(s[q[3]])) / 4, 3, c->label() };
+  }
+
+  // On the surface.
   std::optional<New_vertex_3> middle_of_facet(const Triple& t) const
   {
     const int n = complex_.boundary.find(sorted(t));
     if(n < 0 || complex_.boundary.facet(n).patch == Boundary_facet::no_patch)
       return std::nullopt;
-    return New_vertex_3{ centroid(t, complex_.sites), 2, complex_.boundary.facet(n).patch,
-                         Facet_dual_3(t, complex_.sites).normal };
+    const Facet_dual_3 dual(t, complex_.sites);
+    New_vertex_3 v{ centroid(t, complex_.sites), 2, complex_.boundary.facet(n).patch, dual.normal };
+    return complex_.domain.project(v.point, v.normal, dual.radius, v.place) ? std::make_optional(v) : std::nullopt;
   }
 
   void try_around(const std::optional<New_vertex_3>& base, double length, Cell_handle c, Best& best)
@@ -139,7 +180,7 @@ private:
       if(v.dimension == 2 && !complex_.domain.project(v.point, v.normal, length, v.place))
         continue;
       ++number_of_tries_;
-      const double change = edits_.change_of_angles(v, best.change, c);
+      const double change = edits_.insert_for_angles(v, best.change, c, false);
       if(change < best.change)
         best = { change, v };
     }

@@ -1,0 +1,156 @@
+// Copyright (c) 2026 The Global_odt_mesh_3 authors.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_GLOBAL_ODT_MESH_3_INTERNAL_COMPLEX_SIZE_ADAPTATION_3_H
+#define CGAL_GLOBAL_ODT_MESH_3_INTERNAL_COMPLEX_SIZE_ADAPTATION_3_H
+
+#include <CGAL/Global_odt_mesh_3/internal/complex/Vertex_edits_3.h>
+#include <CGAL/Global_odt_mesh_3/internal/complex/Working_triangulation_3.h>
+#include <CGAL/Global_odt_mesh_3/internal/geometry/Site.h>
+#include <CGAL/Global_odt_mesh_3/internal/geometry/Vertex_tuples.h>
+#include <CGAL/Global_odt_mesh_3/internal/interface/Domain_view_3.h>
+#include <CGAL/Global_odt_mesh_3/internal/sizing/Wanted_length_3.h>
+
+#include <algorithm>
+#include <array>
+#include <limits>
+#include <optional>
+#include <queue>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Global_odt_mesh_3 {
+namespace internal {
+
+// What edges may be, over the lengths that are wanted.
+struct Size_tolerance
+{
+  double longest = (std::numeric_limits<double>::infinity)(), shortest = 0;
+  std::optional<int> number_of_vertices;          // that have to be there, whatever becomes of the longest edges
+};
+
+// Removes vertices at short edges of a complex and inserts vertices into long ones, those first that are so most, inside and on
+// surfaces, but not on features, nor where surfaces meet.
+class Size_adaptation_3
+{
+public:
+  Size_adaptation_3(Vertex_edits_3& edits, Wanted_length_3& wanted, const Size_tolerance& tolerance)
+    : edits_(edits)
+    , complex_(edits.complex())
+    , wanted_(wanted)
+    , tolerance_(tolerance)
+  {}
+
+  template <class Predicate>
+  void remove_vertices(const Predicate& may_go_on)
+  {
+    Edges edges;
+    for(const std::array<int, 2>& e : edges_of_complex())
+      push(e[0], e[1], -1, edges);
+    while(!edges.empty() && may_go_on())
+    {
+      const Edge e = edges.top();
+      edges.pop();
+      if(!(-e.rank < tolerance_.shortest) && !has_too_many_vertices())
+        return;
+      if(!complex_.working.is_visible(e.u) || !complex_.working.is_visible(e.v))
+        continue;
+      for(int v : edits_.trial().movable_vertices(std::array<int, 2>{{ e.u, e.v }}))
+        if(edits_.remove(v))
+        {
+          for(const auto& edge : edits_.new_edges())
+            push(edge[0], edge[1], -1, edges);
+          break;
+        }
+    }
+  }
+
+  template <class Predicate>
+  void insert_vertices(const Predicate& may_go_on)
+  {
+    Edges edges;
+    for(const std::array<int, 2>& e : edges_of_complex())
+      push(e[0], e[1], 1, edges);
+    while(!edges.empty() && may_go_on())
+    {
+      const Edge e = edges.top();
+      edges.pop();
+      if(!(tolerance_.number_of_vertices ? edits_.number_of_visible_vertices() < *tolerance_.number_of_vertices
+                                         : e.rank > tolerance_.longest))
+        return;
+      const int v = edits_.number_of_vertices();
+      if(!split(e))
+        continue;
+      wanted_.add(edits_.stratum_of_last(), complex_.sites[v], e.u, e.v);
+      for(int w : complex_.working.neighbors(v))
+        push(v, w, 1, edges);
+    }
+  }
+
+private:
+  // The least distance of a new vertex from others, over the wanted length, or over that of the edge if this is less.
+  static constexpr double nearest = 0.75, nearest_over_edge = 0.44;
+
+  // The first is that of the highest rank.
+  struct Edge
+  {
+    double rank, length;
+    int u, v;
+
+    bool operator<(const Edge& o) const
+    { return rank != o.rank ? rank < o.rank : std::make_pair(u, v) > std::make_pair(o.u, o.v); }
+  };
+  typedef std::priority_queue<Edge> Edges;
+
+  bool has_too_many_vertices() const
+  { return tolerance_.number_of_vertices && edits_.number_of_visible_vertices() > *tolerance_.number_of_vertices; }
+
+  std::vector<std::array<int, 2> > edges_of_complex() const
+  {
+    std::vector<std::array<int, 2> > edges;
+    for(Cell_handle c : complex_.working.cells())
+    {
+      if(c->label() == Domain_view_3::outside)
+        continue;
+      const Quadruple q = complex_.numbers(c);
+      for(int i = 0; i < 3; ++i)
+        for(int j = i + 1; j < 4; ++j)
+          edges.push_back({{ (std::min)(q[i], q[j]), (std::max)(q[i], q[j]) }});
+    }
+    std::sort(edges.begin(), edges.end());
+    edges.erase(std::unique(edges.begin(), edges.end()), edges.end());
+    return edges;
+  }
+
+  void push(int u, int v, double sign, Edges& edges) const
+  {
+    const double length = (position(complex_.sites[v]) - position(complex_.sites[u])).norm();
+    edges.push({ sign * length / wanted_(u, v), length, (std::min)(u, v), (std::max)(u, v) });
+  }
+
+  bool split(const Edge& e)
+  {
+    const Working_triangulation_3& working = complex_.working;
+    Cell_handle c;
+    int i, j;
+    if(!working.is_visible(e.u) || !working.is_visible(e.v)
+       || !complex_.triangulation().is_edge(working.vertex(e.u), working.vertex(e.v), c, i, j))
+      return false;
+    const std::optional<New_vertex_3> v = middle_of_edge(complex_, e.u, e.v, c);
+    return v && edits_.insert(*v, (std::min)(nearest * e.length / e.rank, nearest_over_edge * e.length), c);
+  }
+
+  Vertex_edits_3& edits_;
+  const Editable_complex_3& complex_;
+  Wanted_length_3& wanted_;
+  Size_tolerance tolerance_;
+};
+
+} // namespace internal
+} // namespace Global_odt_mesh_3
+} // namespace CGAL
+
+#endif // CGAL_GLOBAL_ODT_MESH_3_INTERNAL_COMPLEX_SIZE_ADAPTATION_3_H
