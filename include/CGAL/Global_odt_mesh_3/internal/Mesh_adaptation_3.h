@@ -90,7 +90,7 @@ public:
 
   // Into cells and facets that are too large, the worst first; whether there are such places.
   template <class Predicate>
-  bool refine(const std::vector<Size_criteria_3::Violation>& violations, unsigned int seed, const Predicate& may_go_on)
+  bool refine(const std::vector<Size_criteria_3::Violation>& violations, int step, unsigned int seed, const Predicate& may_go_on)
   {
     const std::vector<int> number = numbers_of_table();
     Vertex_edits_3 edits = complex_.make_edits();
@@ -101,7 +101,7 @@ public:
         break;
       for(int& w : v.cell)
         w = number[w];
-      insertion.split(v.cell, v.facet, v.patch);
+      insertion.split(v.cell, v.facet, step);
     }
     return store(edits);
   }

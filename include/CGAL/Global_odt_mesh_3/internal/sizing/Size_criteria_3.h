@@ -40,7 +40,6 @@ public:
     double excess;
     Quadruple cell;               // vertices, by their numbers in the table
     int facet = no_facet;         // the index of its opposite vertex
-    int patch = 0;
 
     // The worst first.
     bool operator<(const Violation& o) const { return excess != o.excess ? excess > o.excess : cell < o.cell; }
@@ -82,8 +81,8 @@ public:
       if(c.vertices < mesh.cells[c.neighbors[f.index]].vertices)
         continue;
       const bool is_inside = c.label != Domain_view_3::outside;
-      add(excess, is_inside ? Violation{ excess, c.vertices, f.index, f.patch }
-                            : Violation{ excess, mesh.cells[c.neighbors[f.index]].vertices, mesh.mirror_index(f.cell, f.index), f.patch });
+      add(excess, is_inside ? Violation{ excess, c.vertices, f.index }
+                            : Violation{ excess, mesh.cells[c.neighbors[f.index]].vertices, mesh.mirror_index(f.cell, f.index) });
     }
     std::sort(result.begin(), result.end());
     return result;

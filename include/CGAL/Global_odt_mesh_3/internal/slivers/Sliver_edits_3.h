@@ -52,6 +52,8 @@ public:
     std::sort(slivers.begin(), slivers.end());
     number_of_tries_ = 0;
     const std::size_t most_tries = fewest_tries + tries_for_a_cell * complex_.working.cells().size();
+    const std::size_t places = places_in_cell * (std::max)(slivers.size(), std::size_t(1));
+    tries_ = (std::min)((std::max)(int(fewest_tries_around), int(most_tries / places)), int(most_tries_around));
     for(const auto& s : slivers)
     {
       Cell_handle c;
@@ -62,18 +64,22 @@ public:
     }
   }
 
-  // Inserts a vertex into a cell or, if there is one, into its facet on that patch, where that is best for angles.
-  void split(const Quadruple& q, int facet, int patch)
+  // Inserts a vertex into a cell or, if there is one, into its facet on a surface, where that is best for angles, and no more of
+  // them come below the angles of the steps before.
+  void split(const Quadruple& q, int facet, int step)
   {
     Cell_handle c;
     if(!edits_.trial().find_cell(q, c))
       return;
-    edits_.trial().set_goal(Sliver_steps::angles[step_of_split], step_of_split);
+    edits_.trial().set_goal(Sliver_steps::angles[step], step);
     Best best;
     best.change = (std::numeric_limits<double>::infinity)();
     const double length = edges(q).front().length;
     if(facet < 0)
+    {
+      try_around(New_vertex_3{ coordinates(complex_.triangulation().dual(c)), 3, c->label() }, farthest * length, c, best);
       try_insertions(q, c, best);
+    }
     else
       try_around(middle_of_facet({{ q[(facet + 1) % 4], q[(facet + 2) % 4], q[(facet + 3) % 4] }}), farthest * length, c, best);
     if(best.vertex)
@@ -81,10 +87,8 @@ public:
   }
 
 private:
-  // In which cells are split: no more of them come below 30 degrees. Where cells were split whatever their angles got, those of
-  // an elephant fell from 30 to 8 degrees, and no more cells kept their size.
-  static constexpr int step_of_split = 3;
-  static constexpr int tries = 8;                         // around each middle of a cell, a facet, or an edge
+  // Around each middle of a cell, a facet, or an edge: more where few slivers are left.
+  static constexpr int fewest_tries_around = 8, most_tries_around = 40, places_in_cell = 7;
   static constexpr double farthest = 0.2;                 // over the longest edge of the cell
   static constexpr std::size_t tries_of_removal = 8;      // that take as long
   static constexpr std::size_t fewest_tries = 2000, tries_for_a_cell = 2;       // of the whole mesh
@@ -172,7 +176,7 @@ private:
 
   void try_around(const std::optional<New_vertex_3>& base, double length, Cell_handle c, Best& best)
   {
-    for(int n = 0; n < tries && base; ++n)
+    for(int n = 0; n < tries_ && base; ++n)
     {
       New_vertex_3 v = *base;
       if(n > 0)
@@ -190,6 +194,7 @@ private:
   const Editable_complex_3& complex_;
   bool inserts_, removes_;
   Random_source random_;
+  int tries_ = fewest_tries_around;
   std::size_t number_of_tries_ = 0;
 };
 
