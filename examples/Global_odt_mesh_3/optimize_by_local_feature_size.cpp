@@ -4,9 +4,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 // The sizes are designed from the shape of the domain: fine where it is thin or bent, coarse inside. The same
-// field goes to the mesh generator and to the optimizer.
+// field goes to the mesh generator and to the optimizer. If a number of vertices is given, the field decides on
+// the ratios of sizes, and the mesh gets that many.
 //
-//   optimize_by_local_feature_size [surface.off]
+//   optimize_by_local_feature_size [surface.off [number of vertices]]
 
 #include "read_surface.h"
 #include "write_mesh.h"
@@ -47,7 +48,11 @@ int main(int argc, char* argv[])
                           params::cell_radius_edge_ratio = 2, params::cell_size = size);
   C3t3 c3t3 = CGAL::make_mesh_3<C3t3>(domain, criteria, params::no_perturb(), params::no_exude());
   std::cout << "--- before ---\n" << CGAL::mesh_quality_report_3(c3t3);
-  CGAL::odt_optimize_mesh_3(c3t3, domain, params::sizing_field = size);
+  if(argc > 2)
+    CGAL::odt_optimize_mesh_3(c3t3, domain, params::sizing_field = size, params::do_insert_vertices = true,
+                              params::do_remove_vertices = true, params::number_of_vertices = std::strtoul(argv[2], nullptr, 10));
+  else
+    CGAL::odt_optimize_mesh_3(c3t3, domain, params::sizing_field = size);
   std::cout << "--- after ---\n" << CGAL::mesh_quality_report_3(c3t3);
   write_mesh(c3t3, "by_local_feature_size");
   return EXIT_SUCCESS;

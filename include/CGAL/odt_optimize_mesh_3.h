@@ -43,8 +43,8 @@ that are left are removed.
 The function takes the place of the function of the same name of the package 3D Mesh Generation.
 The density \f$ \rho \f$ is \f$ 1/\mu^5 \f$, where \f$ \mu \f$ is the size of the cells, since the minimizer
 of \f$ E^\rho_{ODT} \f$ equidistributes the integral of \f$ \rho^{3/5} \f$. By default, the sizes are
-those of the input's cells, so that a graded mesh stays graded; see `sizing_field` and `density`. As they do not decide
-on the number of vertices, only the ratios of sizes or densities matter.
+those of the input's cells, so that a graded mesh stays graded; see `sizing_field` and `density`. Only the ratios of sizes or
+densities matter, unless vertices are inserted or removed for a `sizing_field`.
 
 The global search consists of rounds (see `number_of_rounds` and `annealing_schedule`). At the end, slivers are
 removed: vertices of cells with dihedral angles below a bound try positions around them, one by one. The bound rises in
@@ -169,6 +169,9 @@ version of %CGAL in use accepts: `parameters::time_limit = 10, parameters::do_fr
     \cgalParamPrecondition{all sizes are positive and finite; not together with `density`}
     \cgalParamDefault{the sizes of the input's cells}
     \cgalParamExtra{It is copied; pass `std::cref(field)` to avoid that.}
+    \cgalParamExtra{With `do_insert_vertices`, sizes bound circumradii, as those of `Mesh_criteria_3` do: cells that
+                    are larger are split, where no feature edge or junction is in the way. With `do_remove_vertices`, vertices
+                    go where the mesh is finer. With `number_of_vertices`, ratios alone matter.}
   \cgalParamNEnd
   \cgalParamNBegin{density}
     \cgalParamDescription{the density \f$ \rho \f$ of the volume; that of surfaces is \f$ \rho^{4/5} \f$. It is
@@ -219,8 +222,11 @@ version of %CGAL in use accepts: `parameters::time_limit = 10, parameters::do_fr
   \cgalParamNEnd
   \cgalParamNBegin{do_insert_vertices}
     \cgalParamDescription{whether vertices may be inserted, inside and on surfaces, but neither on features nor where surfaces
-                          meet: first into edges that are long compared with feature edges nearby or with the edges around,
-                          before vertices move; and, if `do_remove_slivers` is `true`, at the end, in and beside cells with
+                          meet: first into edges that are long compared with `sizing_field` or, without, with the edges
+                          around, or with feature edges nearby, before vertices move; then into cells whose circumradius
+                          exceeds `sizing_field` or, without sizes and densities, the largest of their subdomain in the input, and
+                          into facets that exceed the largest of the input, unless more angles below 30 degrees would come;
+                          and, if `do_remove_slivers` is `true`, in and beside cells with
                           angles below `sliver_bound`, or 30 degrees if that is 0, where no move helps. They get the
                           dimension and index of where they are; what else a vertex of `c3t3` has is constructed by
                           default. Handles to the other vertices stay valid.}
@@ -228,12 +234,24 @@ version of %CGAL in use accepts: `parameters::time_limit = 10, parameters::do_fr
     \cgalParamDefault{`false`}
   \cgalParamNEnd
   \cgalParamNBegin{do_remove_vertices}
-    \cgalParamDescription{whether, if `do_remove_slivers` is `true`, vertices inside and on surfaces may be removed in the end,
-                          where that raises the angles of cells below `sliver_bound`, or 30 degrees if that is 0. Handles to
-                          these vertices become invalid. A visitor with a member `before_vertex_removal(Vertex_handle)` is told
-                          of each of them, before `c3t3` changes.}
+    \cgalParamDescription{whether vertices inside and on surfaces may be removed: before vertices move, at edges that are short
+                          compared with `sizing_field` or, without, with the edges around; and, if `do_remove_slivers`
+                          is `true`, in the end, where that raises the angles of cells below `sliver_bound`, or 30 degrees
+                          if that is 0. Handles to these vertices become invalid. A visitor with a member
+                          `before_vertex_removal(Vertex_handle)` is told of each of them, before `c3t3` changes.}
     \cgalParamType{`bool`}
     \cgalParamDefault{`false`}
+  \cgalParamNEnd
+  \cgalParamNBegin{number_of_vertices}
+    \cgalParamDescription{how many vertices the mesh gets, those on features included, as Algorithm 1 of
+                          \cgalCite{cgal:cwlls-rodt-14} is given a number: the edges that are the shortest or longest, compared
+                          with `sizing_field` or `density` or, without, with the edges around, lose or get
+                          vertices until the number is reached. Surfaces may be farther from facets, and volumes change, as much
+                          as longer edges require. Where features, junctions, and the topology permit no more, the number stays larger or
+                          smaller; where at least half of the vertices are free, it is met within 1 %.}
+    \cgalParamType{`std::size_t`}
+    \cgalParamPrecondition{positive; `do_insert_vertices` and `do_remove_vertices` are `true`}
+    \cgalParamDefault{any number}
   \cgalParamNEnd
   \cgalParamNBegin{domain_is_thread_safe}
     \cgalParamDescription{whether several threads may query the domain at the same time, as the parallel mesh generation

@@ -19,6 +19,7 @@
 #include <CGAL/Annealing_schedules_3.h>
 #include <CGAL/Bbox_3.h>
 #include <CGAL/Density_quadratures_3.h>
+#include <CGAL/Feature_edge_size_field_3.h>
 #include <CGAL/Local_feature_size_field_3.h>
 #include <CGAL/Quadratic_density_3.h>
 #include <CGAL/Spline_grid_field_3.h>
@@ -70,6 +71,16 @@ static void numbers(Labeled_c3t3& c3t3, const Labeled_domain& domain)
   refuses("surface_weight", [&] { CGAL::odt_optimize_mesh_3(c3t3, domain, params::surface_weight = infinity); });
   refuses("max_iteration_number", [&] { CGAL::odt_optimize_mesh_3(c3t3, domain, params::max_iteration_number = -1); });
   refuses("number_of_rounds", [&] { CGAL::odt_optimize_mesh_3(c3t3, domain, params::number_of_rounds = -1); });
+  refuses("number_of_vertices", [&] { CGAL::odt_optimize_mesh_3(c3t3, domain, params::number_of_vertices = 100); });
+  refuses("number_of_vertices", [&] { CGAL::odt_optimize_mesh_3(c3t3, domain, params::number_of_vertices = 100,
+                                                                params::do_insert_vertices = true); });
+  for(double bad : { 0., -1., 3e9, nan_value })
+    refuses("number_of_vertices", [&] { CGAL::odt_optimize_mesh_3(c3t3, domain, params::number_of_vertices = bad,
+                                                                  params::do_insert_vertices = true, params::do_remove_vertices = true); });
+  for(double bad : { 0., -1., nan_value, infinity })
+    refuses("largest_size", [&] { CGAL::Feature_edge_size_field_3<Labeled_c3t3>(c3t3, bad); });
+  for(double bad : { -1., nan_value, infinity })
+    refuses("gradation", [&] { CGAL::Feature_edge_size_field_3<Labeled_c3t3>(c3t3, 1, bad); });
   refuses("time_limit", [&] { CGAL::odt_optimize_mesh_3_impl(c3t3, domain, -1., 0, 0.1, 0.1, true); });
   for(double bad : { -0.1, 1.001, 5., nan_value, infinity })
   {

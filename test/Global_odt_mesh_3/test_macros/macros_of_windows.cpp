@@ -54,6 +54,7 @@
 
 #include <CGAL/Annealing_schedules_3.h>
 #include <CGAL/Density_quadratures_3.h>
+#include <CGAL/Feature_edge_size_field_3.h>
 #include <CGAL/Local_feature_size_field_3.h>
 #include <CGAL/Mesh_quality_report_3.h>
 #include <CGAL/Quadratic_density_3.h>

@@ -14,6 +14,7 @@
 #include <CGAL/Density_quadratures_3.h>
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Labeled_mesh_domain_3.h>
+#include <CGAL/Feature_edge_size_field_3.h>
 #include <CGAL/Local_feature_size_field_3.h>
 #include <CGAL/Mesh_complex_3_in_triangulation_3.h>
 #include <CGAL/Mesh_criteria_3.h>
@@ -62,6 +63,10 @@ void call_functions(C3t3& c3t3, const Domain& domain)
   CGAL::odt_optimize_mesh_3(c3t3, domain, params::sizing_field = size, params::quadrature = CGAL::Adaptive_cubature_3());
   CGAL::remesh_boundary_mesh_3(c3t3, domain, params::sizing_field = std::cref(of_mesh));
   CGAL::odt_energy_3(c3t3, params::sizing_field = of_points);
+  const CGAL::Feature_edge_size_field_3<C3t3> from_edges(c3t3, 1);
+  CGAL::odt_energy_3(c3t3, params::sizing_field = from_edges);
+  CGAL::odt_optimize_mesh_3(c3t3, domain, params::do_insert_vertices = true, params::do_remove_vertices = true,
+                            params::number_of_vertices = 100);
   CGAL::remove_slivers_mesh_3(c3t3, domain, params::time_limit = 10, params::sliver_bound = 30, params::optimize_boundary = false,
                               params::random_seed(1), params::callback([](double) { return true; }),
                               params::visitor(std::ref(visitor)));

@@ -88,6 +88,7 @@ public:
                  double permitted_changes_of_volume, const Thread_policy& threads)
     : numbering_(std::make_shared<Vertex_numbering_3>(*snapshot.numbering))
     , trial_(snapshot, *numbering_, triangulation, domain, fidelity, shapes, boundary_moves, Circumradius_bound_3(), threads)
+    , boundary_moves_(boundary_moves)
     , most_of_volume_(usual_most_of_volume * permitted_changes_of_volume)
   {}
 
@@ -329,7 +330,7 @@ private:
     Complex_snapshot_3::Surface_center known, found;
     if(n >= 0)
       known = complex().snapshot.centers[n];
-    if(known.is_exact && search.is_between_subdomains(f.facet, t, known))
+    if(known.is_exact && (!boundary_moves_ || search.is_between_subdomains(f.facet, t, known)))
       return known;
     found.point = expected;
     search.search(f.facet, t, found);
@@ -340,6 +341,7 @@ private:
   Exact_relocation_3 trial_;
   std::vector<int> places_;                 // of those that have been inserted
   int number_of_removed_ = 0;
+  bool boundary_moves_;
   double most_of_volume_;                   // by which removals may change that of a subdomain
   std::map<int, double> volume_, change_of_volume_;         // of subdomains, when a removal is first tried, and by removals
 };
