@@ -113,14 +113,19 @@ inline Polyhedron read_polyhedron(const std::string& file)
   return polyhedron;
 }
 
-// Sizes are relative to the diagonal of the bounding box, the distance to the surface to the size.
+// Of the bounding box.
+inline double diagonal(const Polyhedral_domain& domain)
+{
+  const CGAL::Bbox_3 b = domain.bbox();
+  return std::sqrt(CGAL::square(b.xmax() - b.xmin()) + CGAL::square(b.ymax() - b.ymin()) + CGAL::square(b.zmax() - b.zmin()));
+}
+
+// Sizes are relative to the diagonal, the distance to the surface to the size.
 inline Polyhedral_c3t3 polyhedral_mesh(const Polyhedral_domain& domain, double relative_size,
                                        bool with_features, double relative_distance = 0.125)
 {
   typedef CGAL::Mesh_criteria_3<Polyhedral_triangulation> Criteria;
-  const CGAL::Bbox_3 b = domain.bbox();
-  const double size = relative_size * std::sqrt(CGAL::square(b.xmax() - b.xmin()) + CGAL::square(b.ymax() - b.ymin())
-                                                + CGAL::square(b.zmax() - b.zmin()));
+  const double size = relative_size * diagonal(domain);
   Criteria criteria(params::edge_size = size, params::facet_angle = 25, params::facet_size = size,
                     params::facet_distance = relative_distance * size, params::cell_radius_edge_ratio = 3,
                     params::cell_size = size);

@@ -9,15 +9,18 @@
 //   insert_vertices [name of one input]
 //
 // Prints vertices, the smallest dihedral angle, cells below 20 and 30 degrees, mean 3r/R, and CPU seconds, of the input, the default
-// call, and the one with insertion. Environment: CGAL_DATA_DIR, the directory of CGAL's data.
+// call, and the one with insertion. "numbers" changes the number of vertices of an elephant, up and down; "edges" makes meshes a second
+// time, with sizes that grow from feature edges, before the default call. Environment: CGAL_DATA_DIR, the directory of CGAL's data.
 
 #include "benchmark_inputs.h"
 #include "cpu_seconds.h"
 #include "synthetic_images.h"
 
+#include <CGAL/Feature_edge_size_field_3.h>
 #include <CGAL/Mesh_quality_report_3.h>
 #include <CGAL/odt_optimize_mesh_3.h>
 
+#include <cstddef>
 #include <cstdio>
 #include <cstdlib>
 #include <exception>
@@ -57,6 +60,37 @@ static void compare_polyhedron(const std::string& model, double size, bool with_
   compare(model, polyhedral_mesh(domain, size, with_features, 0.1), domain);
 }
 
+// Each mesh is made of the one before, as the paper makes one of a boundary, a density, and a number of vertices.
+static void change_number(double size)
+{
+  const Polyhedral_domain domain(read_polyhedron(CGAL::data_file_path("meshes/elephant.off")));
+  Polyhedral_c3t3 c3t3 = polyhedral_mesh(domain, size, false, 0.1);
+  std::printf("elephant, numbers\n");
+  print("input", c3t3, 0);
+  for(std::size_t number : { 1000, 3000, 10000, 30000, 100000, 30000, 10000, 3000, 1000 })
+  {
+    const double time = seconds([&]
+    {
+      CGAL::odt_optimize_mesh_3(c3t3, domain, params::do_insert_vertices = true, params::do_remove_vertices = true,
+                                params::number_of_vertices = number);
+    });
+    print(std::to_string(number).c_str(), c3t3, time);
+  }
+}
+
+static void compare_with_sizes_from_edges(const std::string& model, double size)
+{
+  Polyhedral_domain domain(read_polyhedron(CGAL::data_file_path("meshes/" + model + ".off")));
+  domain.detect_features();
+  const Polyhedral_c3t3 first = polyhedral_mesh(domain, size, true, 0.1);
+  const double length = size * diagonal(domain);
+  const CGAL::Feature_edge_size_field_3<Polyhedral_c3t3> field(first, length);
+  const CGAL::Mesh_criteria_3<Polyhedral_triangulation> criteria(
+    params::edge_size = length, params::facet_angle = 25, params::facet_size = field, params::facet_distance = 0.1 * length,
+    params::cell_radius_edge_ratio = 3, params::cell_size = field);
+  compare(model + ", sizes from feature edges", reproducible_mesh<Polyhedral_c3t3>(domain, criteria), domain);
+}
+
 static void compare_image(const std::string& name, const CGAL::Image_3& image, double facet_size, double facet_distance,
                           double cell_size)
 {
@@ -89,6 +123,11 @@ static void compare_all(const std::string& only)
     compare_image("fine polycrystal", synthetic_images::polycrystal(80, 20), 3, .6, 3.6);
   if(is_wanted("head"))
     compare_image("head", synthetic_images::head(96), 4, .9, 5);
+  if(is_wanted("numbers"))
+    change_number(.03);
+  if(is_wanted("edges"))
+    for(const Model& m : { Model{ "couplingdown", .03, true }, Model{ "pinion_small", .03, true }, Model{ "fandisk", .0215, true } })
+      compare_with_sizes_from_edges(m.name, m.size);
   CGAL::Image_3 image;
   if(is_wanted("liver") && image.read(CGAL::data_file_path("images/liver.inr.gz").c_str()))
     compare_image("liver", image, 6, 2, 8);

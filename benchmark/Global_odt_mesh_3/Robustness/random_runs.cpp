@@ -37,6 +37,7 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <cmath>
 #include <csignal>
 #include <cstddef>
 #include <cstdio>
@@ -54,6 +55,7 @@ static const unsigned int most_seconds = 600;           // of CPU time; a run th
 static const unsigned int most_seconds_of_waiting = 3600;
 static const unsigned int most_seconds_of_mesher = 60;  // to make the input
 static const int exit_unmeshed = 3;
+static const double most_of_layer_for_number = 1;
 static const double most_of_layer = 0.3;                // by which volumes may change: meshes can be far from their domains
 
 static constexpr bool is_parallel = std::is_same<Concurrency_tag, CGAL::Parallel_tag>::value;
@@ -65,6 +67,7 @@ struct Random_parameters
   int max_iteration_number = 0, number_of_rounds = 4;
   bool do_freeze = true, optimize_boundary = true, do_remove_slivers = true, domain_is_thread_safe = false;
   bool do_insert_vertices = false, do_remove_vertices = false;
+  double number_of_vertices = 0;      // over that of the input, if any is wanted
   long callback_stops_after = -1, callback_throws_after = -1;
   unsigned int random_seed = 0;
 
@@ -73,6 +76,8 @@ struct Random_parameters
     random_seed = static_cast<unsigned int>(draw.integer(0, 1000000));
     do_insert_vertices = random_seed % 2 == 0;
     do_remove_vertices = random_seed / 2 % 2 == 0;
+    if(random_seed % 8 == 0)
+      number_of_vertices = 0.25 * (1 + random_seed / 8 % 12);
     if(is_parallel)
       domain_is_thread_safe = draw.chance(0.5);
     if(draw.chance(0.5))
@@ -98,6 +103,7 @@ struct Random_parameters
                << p.max_iteration_number << ", number_of_rounds " << p.number_of_rounds << ", do_freeze " << p.do_freeze
                << ", optimize_boundary " << p.optimize_boundary << ", do_remove_slivers " << p.do_remove_slivers
                << ", do_insert_vertices " << p.do_insert_vertices << ", do_remove_vertices " << p.do_remove_vertices
+               << ", number_of_vertices times " << p.number_of_vertices
                << ", domain_is_thread_safe " << p.domain_is_thread_safe
                << ", callback stops, throws after " << p.callback_stops_after << ", " << p.callback_throws_after
                << ", random_seed " << p.random_seed;
@@ -114,16 +120,24 @@ void optimize(C3t3& c3t3, const Domain& domain, const Random_parameters& p)
       throw Planned_failure();
     return p.callback_stops_after < 0 || calls++ < p.callback_stops_after;
   };
-  CGAL::odt_optimize_mesh_3(c3t3, domain, params::time_limit = p.time_limit, params::convergence = p.convergence,
-                            params::freeze_bound = p.freeze_bound, params::max_iteration_number = p.max_iteration_number,
-                            params::do_freeze = p.do_freeze, params::sliver_bound = p.sliver_bound,
-                            params::surface_weight = p.surface_weight, params::number_of_rounds = p.number_of_rounds,
-                            params::optimize_boundary = p.optimize_boundary,
-                            params::do_remove_slivers = p.do_remove_slivers,
-                            params::do_insert_vertices = p.do_insert_vertices,
-                            params::do_remove_vertices = p.do_remove_vertices,
-                            params::domain_is_thread_safe(p.domain_is_thread_safe), params::callback(callback),
-                            params::random_seed(p.random_seed));
+  const auto optimize = [&](const auto&... number)
+  {
+    CGAL::odt_optimize_mesh_3(c3t3, domain, params::time_limit = p.time_limit, params::convergence = p.convergence,
+                              params::freeze_bound = p.freeze_bound, params::max_iteration_number = p.max_iteration_number,
+                              params::do_freeze = p.do_freeze, params::sliver_bound = p.sliver_bound,
+                              params::surface_weight = p.surface_weight, params::number_of_rounds = p.number_of_rounds,
+                              params::optimize_boundary = p.optimize_boundary,
+                              params::do_remove_slivers = p.do_remove_slivers,
+                              params::do_insert_vertices = p.do_insert_vertices,
+                              params::do_remove_vertices = p.do_remove_vertices,
+                              params::domain_is_thread_safe(p.domain_is_thread_safe), params::callback(callback),
+                              params::random_seed(p.random_seed), number...);
+  };
+  const double number = std::ceil(p.number_of_vertices * double(c3t3.triangulation().number_of_vertices()));
+  if(number > 0)
+    optimize(params::number_of_vertices = number);
+  else
+    optimize();
 }
 
 // With CGAL's functions, threads make another mesh each time.
@@ -215,7 +229,7 @@ void run(Input& input, const std::string& method, Draw& draw, Outcome& outcome)
   else if(method != "cgal" && !parameters.optimize_boundary)
     contract.check(c3t3);
   else
-    contract.check_moved(c3t3, input.tolerance, 0, most_of_layer);
+    contract.check_moved(c3t3, input.tolerance, 0, parameters.number_of_vertices > 0 ? most_of_layer_for_number : most_of_layer);
   if(!has_thrown)
     on_one_thread([&] { go_on(c3t3, input.domain, input.criteria(), draw); });
 }
