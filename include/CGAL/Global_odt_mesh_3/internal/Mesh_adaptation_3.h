@@ -78,8 +78,8 @@ public:
       wanted.scale(longest_over_mean);
       tolerance = { 1.7, 0.45 };
     }
-    const double coarsening = std::pow((std::max)(1., number_before / wanted.number_of_vertices()), 2 / 3.);
-    Vertex_edits_3 edits = complex_.make_edits(wants_number || has_sizes ? coarsening : 1);
+    const double coarsening = wants_number || has_sizes ? (std::max)(1., number_before / wanted.number_of_vertices()) : 1;
+    Vertex_edits_3 edits = complex_.make_edits(coarsening);
     Size_adaptation_3 adaptation(edits, wanted, tolerance);
     if(parameters.do_remove_vertices)
       adaptation.remove_vertices(may_go_on);

@@ -45,6 +45,9 @@ public:
       smallest_angle_ = (std::min)(smallest_angle_, smallest_angle_of_facet(f.vertices, sites));
   }
 
+  // At 30 degrees, an elephant that loses two thirds of its vertices gets stuck with a mean 3r/R of .78; at 20, it reaches .85.
+  void permit_thin_facets() { smallest_angle_ = (std::min)(smallest_angle_, 20.); }
+
   // What angles may be, in degrees.
   double smallest_angle() const { return smallest_angle_; }
 

@@ -120,14 +120,15 @@ public:
                               threads_);
   }
 
-  // Insertion and removal of vertices, which has the triangulation. If edges get longer on purpose, the bounds on distances of
-  // facets to surfaces grow by the factor.
-  Vertex_edits_3 make_edits(double permitted_distances = 1)
+  // Insertion and removal of vertices, which has the triangulation. If there are to be so many times fewer on purpose, facets may be
+  // farther from surfaces, and thin.
+  Vertex_edits_3 make_edits(double coarsening = 1)
   {
     Working_triangulation_3& working = edited_triangulation();
-    fidelity_.permit_distances(permitted_distances);
-    return Vertex_edits_3(snapshot_, working, domain_, fidelity_, shapes_, motion_ != Boundary_motion::NONE, permitted_distances,
-                          threads_);
+    fidelity_.permit_distances(coarsening);
+    if(coarsening > 1)
+      shapes_.permit_thin_facets();
+    return Vertex_edits_3(snapshot_, working, domain_, fidelity_, shapes_, motion_ != Boundary_motion::NONE, coarsening, threads_);
   }
 
   // Goes to where trials of this snapshot have led. False if that cannot be done: then the snapshot is as it was.
