@@ -20,9 +20,13 @@ else
   options=(-DGLOBAL_ODT_MESH_3_CONTRACT_TESTS_ONLY=ON "-DCGAL_DIR=$CGAL_DIR")
 fi
 echo "=== tests with the CGAL of $name ==="
-# Tests and examples take longer to compile than to run, hence -O1.
+# Tests and examples take longer to compile than to run, hence -O1; and GCC, unless told so, collects garbage all the time.
+flags="-O1 -DNDEBUG"
+if ${CXX:-c++} -v 2>&1 | grep -q "^gcc version"; then
+  flags="$flags --param ggc-min-heapsize=1000000"
+fi
 cmake -S . -B "$build/$name" -DCMAKE_BUILD_TYPE=Release -DGLOBAL_ODT_MESH_3_BUILD_TESTS=ON "${options[@]}" \
-      -DCMAKE_CXX_FLAGS_RELEASE="-O1 -DNDEBUG" -DCMAKE_CXX_COMPILER_LAUNCHER=ccache -DCGAL_DATA_DIR="$data" \
+      -DCMAKE_CXX_FLAGS_RELEASE="$flags" -DCMAKE_CXX_COMPILER_LAUNCHER=ccache -DCGAL_DATA_DIR="$data" \
       > "$build/$name.log" 2>&1 || { cat "$build/$name.log"; exit 1; }
 cmake --build "$build/$name" -j"$jobs"
 # Not the tests that compile, which CGAL adds for each program.

@@ -416,6 +416,22 @@ static void slivers_alone()
 }
 
 // Where nothing can move, what is returned and told is what is there.
+static void vertices_come_and_go(const Labeled_c3t3& input, const Labeled_domain& domain)
+{
+  Contract contract(input, domain, "vertices come and go");
+  contract.permit(true, true);
+  const std::size_t before = input.triangulation().number_of_vertices();
+  for(std::size_t number : { before / 2, 2 * before })
+  {
+    Labeled_c3t3 c3t3(input);
+    CGAL::odt_optimize_mesh_3(c3t3, domain, params::do_insert_vertices = true, params::do_remove_vertices = true,
+                              params::number_of_vertices = number);
+    contract.check_moved(c3t3, 2e-3, 20, 0.3);
+    const std::size_t after = c3t3.triangulation().number_of_vertices();
+    check::that(100 * after >= 99 * number && 100 * after <= 101 * number, "vertices come and go: ", after, ", not ", number);
+  }
+}
+
 static void slivers_that_cannot_move()
 {
   const Labeled_domain domain = domains::sphere();
@@ -771,6 +787,7 @@ int main()
   throwing_fields(mesh, domain);
   exceptions(mesh);
   vertices_stay(mesh, domain);
+  vertices_come_and_go(domains::mesh(domain, 0.15), domain);
   visitor(mesh, domain);
   degenerate(mesh, domain);
   structured(domain);
