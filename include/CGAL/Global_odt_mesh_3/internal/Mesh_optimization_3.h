@@ -50,7 +50,7 @@ public:
   {
     const std::optional<Outcome> outcome
       = parameters_.do_insert_vertices || parameters_.do_remove_vertices ? adapt_and_optimize(mesh, task)
-                                                                         : optimize(mesh, task, parameters_);
+                                                                         : optimize(mesh, task);
     if(!outcome)
       return CANT_IMPROVE_ANYMORE;
     const std::size_t slivers = parameters_.sliver_bound > 0 ? mesh.number_of_slivers(parameters_.sliver_bound) : 0;
@@ -67,7 +67,7 @@ private:
   };
 
   static constexpr unsigned int most_adaptations = 3;
-  static constexpr double wanted_angle = 30;            // if no bound is given
+  static constexpr double wanted_angle = 30;            // of insertion and removal, if no bound is given
   // In which cells are split that are too large: in the end, no more angles get below 30 degrees. Where cells were split whatever
   // that did to angles, those of an elephant fell from 30 to 8 degrees.
   static constexpr int step_on_the_way = 1, last_step = 3;
@@ -75,16 +75,16 @@ private:
   // In one of several attempts: first surface vertices follow normals, then, for rough surfaces
   // or if no valid complex comes out of that, the domain is asked all the time; and in the end the boundary rests.
   // None if there is no valid complex, and the mesh is as it was.
-  std::optional<Outcome> optimize(Mesh_view_3& mesh, Odt_task task, const Odt_parameters& parameters)
+  std::optional<Outcome> optimize(Mesh_view_3& mesh, Odt_task task)
   {
     std::vector<Boundary_motion> motions;
-    if(parameters.optimize_boundary)
+    if(parameters_.optimize_boundary)
       motions = { Boundary_motion::BY_NORMALS, Boundary_motion::BY_DOMAIN };
     if(task != Odt_task::REMESH_BOUNDARY)
       motions.push_back(Boundary_motion::NONE);
     for(Boundary_motion motion : motions)
     {
-      Optimization_attempt_3 attempt(mesh, domain_, task, parameters, field_, control_, threads_, motion);
+      Optimization_attempt_3 attempt(mesh, domain_, task, parameters_, field_, control_, threads_, motion);
       if(!attempt.run())
         continue;
       attempt.commit();
@@ -101,22 +101,20 @@ private:
     const Size_criteria_3 criteria(adapted.table(), sizes());
     const auto has_time = [this] { return control_.has_time(); };
     adaptation(adapted).adapt_sizes(field_, parameters_, has_time);
-    std::optional<Outcome> outcome = optimize(adapted, task, parameters_);
+    std::optional<Outcome> outcome = optimize(adapted, task);
     if(!outcome)
       return outcome;
-    Odt_parameters of_slivers = parameters_;
-    if(!(of_slivers.sliver_bound > 0))
-      of_slivers.sliver_bound = wanted_angle;
+    const int last_step_of_edits = Sliver_steps::last(parameters_.sliver_bound > 0 ? parameters_.sliver_bound : wanted_angle);
     for(unsigned int n = 0; n < most_adaptations && parameters_.do_remove_slivers && control_.goes_on(); ++n)
     {
       Mesh_table_3 before = adapted.table();
       const bool is_refined = refine(adapted, criteria, step_on_the_way, n);
       if(!adaptation(adapted).edit_slivers(parameters_.do_insert_vertices, parameters_.do_remove_vertices,
-                                           Sliver_steps::last(of_slivers.sliver_bound), parameters_.random_seed + n,
+                                           last_step_of_edits, parameters_.random_seed + n,
                                            [this] { return control_.may_go_on(); })
          && !is_refined)
         break;
-      if(!optimize(adapted, Odt_task::REMOVE_SLIVERS, of_slivers))
+      if(!optimize(adapted, Odt_task::REMOVE_SLIVERS))
       {
         adapted.return_to(std::move(before));
         break;
