@@ -267,7 +267,7 @@ template <class C3t3, class Domain>
 void test_number(const std::string& name, const C3t3& input, const Domain& domain)
 {
   const double before = double(input.triangulation().number_of_vertices());
-  for(double factor : { 0.7, 1., 4. })
+  for(double factor : { 0.8, 1., 4. })
     for(bool is_graded : { false, true })
     {
       Mesh_contract<C3t3, Domain> contract(input, domain, name + ", number of vertices");
@@ -285,7 +285,7 @@ void test_number(const std::string& name, const C3t3& input, const Domain& domai
         optimize(params::density = [](const Point_3& p) { return std::exp(2 * p.x()); });
       else
         optimize();
-      contract.check_moved(c3t3, surface, 20, 0.3);
+      contract.check_moved(c3t3, surface, 15, 0.3);        // as sizes change
       handles.erase(std::remove_if(handles.begin(), handles.end(),
                                    [&](const auto& h) { return visitor.removed.count(h.vertex) > 0; }), handles.end());
       check_handles(name, c3t3, handles);
