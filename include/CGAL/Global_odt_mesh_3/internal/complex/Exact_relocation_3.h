@@ -111,9 +111,17 @@ public:
     return angle;
   }
 
-  // Those of a cell or an edge that may move.
-  template <std::size_t n>
-  std::vector<int> movable_vertices(const std::array<int, n>& t) { return movable_vertices(t.begin(), t.end()); }
+  // Those of a cell or an edge that may move, in order of their numbers: those of the interior come first, as that needs fewer
+  // questions to the domain.
+  template <class Vertices>
+  std::vector<int> movable_vertices(const Vertices& vertices)
+  {
+    std::vector<int> result;
+    std::copy_if(vertices.begin(), vertices.end(), std::back_inserter(result), [this](int v) { return is_movable(v); });
+    std::sort(result.begin(), result.end());
+    result.erase(std::unique(result.begin(), result.end()), result.end());
+    return result;
+  }
 
   // Those opposite to a cell in its neighbors that may move.
   std::vector<int> movable_vertices_beyond(const Quadruple& q)
@@ -127,7 +135,7 @@ public:
         if(!complex_.triangulation().is_infinite(v))
           beyond.push_back(complex_.working.number(v));
       }
-    return movable_vertices(beyond.begin(), beyond.end());
+    return movable_vertices(beyond);
   }
 
   // Appends shares of the step of Gauss and Newton toward what the cells around the vertex lack, as far as those promise
@@ -172,11 +180,7 @@ public:
   }
 
   // Whether such a vertex may be where its site is, so far from others, whatever becomes of angles.
-  bool fits(double least_distance)
-  {
-    return detached_.find_cells() && detached_.has_room(least_distance) && label_cells(infinity)
-           && exchange_.is_permitted(vertex_change());
-  }
+  bool fits(double least_distance) { return detached_.find_cells() && detached_.has_room(least_distance) && is_permitted(); }
 
   // Over which it makes sense to move the detached vertex.
   double mean_edge_length() const { return neighborhood_.mean_edge; }
@@ -221,7 +225,7 @@ public:
   {
     leaves_ = true;
     detached_.find_cells_without();
-    return label_cells(infinity) && exchange_.is_permitted(vertex_change());
+    return is_permitted();
   }
 
   const Detached_vertex_3& detached() const { return detached_; }
@@ -252,6 +256,9 @@ private:
   static constexpr double margin = 0.25;        // degrees by which steps are to be exceeded: they are no place to get stuck
   static constexpr double infinity = (std::numeric_limits<double>::infinity)();
 
+  // Whatever becomes of angles.
+  bool is_permitted() { return label_cells(infinity) && exchange_.is_permitted(vertex_change()); }
+
   // Labels that are not known yet count for outside.
   bool is_inside(int label) const { return label >= 0 && label != Domain_view_3::outside; }
   bool is_cell(const Quadruple& q, Cell_handle& c) const
@@ -268,17 +275,6 @@ private:
 
   double deficit(const Quadruple& q, const std::array<Site, 4>& s) const { return deficit_(s) + size_bound_.deficit(q.data(), s); }
 
-  // In order of their numbers: those of the interior come first, as that needs fewer questions to the domain.
-  template <class Iterator>
-  std::vector<int> movable_vertices(Iterator begin, Iterator end)
-  {
-    std::vector<int> result;
-    std::copy_if(begin, end, std::back_inserter(result), [this](int v) { return is_movable(v); });
-    std::sort(result.begin(), result.end());
-    result.erase(std::unique(result.begin(), result.end()), result.end());
-    return result;
-  }
-
   // Not one that has been inserted into the snapshot.
   bool is_movable(int v)
   {
@@ -292,9 +288,7 @@ private:
 
   // The one that the vertex has been on from the beginning, if any.
   int own_patch(int v) const
-  {
-    return complex_.numbering.is_on_boundary(v) ? complex_.numbering.input_patch(v) : int(Boundary_facet::no_patch);
-  }
+  { return complex_.numbering.is_on_boundary(v) ? complex_.numbering.input_patch(v) : int(Boundary_facet::no_patch); }
 
   // Asks the domain about the new cells, first those that may have it decide, as they lack most and nobody knows whether
   // they are inside; false as soon as one does not fit or the change is not less than `most`.
