@@ -80,13 +80,13 @@ public:
     control_.start(plan_->usual_most_iterations());
     if(plan_->is_done())
     {
-      largest_cells_ = std::make_unique<Largest_cells_3>(mesh_, complex_.snapshot().numbering->subdomain, local_size(), true);
+      if(parameters_.do_insert_vertices)
+        bound_sizes();
       return remove_slivers();
     }
     rounds_ = std::make_unique<Optimization_rounds_3>(mesh_, *plan_, parameters_, field_, control_, threads_,
                                                        *complex_.snapshot().numbering);
-    largest_cells_ = std::make_unique<Largest_cells_3>(mesh_, complex_.snapshot().numbering->subdomain, local_size(),
-                                                       !static_cast<bool>(field_));
+    bound_sizes();
     return make_rounds();
   }
 
@@ -122,6 +122,13 @@ private:
   Stage_clock::In_stage during(Stage_clock::Stage stage) const { return Stage_clock::In_stage(threads_.clock(), stage); }
 
   std::function<double(int)> local_size() const { return [this](int v) { return rounds_ ? rounds_->local_size(v) : 1.; }; }
+
+  // No cell need get larger than those of the mesh.
+  void bound_sizes()
+  {
+    const bool has_sizes_of_mesh = !static_cast<bool>(field_) || plan_->is_done();
+    largest_cells_ = std::make_unique<Largest_cells_3>(mesh_, complex_.snapshot().numbering->subdomain, local_size(), has_sizes_of_mesh);
+  }
 
   bool boundary_moves() const { return number_of_surface_vertices() > 0; }
 
@@ -201,7 +208,8 @@ private:
   bool remove_slivers()
   {
     const auto in_stage = during(Stage_clock::REMOVE_SLIVERS);
-    mesh_.size_bound = largest_cells_->bound(mesh_, local_size());
+    if(largest_cells_)
+      mesh_.size_bound = largest_cells_->bound(mesh_, local_size());
     Sliver_stage_3 stage(complex_, mesh_, parameters_.sliver_bound, parameters_.random_seed, most_tries_for_slivers());
     if(!stage.run([this] { return control_.has_time(); }, [this] { return control_.may_go_on(); }))
       return false;
