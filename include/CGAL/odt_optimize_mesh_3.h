@@ -1,7 +1,11 @@
-// Copyright (c) 2026 The Global_odt_mesh_3 authors.
+// Copyright (c) 2026 The Global ODT Mesh authors.
 // All rights reserved.
 //
-// SPDX-License-Identifier: GPL-3.0-or-later
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later OR LicenseRef-Commercial
+//
+// Author(s)     : The Global ODT Mesh authors
 
 #ifndef CGAL_ODT_OPTIMIZE_MESH_3_H
 #define CGAL_ODT_OPTIMIZE_MESH_3_H
@@ -14,7 +18,7 @@ same name of the package 3D Mesh Generation does not define it.
 */
 #define CGAL_GLOBAL_ODT_MESH_3 100
 
-#include <CGAL/license/Mesh_3.h>
+#include <CGAL/license/Global_odt_mesh_3.h>
 
 #include <CGAL/Global_odt_mesh_3/internal/Requirements.h>
 

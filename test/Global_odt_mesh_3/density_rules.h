@@ -1,4 +1,4 @@
-// Copyright (c) 2026 The Global_odt_mesh_3 authors.
+// Copyright (c) 2026 The Global ODT Mesh authors.
 // All rights reserved.
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
@@ -11,7 +11,7 @@
 #include <CGAL/Global_odt_mesh_3/internal/density/Adaptive_cubature_quadrature_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/density/Density_quadrature_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/density/Point_rule_quadrature_3.h>
-#include <CGAL/Global_odt_mesh_3/internal/energy/Odt_energy_3.h>
+#include <CGAL/Global_odt_mesh_3/internal/energy/Odt_cell_energies_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/energy/Reference_energy_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/geometry/Cell_geometry_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/geometry/Quadratic_polynomial_3.h>

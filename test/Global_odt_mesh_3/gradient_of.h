@@ -1,4 +1,4 @@
-// Copyright (c) 2026 The Global_odt_mesh_3 authors.
+// Copyright (c) 2026 The Global ODT Mesh authors.
 // All rights reserved.
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
@@ -6,7 +6,7 @@
 #ifndef GLOBAL_ODT_MESH_3_TEST_GRADIENT_OF_H
 #define GLOBAL_ODT_MESH_3_TEST_GRADIENT_OF_H
 
-#include <CGAL/Global_odt_mesh_3/internal/energy/Odt_energy_3.h>
+#include <CGAL/Global_odt_mesh_3/internal/energy/Odt_cell_energies_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/triangulation/Moving_triangulation_3.h>
 
 #include <vector>

@@ -1,4 +1,4 @@
-// Copyright (c) 2026 The Global_odt_mesh_3 authors.
+// Copyright (c) 2026 The Global ODT Mesh authors.
 // All rights reserved.
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
@@ -183,7 +183,7 @@ int main()
   test(c3t3, box);
   typedef Polyhedral_c3t3 C;
   const auto harm = [&](const std::string& what, const std::function<void(C&)>& h) { damage(what, c3t3, box, h); };
-  harm("corner removed", [](C& c) { 
+  harm("corner removed", [](C& c) {
     const C::Vertex_handle v = c.vertices_in_complex_begin();
     c.remove_from_complex(v);
    });

@@ -1,4 +1,4 @@
-// Copyright (c) 2026 The Global_odt_mesh_3 authors.
+// Copyright (c) 2026 The Global ODT Mesh authors.
 // All rights reserved.
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
@@ -12,7 +12,7 @@
 
 #include <CGAL/Annealing_schedules_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/density/Polynomial_density_quadrature_3.h>
-#include <CGAL/Global_odt_mesh_3/internal/energy/Odt_energy_3.h>
+#include <CGAL/Global_odt_mesh_3/internal/energy/Odt_cell_energies_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/optimization/Limited_memory_bfgs.h>
 #include <CGAL/Global_odt_mesh_3/internal/optimization/Odt_objective_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/parallel/Chunked_loops.h>

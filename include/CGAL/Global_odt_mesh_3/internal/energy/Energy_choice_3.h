@@ -1,15 +1,21 @@
-// Copyright (c) 2026 The Global_odt_mesh_3 authors.
+// Copyright (c) 2026 The Global ODT Mesh authors.
 // All rights reserved.
 //
-// SPDX-License-Identifier: GPL-3.0-or-later
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later OR LicenseRef-Commercial
+//
+// Author(s)     : The Global ODT Mesh authors
 
 #ifndef CGAL_GLOBAL_ODT_MESH_3_INTERNAL_ENERGY_ENERGY_CHOICE_3_H
 #define CGAL_GLOBAL_ODT_MESH_3_INTERNAL_ENERGY_ENERGY_CHOICE_3_H
 
+#include <CGAL/license/Global_odt_mesh_3.h>
+
 #include <CGAL/Global_odt_mesh_3/internal/density/Density_quadrature_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/density/Polynomial_density_quadrature_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/energy/Cvt_energy_3.h>
-#include <CGAL/Global_odt_mesh_3/internal/energy/Odt_energy_3.h>
+#include <CGAL/Global_odt_mesh_3/internal/energy/Odt_cell_energies_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/geometry/Site.h>
 #include <CGAL/Global_odt_mesh_3/internal/parallel/Thread_policy.h>
 

@@ -1,10 +1,16 @@
-// Copyright (c) 2026 The Global_odt_mesh_3 authors.
+// Copyright (c) 2026 The Global ODT Mesh authors.
 // All rights reserved.
 //
-// SPDX-License-Identifier: GPL-3.0-or-later
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later OR LicenseRef-Commercial
+//
+// Author(s)     : The Global ODT Mesh authors
 
-#ifndef CGAL_GLOBAL_ODT_MESH_3_INTERNAL_ENERGY_ODT_ENERGY_3_H
-#define CGAL_GLOBAL_ODT_MESH_3_INTERNAL_ENERGY_ODT_ENERGY_3_H
+#ifndef CGAL_GLOBAL_ODT_MESH_3_INTERNAL_ENERGY_ODT_CELL_ENERGIES_3_H
+#define CGAL_GLOBAL_ODT_MESH_3_INTERNAL_ENERGY_ODT_CELL_ENERGIES_3_H
+
+#include <CGAL/license/Global_odt_mesh_3.h>
 
 #include <CGAL/Global_odt_mesh_3/internal/density/Density_quadrature_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/geometry/Cell_geometry_3.h>
@@ -118,4 +124,4 @@ struct Weighted_odt_energy_3
 } // namespace Global_odt_mesh_3
 } // namespace CGAL
 
-#endif // CGAL_GLOBAL_ODT_MESH_3_INTERNAL_ENERGY_ODT_ENERGY_3_H
+#endif // CGAL_GLOBAL_ODT_MESH_3_INTERNAL_ENERGY_ODT_CELL_ENERGIES_3_H
