@@ -1,5 +1,6 @@
 #!/usr/bin/env bash
-# Runs run_tests.sh, and then what takes longer: the contract's tests with the CGAL of Debian 13 and of Debian testing, the paper's
+# Runs run_tests.sh, and then what takes longer: the contract's tests with the CGAL of Debian 13 and of Debian testing, two examples
+# in a tree of headers as a release of CGAL that contains the package has it, the paper's
 # experiments on small meshes, and two of Mesh_3's own examples.
 #
 #   [JOBS=n] run_all_tests.sh [build directory]
@@ -13,7 +14,12 @@ for suite in testing trixie; do
   code=0
   cgal=$(scripts/fetch_cgal.sh "$suite" "$build/$suite-cgal") || code=$?
   case $code in
-    0) CGAL_DIR=$cgal scripts/run_tests.sh "$build" "$suite" || status=1 ;;
+    0)
+      CGAL_DIR=$cgal scripts/run_tests.sh "$build" "$suite" || status=1
+      if [ "$suite" = testing ]; then
+        echo "=== a release of CGAL that contains the package ==="
+        JOBS=$jobs scripts/check_merge.sh "${cgal%/lib/*}/include" "$build/merge" || status=1
+      fi ;;
     2) echo "=== $suite cannot be reached: its CGAL is not tested ===" ;;
     *) status=1 ;;
   esac

@@ -691,7 +691,7 @@ static void degenerate(const Labeled_c3t3& sphere_mesh, const Labeled_domain& do
   }
   {
     Labeled_c3t3 c = domains::mesh(domain, 1.2);
-    survives("hardly an interior vertex", c, true, 0.05);
+    survives("hardly an interior vertex", c, true, 0.07);
   }
   {
     Labeled_c3t3 c(sphere_mesh);

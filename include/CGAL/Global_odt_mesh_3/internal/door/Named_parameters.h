@@ -29,6 +29,9 @@
 
 namespace CGAL {
 
+// In a branch of CGAL whose parameters_interface.h has the named parameters of this package, that file defines the macro.
+#ifndef CGAL_NAMED_PARAMETERS_OF_GLOBAL_ODT_MESH_3
+
 namespace internal_np {
 
 // The tags of the named parameters of this package's own.
@@ -143,6 +146,8 @@ inline constexpr Global_odt_parameter<internal_np::sizing_field_t> sizing_field{
 #endif
 
 } // namespace parameters
+
+#endif // CGAL_NAMED_PARAMETERS_OF_GLOBAL_ODT_MESH_3
 
 namespace Global_odt_mesh_3 {
 namespace internal {
