@@ -46,9 +46,9 @@ int main(int argc, char* argv[])
                           params::facet_distance = 0.003, params::cell_radius_edge_ratio = 3,
                           params::cell_size = 0.03);
   C3t3 c3t3 = CGAL::make_mesh_3<C3t3>(domain, criteria, params::no_perturb(), params::no_exude());
-  std::cout << "--- before ---\n" << CGAL::mesh_quality_report_3(c3t3);
+  std::cout << "--- before ---\n" << CGAL::mesh_quality_report_3(c3t3, criteria);
   CGAL::odt_optimize_mesh_3(c3t3, domain, params::do_insert_vertices = true);
-  std::cout << "--- after ---\n" << CGAL::mesh_quality_report_3(c3t3)
+  std::cout << "--- after ---\n" << CGAL::mesh_quality_report_3(c3t3, criteria)
             << c3t3.number_of_corners() << " corners and " << c3t3.number_of_edges_in_complex()
             << " edges of features are where they were\n";
   write_mesh(c3t3, "features");

@@ -59,13 +59,13 @@ int main(int argc, char* argv[])
                           params::cell_radius_edge_ratio = 3, params::cell_size = size);
   C3t3 c3t3 = CGAL::make_mesh_3<C3t3>(domain, criteria, params::no_perturb(), params::no_exude());
   const C3t3 before(c3t3);
-  std::cout << "--- before ---\n" << CGAL::mesh_quality_report_3(before) << std::endl;
+  std::cout << "--- before ---\n" << CGAL::mesh_quality_report_3(before, criteria) << std::endl;
 
   CGAL::Real_timer timer;
   timer.start();
   CGAL::odt_optimize_mesh_3(c3t3, domain, params::callback(Terminal_progress()));
   timer.stop();
-  std::cout << "--- after " << timer.time() << " seconds ---\n" << CGAL::mesh_quality_report_3(c3t3) << std::endl;
+  std::cout << "--- after " << timer.time() << " seconds ---\n" << CGAL::mesh_quality_report_3(c3t3, criteria) << std::endl;
 
   write_mesh(before, prefix + "_before");
   write_mesh(c3t3, prefix + "_after");

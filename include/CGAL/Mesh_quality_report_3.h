@@ -24,6 +24,7 @@
 #include <cstddef>
 #include <iomanip>
 #include <map>
+#include <optional>
 #include <ostream>
 #include <sstream>
 #include <string>
@@ -73,6 +74,8 @@ struct Mesh_quality_report_3
   /// for each bound in degrees, the number of cells with a smaller angle
   std::vector<std::pair<double, std::size_t> > cells_below;
   std::map<std::string, Subdomain> subdomains;   ///< the subdomains, by their indices as they are printed
+  /// the numbers of cells and facets that the criteria of the mesh generator call bad, if criteria are given
+  std::optional<std::pair<std::size_t, std::size_t> > bad_cells_and_facets;
 
   /// returns the sum over all subdomains.
   Subdomain total() const
@@ -187,6 +190,32 @@ Mesh_quality_report_3 mesh_quality_report_3(const C3T3& c3t3,
 /*!
 \ingroup PkgGlobalOdtMesh3Quality
 
+measures the cells and facets of a mesh complex, and counts those that the mesh generator would refine.
+
+\tparam C3T3 a model of `MeshComplex_3InTriangulation_3`
+\tparam MeshCriteria a model of `MeshCriteria_3` for the triangulation of `C3T3`
+
+\param c3t3 the mesh
+\param criteria the criteria with which it was made
+\param bounds angles in degrees: cells with a smaller dihedral angle are counted for each
+*/
+template <class C3T3, class MeshCriteria>
+Mesh_quality_report_3 mesh_quality_report_3(const C3T3& c3t3, const MeshCriteria& criteria,
+                                            const std::vector<double>& bounds = { 5, 10, 15, 20, 30 })
+{
+  Mesh_quality_report_3 report = mesh_quality_report_3(c3t3, bounds);
+  std::size_t cells = 0, facets = 0;
+  for(auto c = c3t3.cells_in_complex_begin(); c != c3t3.cells_in_complex_end(); ++c)
+    cells += criteria.cell_criteria_object()(c3t3.triangulation(), c) ? 1 : 0;
+  for(auto f = c3t3.facets_in_complex_begin(); f != c3t3.facets_in_complex_end(); ++f)
+    facets += criteria.facet_criteria_object()(c3t3.triangulation(), *f) ? 1 : 0;
+  report.bad_cells_and_facets = std::make_pair(cells, facets);
+  return report;
+}
+
+/*!
+\ingroup PkgGlobalOdtMesh3Quality
+
 prints a report as a table with histograms, without facets if there are none.
 */
 inline std::ostream& operator<<(std::ostream& out, const Mesh_quality_report_3& r)
@@ -202,6 +231,8 @@ inline std::ostream& operator<<(std::ostream& out, const Mesh_quality_report_3& 
   if(r.number_of_facets > 0)
     s << "smallest angle of a facet " << r.smallest_facet_angle << " - " << r.largest_facet_angle << " degrees, mean "
       << r.mean_facet_angle << '\n';
+  if(r.bad_cells_and_facets)
+    s << "beyond the criteria " << r.bad_cells_and_facets->first << " cells, " << r.bad_cells_and_facets->second << " facets\n";
   s << "cells with an angle below" << std::defaultfloat << std::setprecision(6);
   for(const auto& b : r.cells_below)
     s << "  " << b.first << ": " << b.second;

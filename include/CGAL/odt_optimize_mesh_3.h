@@ -42,62 +42,11 @@ local minimum of the optimal Delaunay triangulation energy
 \f$ E^\rho_{ODT} = \sum_\tau \int_\tau \rho\,(f_I - \mathbf{x}^2) \f$,
 the \f$ L^1 \f$ error of interpolating \f$ \mathbf{x}^2 \f$ linearly in each cell,
 by a global search and the L-BFGS method, as proposed by Chen et al. \cgalCite{cgal:cwlls-rodt-14}. Then the slivers
-that are left are removed.
-
-The function takes the place of the function of the same name of the package 3D Mesh Generation.
-The density \f$ \rho \f$ is \f$ 1/\mu^5 \f$, where \f$ \mu \f$ is the size of the cells, since the minimizer
-of \f$ E^\rho_{ODT} \f$ equidistributes the integral of \f$ \rho^{3/5} \f$. By default, the sizes are
-those of the input's cells, so that a graded mesh stays graded; see `sizing_field` and `density`. Only the ratios of sizes or
-densities matter, unless vertices are inserted or removed for a `sizing_field`.
-
-The global search consists of rounds (see `number_of_rounds` and `annealing_schedule`). At the end, slivers are
-removed: vertices of cells with dihedral angles below a bound try positions around them, one by one. The bound rises in
-steps of 20, 30, 35, 40, ... degrees, and a step is kept only if the smallest angle of all cells and the numbers of
-cells below the previous steps have not become worse, so that a higher `sliver_bound` never leads to smaller angles,
-unless vertices are inserted or removed. A step up to 30 degrees is repeated with other random numbers as long as this removes a fifth of the cells below it.
-The number of trials is bounded by the work of the previous stages and the numbers of cells below 20 degrees and of cells
-that are removed; where it does not suffice for the bound, a higher `number_of_rounds` leads to more trials.
-
-Vertices of dimension 2 move on the surface, first toward a centroidal Voronoi tessellation of it
-(see `remesh_boundary_mesh_3()`) and then together with the interior, where the energy of that tessellation is added
-to \f$ E^\rho_{ODT} \f$ (see `surface_weight`). They end on the surface, exactly for polyhedral domains, and
-otherwise within the error bound of the domain. Vertices of
-dimension 0 and 1, that is, corners and vertices on features, stay. Vertices where
-surfaces meet, where a surface bends sharply, or on a surface that separates no subdomains move only to remove a
-sliver; those where surfaces meet move on the surface of their index. Unless `do_insert_vertices` or
-`do_remove_vertices` is `true`, the result has as many vertices of each dimension and index and as many facets of each patch as the
-input. The Euler characteristic, the components, and the junctions of
-patches and subdomains are those of the input, and no centroid of a facet is farther from a polyhedral surface
-than the worst of the input, except of a sliver that is left between two facets of the surface. No facet of the
-boundary gets an angle below the smallest of the input or below 30 degrees, whichever is less, unless no valid mesh, or
-no mesh with sizes that differ from those of the input, can be obtained otherwise. Where these conditions cannot be met,
-vertices move less, or not at all.
-The result is an exact regular triangulation in which each cell is in the subdomain that contains its dual point, at
-least as far as this holds for the input.
-
-With `optimize_boundary` set to `false`, vertices on surfaces stay, too, and with them all facets of the
-complex, their patch indices and surface centers, and the volume of each subdomain.
-
-If the domain, a field or the callback throws, `c3t3` is as it was before the call. For the same input and
-`random_seed` the result is the same, bit for bit, unless `time_limit` shortens the schedule. Handles to vertices
-of `c3t3` stay valid unless `do_remove_vertices` is `true`, those to cells do not.
-
-If `C3T3::Triangulation::Concurrency_tag` is convertible to `CGAL::Parallel_tag` and the program links TBB, search,
-minimization, and most of the removal of slivers run on several threads, within the limits of the caller's
-`tbb::global_control` and `tbb::task_arena`: meshes of more than 20,000 vertices are searched in blocks, on which threads work
-independently, unless fields of the user are evaluated.
-The result is the same, bit for bit, for any number of threads, and for the same mesh with `CGAL::Sequential_tag`.
-Fields, the callback and the visitor, and the domain unless `domain_is_thread_safe` is `true`, are only called from the
-thread that calls this function; in a search in blocks, the visitor is told of ten iterations at once.
-
-Meshes in periodic triangulations are handed over to `CGAL::Mesh_3::Mesh_global_optimizer`, which
-knows the first five parameters only. As with the function of Mesh_3, a program that uses them must not link TBB.
-
-An argument that is no named parameter, one that is not listed below, and one that is given twice are refused at compile
-time. From `parameters::odt()`, `make_mesh_3()` and `refine_mesh_3()` pass on only `time_limit`, `max_iteration_number`,
-`convergence` and `freeze_bound`; for any other parameter give them `parameters::no_odt()`, and call this function
-afterwards, before `perturb_mesh_3()` and `exude_mesh_3()`. Bad values violate preconditions, which are checked in each
-build.
+that are left are removed. The function takes the place of the one of the same
+name in the package 3D Mesh Generation. Section \ref godt_kept tells what is preserved: features, corners, topology, subdomains, sizes, and,
+unless vertices may be inserted or removed, their number and all handles to them; section \ref godt_threads, what runs on several threads. If the
+domain, a field, or the callback throws, `c3t3` is as it was before the call. An argument that is no named parameter, one that is not listed
+below, and one that is given twice are refused at compile time; bad values violate preconditions, which are checked in each build.
 
 \tparam C3T3 a model of the concept `MeshComplex_3InTriangulation_3`
 \tparam MeshDomain a model of the concept `MeshDomain_3`

@@ -61,6 +61,28 @@ static std::size_t sum(const std::array<std::size_t, number_of_bins>& bins)
   return n;
 }
 
+// Facets that are not equilateral are bad, and all cells.
+struct Equilateral_criteria
+{
+  struct Cells
+  {
+    bool operator()(const C3t3::Triangulation&, C3t3::Cell_handle) const { return true; }
+  };
+
+  struct Facets
+  {
+    bool operator()(const C3t3::Triangulation& tr, const C3t3::Facet& f) const
+    {
+      const auto p = [&](int k) { return tr.point(f.first, (f.second + k) % 4).point(); };
+      const double a = CGAL::squared_distance(p(1), p(2)), b = CGAL::squared_distance(p(2), p(3)), c = CGAL::squared_distance(p(3), p(1));
+      return a != b || b != c;
+    }
+  };
+
+  Cells cell_criteria_object() const { return Cells(); }
+  Facets facet_criteria_object() const { return Facets(); }
+};
+
 int main()
 {
   const double degree = 180 / CGAL_PI;
@@ -157,6 +179,16 @@ int main()
     out << r;
     check::that(out.str().find("mean") != std::string::npos && out.str().find("degrees") != std::string::npos,
                 "the printed report");
+  }
+  {
+    const C3t3 c3t3 = with_facets(corner);
+    const auto r = CGAL::mesh_quality_report_3(c3t3, Equilateral_criteria(), { 20 });
+    check::that(r.bad_cells_and_facets && r.bad_cells_and_facets->first == 1 && r.bad_cells_and_facets->second == 3,
+                "cells and facets that break criteria");
+    std::ostringstream out;
+    out << r;
+    check::that(out.str().find("beyond the criteria 1 cells, 3 facets\n") != std::string::npos, "the report of criteria");
+    check::that(!CGAL::mesh_quality_report_3(c3t3, std::vector<double>{ 20 }).bad_cells_and_facets, "criteria that are not given");
   }
   check::that(CGAL::mesh_quality_report_3(C3t3()).number_of_cells == 0, "empty complex");
   return check::result();
