@@ -148,6 +148,7 @@ static void fields(Labeled_c3t3& c3t3, const Labeled_domain& domain)
         [&](const Point_3& p) { return questions++ < n ? 2 + p.z() : bad; })); });
     }
     refuses("sizing_field", [&] { CGAL::odt_optimize_mesh_3(c3t3, domain, params::sizing_field = bad); });
+    refuses("sizing_field", [&] { CGAL::odt_optimize_mesh_3(c3t3, domain, params::sizing_field = bad, params::do_insert_vertices = true); });
   }
   refuses("sizing_field and density", [&] { CGAL::odt_optimize_mesh_3(c3t3, domain, params::sizing_field = 1., params::density(
     [](const Point_3&) { return 1.; })); });

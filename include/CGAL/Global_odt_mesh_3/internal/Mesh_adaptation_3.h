@@ -19,6 +19,7 @@
 #include <CGAL/Global_odt_mesh_3/internal/complex/Tabulated_mesh_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/complex/Vertex_edits_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/density/Density_3.h>
+#include <CGAL/Global_odt_mesh_3/internal/density/Field_density_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/geometry/Site.h>
 #include <CGAL/Global_odt_mesh_3/internal/interface/Domain_view_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/interface/Mesh_view_3.h>
@@ -29,17 +30,10 @@
 #include <CGAL/Global_odt_mesh_3/internal/slivers/Sliver_edits_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/triangulation/Moving_triangulation_3.h>
 
-#include <Eigen/Core>
-
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <cstddef>
-#include <functional>
-#include <limits>
 #include <optional>
-#include <queue>
-#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -71,7 +65,7 @@ public:
     Wanted_length_3 wanted(indexed_, feature_edges, has_sizes || (field && wants_number) ? size_of(field) : User_field_3::Function(),
                            [this](int v) { return complex_.snapshot().numbering->stratum(v); });
     const double number_before = double(indexed_.sites.size());
-    Size_tolerance tolerance{ 4 / 3., 3 / 5. };
+    Size_tolerance tolerance = of_sizes;
     if(wants_number)
     {
       tolerance.number_of_vertices = static_cast<int>(parameters.number_of_vertices);
@@ -82,7 +76,7 @@ public:
     else
     {
       wanted.scale(longest_over_mean);
-      tolerance = { 1.7, 0.45 };
+      tolerance = of_neighbors;
     }
     const double coarsening = wants_number || has_sizes ? (std::max)(1., number_before / wanted.number_of_vertices()) : 1;
     Vertex_edits_3 edits = complex_.make_edits(coarsening);
@@ -124,7 +118,9 @@ public:
 private:
   // Of edges in meshes that the mesh generator makes with these sizes, which bound circumradii.
   static constexpr double edge_over_size = 4 / 3.;
+  // Without sizes, only what is far from that: with .3, an elephant keeps 300 vertices more, and its cells are worse.
   static constexpr double longest_over_mean = 1.3;
+  static constexpr Size_tolerance of_sizes = { 4 / 3., 0.6 }, of_neighbors = { 1.7, 0.45 };
 
   // In the snapshot, of the vertices of the table.
   std::vector<int> numbers_of_table() const
@@ -138,9 +134,12 @@ private:
 
   static User_field_3::Function size_of(const User_field_3& field)
   {
-    if(field.meaning == User_field_3::SIZE)
-      return field.value;
-    return [&field](const Vertex_stratum& v, const Site& s) { return Density_3::size_of_density(field.value(v, s)); };
+    return [&field](const Vertex_stratum& v, const Site& s)
+    {
+      const double x = field.value(v, s);
+      Field_density_3::check(field, x);
+      return field.meaning == User_field_3::SIZE ? x : Density_3::size_of_density(x);
+    };
   }
 
   // Whether something has changed.

@@ -35,7 +35,7 @@ namespace internal {
 struct Size_tolerance
 {
   double longest = (std::numeric_limits<double>::infinity)(), shortest = 0;
-  std::optional<int> number_of_vertices;          // that have to be there, whatever becomes of the longest edges
+  std::optional<int> number_of_vertices = std::nullopt;          // that have to be there, whatever becomes of the longest edges
 };
 
 // Removes vertices at short edges of a complex and inserts vertices into long ones, those first that are so most, inside and on

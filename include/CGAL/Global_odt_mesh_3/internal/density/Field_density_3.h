@@ -63,6 +63,10 @@ public:
     is_uniform_ = std::all_of(values.begin(), values.end(), [this](double x) { return x == unit_; });
   }
 
+  // What a field may say.
+  static void check(const User_field_3& field, double value)
+  { check(field.meaning, std::isfinite(value) && (value > 0 || (field.polynomial && value == 0))); }
+
   bool is_uniform() const override { return is_uniform_; }
 
   // The density, as the field means it, that is called one.
@@ -91,11 +95,13 @@ private:
     return x;
   }
 
-  void require(bool is_good) const
+  static void check(Meaning meaning, bool is_good)
   {
-    CGAL_GLOBAL_ODT_MESH_3_CHECK_PARAMETER(is_good, meaning_ == SIZE ? "sizing_field must be positive and finite"
-                                                                     : "density must be positive and finite");
+    CGAL_GLOBAL_ODT_MESH_3_CHECK_PARAMETER(is_good, meaning == SIZE ? "sizing_field must be positive and finite"
+                                                                    : "density must be positive and finite");
   }
+
+  void require(bool is_good) const { check(meaning_, is_good); }
 
   Meaning meaning_;
   Field field_;
