@@ -15,6 +15,7 @@
 #include <CGAL/Global_odt_mesh_3/internal/Requirements.h>
 
 #include <CGAL/Global_odt_mesh_3/internal/Parameter_check.h>
+#include <CGAL/Global_odt_mesh_3/internal/sizing/Boundary_poles_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/sizing/Size_envelope_3.h>
 
 #include <CGAL/number_utils.h>
@@ -82,7 +83,8 @@ public:
   {
     CGAL_GLOBAL_ODT_MESH_3_CHECK_PARAMETER(largest_size > 0 && std::isfinite(largest_size), "largest_size must be positive and finite");
     CGAL_GLOBAL_ODT_MESH_3_CHECK_PARAMETER(gradation >= 0 && std::isfinite(gradation), "gradation must not be negative, and be finite");
-    std::vector<typename Envelope::Point_3> ends;
+    using Global_odt_mesh_3::internal::boundary_sample;
+    std::vector<Sample> ends;
     std::vector<double> lengths;
     std::vector<std::pair<typename C3T3::Vertex_handle, typename C3T3::Curve_index> > adjacent;
     for(auto v = c3t3.triangulation().finite_vertices_begin(); v != c3t3.triangulation().finite_vertices_end(); ++v)
@@ -93,10 +95,10 @@ public:
       c3t3.adjacent_vertices_in_complex(v, std::back_inserter(adjacent));
       double shortest = (std::numeric_limits<double>::infinity)();
       for(const auto& a : adjacent)
-        shortest = (std::min)(shortest, distance(point(v), point(a.first)));
+        shortest = (std::min)(shortest, distance(boundary_sample(v->point()), boundary_sample(a.first->point())));
       if(!(shortest < largest_size))
         continue;
-      ends.push_back(point(v));
+      ends.push_back(boundary_sample(v->point()));
       lengths.push_back(shortest);
     }
     envelope_ = std::make_shared<Envelope>(ends, lengths, gradation, largest_size);
@@ -117,16 +119,9 @@ public:
 
 private:
   typedef Global_odt_mesh_3::internal::Size_envelope_3 Envelope;
+  typedef Global_odt_mesh_3::internal::Boundary_sample Sample;
 
-  template <class Vertex_handle>
-  static typename Envelope::Point_3 point(Vertex_handle v)
-  {
-    const auto& p = v->point();
-    return { CGAL::to_double(p.x()), CGAL::to_double(p.y()), CGAL::to_double(p.z()) };
-  }
-
-  static double distance(const typename Envelope::Point_3& p, const typename Envelope::Point_3& q)
-  { return std::hypot(p.x() - q.x(), p.y() - q.y(), p.z() - q.z()); }
+  static double distance(const Sample& p, const Sample& q) { return std::hypot(p.x() - q.x(), p.y() - q.y(), p.z() - q.z()); }
 
   std::shared_ptr<const Envelope> envelope_;
 };

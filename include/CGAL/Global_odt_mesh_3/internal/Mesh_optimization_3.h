@@ -104,7 +104,7 @@ private:
   std::optional<Outcome> adapt_and_optimize(User_mesh_view_3& mesh, Odt_task task)
   {
     Tabulated_mesh_3 adapted(mesh, threads_);
-    const Size_criteria_3 criteria(adapted.table(), sizes());
+    const std::optional<Size_criteria_3> criteria = size_criteria(adapted.table());
     const auto has_time = [this] { return control_.has_time(); };
     adaptation(adapted).adapt_sizes(field_, parameters_, has_time);
     std::optional<Outcome> outcome = optimize(adapted, task);
@@ -134,16 +134,19 @@ private:
     return outcome;
   }
 
-  // That bound cells in the end; none if those of the input do.
-  User_field_3 sizes() const { return field_ && field_.meaning == User_field_3::SIZE ? field_ : User_field_3(); }
+  // What cells and facets are to keep in the end, if vertices may be inserted for that: the sizes of the field or of the input.
+  std::optional<Size_criteria_3> size_criteria(const Mesh_table_3& input) const
+  {
+    const bool has_other_sizes = parameters_.number_of_vertices > 0 || (field_ && field_.meaning == User_field_3::DENSITY);
+    return parameters_.do_insert_vertices && !has_other_sizes ? std::make_optional<Size_criteria_3>(input, field_) : std::nullopt;
+  }
 
   // Whether vertices have been inserted into cells or facets that are too large.
-  bool refine(Tabulated_mesh_3& mesh, const Size_criteria_3& criteria, int step, unsigned int n)
+  bool refine(Tabulated_mesh_3& mesh, const std::optional<Size_criteria_3>& criteria, int step, unsigned int n)
   {
-    const bool has_own_sizes = parameters_.number_of_vertices > 0 || (field_ && field_.meaning == User_field_3::DENSITY);
-    if(!parameters_.do_insert_vertices || has_own_sizes)
+    if(!criteria)
       return false;
-    const std::vector<Size_criteria_3::Violation> violations = criteria.violations(mesh.table());
+    const std::vector<Size_criteria_3::Violation> violations = criteria->violations(mesh.table());
     return !violations.empty()
            && adaptation(mesh).refine(violations, step, parameters_.random_seed + n, [this] { return control_.has_time(); });
   }

@@ -116,19 +116,11 @@ private:
 
   std::vector<std::array<int, 2> > edges_of_complex() const
   {
-    std::vector<std::array<int, 2> > edges;
+    std::vector<Quadruple> cells;
     for(Cell_handle c : complex_.working.cells())
-    {
-      if(c->label() == Domain_view_3::outside)
-        continue;
-      const Quadruple q = complex_.numbers(c);
-      for(int i = 0; i < 3; ++i)
-        for(int j = i + 1; j < 4; ++j)
-          edges.push_back({{ (std::min)(q[i], q[j]), (std::max)(q[i], q[j]) }});
-    }
-    std::sort(edges.begin(), edges.end());
-    edges.erase(std::unique(edges.begin(), edges.end()), edges.end());
-    return edges;
+      if(c->label() != Domain_view_3::outside)
+        cells.push_back(complex_.numbers(c));
+    return edges_of(cells);
   }
 
   void push(int u, int v, double sign, Edges& edges) const

@@ -24,6 +24,7 @@
 #include <CGAL/Global_odt_mesh_3/internal/geometry/Circumradius_bound_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/geometry/Facet_geometry_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/geometry/Site.h>
+#include <CGAL/Global_odt_mesh_3/internal/geometry/Vertex_tuples.h>
 #include <CGAL/Global_odt_mesh_3/internal/interface/Domain_view_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/interface/Mesh_view_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/interface/User_field_3.h>
@@ -154,14 +155,11 @@ public:
   // Those of the cells that the last removal has made.
   std::vector<std::array<int, 2> > new_edges() const
   {
-    std::vector<std::array<int, 2> > edges;
+    std::vector<Quadruple> cells;
     for(const Detached_vertex_3::Cell& c : trial_.detached().new_cells())
-      for(int i = 0; i < 3 && c.label != Domain_view_3::outside; ++i)
-        for(int j = i + 1; j < 4; ++j)
-          edges.push_back({{ (std::min)(c.vertices[i], c.vertices[j]), (std::max)(c.vertices[i], c.vertices[j]) }});
-    std::sort(edges.begin(), edges.end());
-    edges.erase(std::unique(edges.begin(), edges.end()), edges.end());
-    return edges;
+      if(c.label != Domain_view_3::outside)
+        cells.push_back(c.vertices);
+    return edges_of(cells);
   }
 
   // The complex, with the vertices that have been inserted after those of the input; or none if the domain finds no surface

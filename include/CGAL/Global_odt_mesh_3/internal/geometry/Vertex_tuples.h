@@ -57,6 +57,20 @@ inline Quadruple in_canonical_order(Quadruple v)
   return v;
 }
 
+// Each edge of some cells once, as increasing numbers, in order.
+inline std::vector<std::array<int, 2> > edges_of(const std::vector<Quadruple>& cells)
+{
+  std::vector<std::array<int, 2> > edges;
+  edges.reserve(6 * cells.size());
+  for(const Quadruple& q : cells)
+    for(int i = 0; i < 3; ++i)
+      for(int j = i + 1; j < 4; ++j)
+        edges.push_back({{ (std::min)(q[i], q[j]), (std::max)(q[i], q[j]) }});
+  std::sort(edges.begin(), edges.end());
+  edges.erase(std::unique(edges.begin(), edges.end()), edges.end());
+  return edges;
+}
+
 // Values for facets or cells, by the numbers of their vertices in an order that is the same for all who ask, as those of
 // Vertex_tuples.h. They are together in memory, in the order in which they have come.
 template <class Tuple, class T>
