@@ -17,9 +17,12 @@
 #include <CGAL/Global_odt_mesh_3/internal/complex/Patch_of_facet_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/geometry/Vertex_tuples.h>
 #include <CGAL/Global_odt_mesh_3/internal/interface/Domain_view_3.h>
+#include <CGAL/Global_odt_mesh_3/internal/parallel/Buckets.h>
 #include <CGAL/Global_odt_mesh_3/internal/parallel/Chunked_loops.h>
 #include <CGAL/Global_odt_mesh_3/internal/surface/Boundary_complex_3.h>
 
+#include <algorithm>
+#include <array>
 #include <memory>
 #include <set>
 #include <utility>
@@ -29,75 +32,74 @@ namespace CGAL {
 namespace Global_odt_mesh_3 {
 namespace internal {
 
-// Finds the boundary facets of a labelled candidate, and their patches.
+// Finds the boundary facets of a labelled candidate, and their patches: those that separate subdomains, and those that were
+// in the complex without separating any. All their vertices are on the boundary, as cells around a vertex that is not have
+// its label.
 class Boundary_extraction_3
 {
 public:
-  // Collects the facets that separate subdomains, or may do so once cells with all vertices
-  // on the boundary are labelled otherwise, and those that were in the complex without separating any. All their vertices
-  // are on the boundary, as cells around a vertex that is not have its label.
   Boundary_extraction_3(Complex_candidate_3& candidate, const Domain_view_3& domain)
     : candidate_(candidate)
     , domain_(domain)
-  {
-    typedef std::pair<Triple, Facet> Found_facet;
-    const std::vector<Cell_handle>& cells = candidate.cells_at_boundary;
-    std::vector<Found_facet> found = collect_in_chunks<Found_facet>(static_cast<int>(cells.size()), candidate.threads,
-                                                                    [&](int n, std::vector<Found_facet>& some)
-    {
-      for(int i = 0; i < 4; ++i)
-        if(const Facet f(cells[n], i); may_be_on_boundary(f) && candidate.working.is_first_side(f))
-          some.emplace_back(sorted(candidate.working.vertices(f)), f);
-    });
-    candidate.threads.sort(found.begin(), found.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
-    for(const auto& f : found)
-      possible_facets_.push_back(f.second);
-  }
+  {}
 
-  // Collects the boundary facets among them, for the labels that cells have now.
+  // In the order of their sorted vertices, for the labels that cells have now.
   void find_boundary()
   {
+    const std::vector<Found_facet> found = find_facets();
+    const Buckets by_first_vertex(static_cast<int>(found.size()), candidate_.numbering.number_of_vertices(),
+                                  [&found](int n) { return found[n].key[0]; }, candidate_.threads);
+    std::vector<int> order = by_first_vertex.numbers();
+    for(int v = 0; v < by_first_vertex.number_of_buckets(); ++v)
+      std::sort(order.begin() + by_first_vertex.begin(v), order.begin() + by_first_vertex.end(v),
+                [&found](int n, int m) { return found[n].key < found[m].key; });
     const std::vector<Boundary_facet>& old_facets = candidate_.snapshot.boundary.complex().facets();
-    const bool has_others = candidate_.snapshot.has_unseparating_facets;
-    std::vector<Boundary_facet> facets(possible_facets_.size());
-    std::vector<int> old_numbers(possible_facets_.size(), -1);
-    const auto find_facets = [&](int n, std::vector<int>& found)
-    {
-      const Facet& f = possible_facets_[n];
-      const bool is_separating = separates(f);
-      if(!is_separating && !has_others)
-        return;
-      const Triple t = candidate_.working.vertices(f);
-      const int old = candidate_.snapshot.facet_number(t);
-      if(!is_separating && (old < 0 || old_facets[old].labels[0] != old_facets[old].labels[1]))
-        return;
-      old_numbers[n] = old;
-      facets[n] = { t, {{ f.first->label(), f.first->neighbor(f.second)->label() }},
-                    old >= 0 ? old_facets[old].patch : unknown_patch };
-      found.push_back(n);
-    };
-    std::vector<Boundary_facet> found;
+    std::vector<Boundary_facet> facets;
+    facets.reserve(found.size());
     candidate_.facets.clear();
     candidate_.old_facets.clear();
-    for(int n : collect_in_chunks(static_cast<int>(possible_facets_.size()), candidate_.threads, find_facets))
+    for(int n : order)
     {
-      if(old_numbers[n] < 0)
-        facets[n].patch = patch_of_new_facet(facets[n]);
-      found.push_back(facets[n]);
-      candidate_.facets.push_back(possible_facets_[n]);
-      candidate_.old_facets.push_back(old_numbers[n]);
+      const Found_facet& f = found[n];
+      const std::array<int, 2> labels = {{ f.facet.first->label(), f.facet.first->neighbor(f.facet.second)->label() }};
+      facets.push_back({ candidate_.working.vertices(f.facet), labels, f.old >= 0 ? old_facets[f.old].patch : unknown_patch });
+      if(f.old < 0)
+        facets.back().patch = patch_of_new_facet(facets.back());
+      candidate_.facets.push_back(f.facet);
+      candidate_.old_facets.push_back(f.old);
     }
-    candidate_.boundary_complex = std::make_shared<const Boundary_complex_3>(std::move(found), candidate_.sites.size(),
-                                                                                candidate_.threads);
+    candidate_.boundary_complex = std::make_shared<const Boundary_complex_3>(std::move(facets), candidate_.sites.size(),
+                                                                             candidate_.threads);
   }
 
 private:
-  static bool separates(const Facet& f) { return f.first->label() != f.first->neighbor(f.second)->label(); }
-
-  bool may_be_on_boundary(const Facet& f) const
+  struct Found_facet
   {
-    return candidate_.snapshot.has_unseparating_facets || separates(f)
-           || f.first->has_flag(IS_BOUNDARY_CELL) || f.first->neighbor(f.second)->has_flag(IS_BOUNDARY_CELL);
+    Triple key;                 // its vertices, sorted
+    int old;                    // its number in the snapshot, or -1
+    Facet facet;
+  };
+
+  std::vector<Found_facet> find_facets() const
+  {
+    const Complex_snapshot_3& snapshot = candidate_.snapshot;
+    const std::vector<Boundary_facet>& old_facets = snapshot.boundary.complex().facets();
+    const std::vector<Cell_handle>& cells = candidate_.cells_at_boundary;
+    return collect_in_chunks<Found_facet>(static_cast<int>(cells.size()), candidate_.threads,
+                                          [&](int n, std::vector<Found_facet>& found)
+    {
+      for(int i = 0; i < 4; ++i)
+      {
+        const Facet f(cells[n], i);
+        const bool is_separating = f.first->label() != f.first->neighbor(i)->label();
+        if((!is_separating && !snapshot.has_unseparating_facets) || !candidate_.working.is_first_side(f))
+          continue;
+        const Triple t = sorted(candidate_.working.vertices(f));
+        const int old = snapshot.facet_number(t);
+        if(is_separating || (old >= 0 && old_facets[old].labels[0] == old_facets[old].labels[1]))
+          found.push_back({ t, old, f });
+      }
+    });
   }
 
   // The patch from which it has been flipped, or else that on which all vertices agree.
@@ -123,7 +125,6 @@ private:
 
   Complex_candidate_3& candidate_;
   const Domain_view_3& domain_;
-  std::vector<Facet> possible_facets_;
 };
 
 } // namespace internal
