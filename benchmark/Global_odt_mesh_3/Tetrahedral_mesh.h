@@ -20,12 +20,13 @@
 #include <utility>
 #include <vector>
 
-// Points and positively oriented cells of the cube [-1, 1]^3, whichever program has made them.
+// Points and positively oriented cells, whichever program has made them.
 struct Tetrahedral_mesh
 {
   std::vector<Eigen::Vector3d> points;
   std::vector<std::array<int, 4> > cells;
 
+  // For a mesh of the cube [-1, 1]^3.
   bool is_on_boundary(std::size_t v) const { return points[v].cwiseAbs().maxCoeff() > 1 - 1e-9; }
 
   std::size_t number_of_boundary_vertices() const
@@ -47,6 +48,14 @@ struct Tetrahedral_mesh
     for(std::array<int, 4>& c : cells)
       if(determinant(c) < 0)
         std::swap(c[2], c[3]);
+  }
+
+  double volume() const
+  {
+    double sum = 0;
+    for(const std::array<int, 4>& c : cells)
+      sum += determinant(c) / 6;
+    return sum;
   }
 
   double mean_radius_ratio() const

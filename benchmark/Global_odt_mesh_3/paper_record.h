@@ -91,7 +91,7 @@ public:
       draw(directory_ + "/" + name);
   }
 
-  // Histograms of dihedral angles and radius ratios.
+  // Histograms of dihedral angles and radius ratios. The curves leave room for the key on the left of the latter.
   void draw_histograms(const std::string& name,
                        const std::vector<std::pair<std::string, CGAL::Mesh_quality_report_3> >& meshes) const
   {
@@ -116,7 +116,7 @@ public:
     ratios.close();
     const std::string plots = plot("1:2", titles, "histeps lw 2");
     draw(name, "set multiplot layout 1,2\nset key top left\nset title 'radius ratios 3r/R'\nset xrange [0:1]\n" + plots
-               + "data = '" + directory_ + "/" + name + "_angles.dat'\nset title 'dihedral angles'\nset xrange [0:180]\n" + plots
+               + "data = '" + directory_ + "/" + name + "_angles.dat'\nunset key\nset title 'dihedral angles'\nset xrange [0:180]\n" + plots
                + "unset multiplot\n");
   }
 

@@ -21,11 +21,10 @@
 #include <utility>
 #include <vector>
 
-// Other programs that mesh the cube, as Debian ships them; they work in a directory of their own.
+// Other programs that mesh the inside of a surface, as Debian ships them; they work in a directory of their own.
 struct Peer_mesher
 {
   std::string name;
-  bool keeps_boundary;          // else it makes one of its own
   // The mesh with cells of about that size, none if the program is not there or fails.
   std::function<Tetrahedral_mesh(double size)> run;
 };
@@ -68,7 +67,7 @@ inline void write_boundary(const Tetrahedral_mesh& mesh, const std::string& pref
   off << "OFF\n" << vertices.size() << ' ' << facets.size() << " 0\n";
   for(std::size_t v : vertices)
     off << mesh.points[v].transpose() << '\n';
-  stl << "solid cube\n";
+  stl << "solid boundary\n";
   for(const auto& f : facets)
   {
     off << "3 " << number[f[0]] << ' ' << number[f[1]] << ' ' << number[f[2]] << '\n';
@@ -77,7 +76,7 @@ inline void write_boundary(const Tetrahedral_mesh& mesh, const std::string& pref
       stl << "vertex " << mesh.points[v].transpose() << '\n';
     stl << "endloop\nendfacet\n";
   }
-  stl << "endsolid cube\n";
+  stl << "endsolid boundary\n";
 }
 
 // The vertices and tetrahedra of a file in netgen's neutral format.
@@ -103,22 +102,24 @@ inline Tetrahedral_mesh read_neutral(const std::string& file)
   return mesh;
 }
 
-// Those for a cube with that boundary.
-inline std::vector<Peer_mesher> peer_meshers(const Tetrahedral_mesh& cube, const std::string& directory)
+// Whether the command, which says what to the log, comes to a result that was not there before.
+inline bool calls_peer(const std::string& command, const std::string& prefix, const std::string& result)
+{
+  std::remove(result.c_str());
+  return std::system((command + " > " + prefix + ".log 2>&1").c_str()) == 0;
+}
+
+// Those that keep the boundary of a mesh.
+inline std::vector<Peer_mesher> peer_meshers(const Tetrahedral_mesh& mesh, const std::string& directory)
 {
   const std::string prefix = directory + "/peer";
-  write_boundary(cube, prefix);
-  const auto call = [=](const std::string& command, const std::string& result)
-  {
-    std::remove(result.c_str());
-    return std::system((command + " > " + prefix + ".log 2>&1").c_str()) == 0;
-  };
+  write_boundary(mesh, prefix);
   const auto tetgen = [=](double size)
   {
     const std::string result = prefix + ".1.mesh";
     // The volume of a regular tetrahedron, more or less.
     const std::string options = "-pYq1.4ga" + std::to_string(size * size * size * 0.15);
-    return call("tetgen " + options + " " + prefix + ".off", result) ? read_medit(result) : Tetrahedral_mesh();
+    return calls_peer("tetgen " + options + " " + prefix + ".off", prefix, result) ? read_medit(result) : Tetrahedral_mesh();
   };
   const auto gmsh = [=](int algorithm, double size)
   {
@@ -126,9 +127,18 @@ inline std::vector<Peer_mesher> peer_meshers(const Tetrahedral_mesh& cube, const
     std::ofstream(prefix + ".geo") << "Merge \"peer.stl\";\nSurface Loop(1)={1};\nVolume(1)={1};\nMesh.Algorithm3D="
                                    << algorithm << ";\nField[1]=MathEval;\nField[1].F=\"" << size
                                    << "\";\nBackground Field=1;\nMesh.CharacteristicLengthExtendFromBoundary=0;\n";
-    const bool is_done = call("gmsh -3 -v 2 -format mesh -o " + result + " " + prefix + ".geo", result);
+    const bool is_done = calls_peer("gmsh -3 -v 2 -format mesh -o " + result + " " + prefix + ".geo", prefix, result);
     return is_done ? read_medit(result) : Tetrahedral_mesh();
   };
+  return { { "TetGen", tetgen },
+           { "Gmsh, Delaunay", [=](double size) { return gmsh(1, size); } },
+           { "Gmsh, HXT", [=](double size) { return gmsh(10, size); } } };
+}
+
+// Netgen, which makes a boundary of its own, for the cube [-1, 1]^3.
+inline Peer_mesher netgen_in_cube(const std::string& directory)
+{
+  const std::string prefix = directory + "/peer";
   const auto netgen = [=](double size)
   {
     const std::string result = prefix + ".neutral";
@@ -139,19 +149,16 @@ inline std::vector<Peer_mesher> peer_meshers(const Tetrahedral_mesh& cube, const
     const std::string command = "ln -sf $(ls " + libraries + "/libgui.so.*.*.* | head -n 1) " + directory + "/libgui.so; "
       "NETGENDIR=/usr/share/netgen LD_LIBRARY_PATH=" + directory + ":" + libraries + " netgen -batchmode -geofile=" + prefix
       + "_netgen.geo -meshfile=" + result + " -meshfiletype='Neutral Format'";
-    return call("(" + command + ")", result) ? read_neutral(result) : Tetrahedral_mesh();
+    return calls_peer("(" + command + ")", prefix, result) ? read_neutral(result) : Tetrahedral_mesh();
   };
-  return { { "TetGen", true, tetgen },
-           { "Gmsh, Delaunay", true, [=](double size) { return gmsh(1, size); } },
-           { "Gmsh, HXT", true, [=](double size) { return gmsh(10, size); } },
-           { "Netgen", false, netgen } };
+  return { "Netgen", netgen };
 }
 
-// The mesh of the peer whose number of vertices is closest to the one wanted, among some sizes.
-inline Tetrahedral_mesh mesh_of_size(const Peer_mesher& peer, std::size_t vertices)
+// The mesh of the peer whose number of vertices is closest to the one wanted, among some sizes from a first one on.
+inline Tetrahedral_mesh mesh_of_size(const Peer_mesher& peer, std::size_t vertices, double size)
 {
   Tetrahedral_mesh best;
-  double low = 0, high = 0, size = 2 * std::cbrt(1.4 / double(vertices));
+  double low = 0, high = 0;
   for(int n = 0; n < 8; ++n)
   {
     Tetrahedral_mesh mesh = peer.run(size);

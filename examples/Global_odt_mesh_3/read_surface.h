@@ -6,13 +6,15 @@
 #ifndef GLOBAL_ODT_MESH_3_EXAMPLES_READ_SURFACE_H
 #define GLOBAL_ODT_MESH_3_EXAMPLES_READ_SURFACE_H
 
+#include <CGAL/Polygon_mesh_processing/self_intersections.h>
 #include <CGAL/boost/graph/helpers.h>
 
 #include <fstream>
 #include <iostream>
 #include <string>
 
-// Reads a surface in OFF that bounds a volume. If there is none, says why, and gives false.
+// Reads a surface in OFF that bounds a volume. If there is none, says why, and gives false. Says if the surface intersects
+// itself, which the mesh generator does not ask for, but most often survives.
 template <class Polyhedron>
 bool read_surface(const std::string& file, Polyhedron& polyhedron)
 {
@@ -30,6 +32,8 @@ bool read_surface(const std::string& file, Polyhedron& polyhedron)
     complaint = "is not closed";
   if(complaint != nullptr)
     std::cerr << file << ' ' << complaint << '\n';
+  else if(CGAL::Polygon_mesh_processing::does_self_intersect(polyhedron))
+    std::cerr << file << " intersects itself, so that some of the domain may be inside out\n";
   return complaint == nullptr;
 }
 

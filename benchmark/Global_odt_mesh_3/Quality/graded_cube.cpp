@@ -151,7 +151,7 @@ int main(int argc, char* argv[])
                "L-BFGS with the true gradient lowers the energy monotonically, up to the tolerance of the trace");
   const std::vector<std::string> titles = { "AVV", "L-BFGS, linear", "L-BFGS, 4 points", "L-BFGS, 15 points", "L-BFGS, cubature" };
   record.draw("figure_8", "set multiplot layout 1,2\nset xlabel 'iteration'\nset title 'true energy'\nset logscale x\n"
-              + Paper_record::plot("1:3", titles) + "set title 'gradient'\nset logscale y\n" + Paper_record::plot("1:4", titles)
+              + Paper_record::plot("1:3", titles) + "unset key\nset title 'gradient'\nset logscale y\n" + Paper_record::plot("1:4", titles)
               + "unset multiplot\n");
   return record.result();
 }

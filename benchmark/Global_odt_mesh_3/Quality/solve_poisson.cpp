@@ -113,12 +113,16 @@ static void measure(std::size_t vertices, unsigned int seeds, const std::string&
   {
     const Moving_triangulation_3 cube = random_cube(seed, vertices, Cube_surface::SHIFTED_ROWS);
     if(seed == 1)
-      for(const Peer_mesher& peer : peer_meshers(tetrahedral_mesh(cube), directory))
+    {
+      std::vector<Peer_mesher> peers = peer_meshers(tetrahedral_mesh(cube), directory);
+      peers.push_back(netgen_in_cube(directory));
+      for(const Peer_mesher& peer : peers)
       {
-        const Tetrahedral_mesh mesh = mesh_of_size(peer, vertices);
+        const Tetrahedral_mesh mesh = mesh_of_size(peer, vertices, 2 * std::cbrt(1.4 / double(vertices)));
         if(!mesh.cells.empty())
           add(peer.name, mesh);
       }
+    }
     add("AVV", run_on<Averaging>(cube, seed, 499, false, Energy::ODT));
     add("L-BFGS", run_on<Quasi_newton>(cube, seed, 300, false, Energy::ODT));
     add("Algorithm 2", run_on<Global_search_method>(cube, seed, 100, false, Energy::ODT, CGAL::Metropolis_annealing_schedule()));
@@ -186,9 +190,10 @@ static void record_table(Paper_record& record, const std::vector<std::string>& n
 static void draw_table(const Paper_record& record, const std::vector<std::string>& names, const Errors& errors)
 {
   std::ofstream out = record.data("table_1");
-  std::string commands = "set logscale xy\nset xrange [400:20000]\nset key left bottom\nset xlabel 'vertices'\nset multiplot layout 1,2\n";
+  std::string commands = "set logscale xy\nset xrange [400:20000]\nunset key\nset xlabel 'vertices'\nset multiplot layout 1,2\n";
+  // Both have the same key, for which there is room in the second.
   for(int n = 0; n < 2; ++n)
-    commands += "set title 'L2 error, " + problems()[n].name + "'\n" + Paper_record::plot(text("1:%d", 2 + n), names, "linespoints");
+    commands += (n == 0 ? "" : "set key left bottom\n") + std::string("set title 'L2 error, " + problems()[n].name + "'\n" + Paper_record::plot(text("1:%d", 2 + n), names, "linespoints");
   for(const std::string& name : names)
   {
     for(const Mean_errors& e : errors.at(name))

@@ -1,0 +1,284 @@
+// Copyright (c) 2026 The Global ODT Mesh authors.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+// What CGAL's optimizers, Tetrahedral Remeshing, this package, and, where they are installed, other mesh generators make of
+// six domains: vertices, dihedral angles, cells below 20 degrees, the mean of 3r/R, the smallest angle of a facet, the largest
+// change of a subdomain's volume, and the CPU time.
+//
+// CGAL's functions begin with the same mesh of make_mesh_3(), whose time is that of the first row alone. TetGen and Gmsh fill
+// the boundary of that mesh, which they keep, where there is one subdomain. Their sizes are such that about as many vertices
+// come out, and their time is that of one run.
+//
+//   compare_tools directory [name of an input]
+//
+// Files for the other programs go to the directory, and a picture for each input, time_and_quality_<name>.png, in which our
+// calls with 0, 1, 2, 4, 8, and 20 rounds are joined by a line. Environment: CGAL_DATA_DIR, the directory of CGAL's data.
+
+#include "benchmark_inputs.h"
+#include "cpu_seconds.h"
+#include "odt_of_mesh_3.h"
+#include "paper_record.h"
+#include "peer_meshers.h"
+#include "subdomain_measures.h"
+#include "synthetic_images.h"
+
+#include <CGAL/Mesh_quality_report_3.h>
+#include <CGAL/odt_optimize_mesh_3.h>
+#include <CGAL/tetrahedral_remeshing.h>
+
+#include <sys/resource.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <cstdio>
+#include <cstdlib>
+#include <functional>
+#include <map>
+#include <string>
+#include <utility>
+#include <vector>
+
+using namespace inputs;
+
+struct Row
+{
+  std::size_t vertices = 0, below_20 = 0;
+  double smallest_angle = 180, largest_angle = 0, radius_ratio = 0, facet_angle = 60;
+  std::map<int, double> volumes;          // of the subdomains
+};
+
+template <class C3t3>
+Row row_of(const C3t3& c3t3)
+{
+  const CGAL::Mesh_quality_report_3 q = CGAL::mesh_quality_report_3(c3t3, { 20 });
+  Row row;
+  row.vertices = q.number_of_vertices;
+  row.below_20 = q.cells_below[0].second;
+  row.smallest_angle = q.smallest_angle;
+  row.largest_angle = q.largest_angle;
+  row.radius_ratio = q.mean_radius_ratio;
+  row.facet_angle = q.smallest_facet_angle;
+  for(const auto& v : volumes(c3t3))
+    row.volumes[static_cast<int>(v.first)] = v.second;
+  return row;
+}
+
+// Of a mesh with one subdomain.
+static Row row_of(const Tetrahedral_mesh& mesh, int subdomain)
+{
+  namespace odt = CGAL::Global_odt_mesh_3::internal;
+  const auto site = [&mesh](int v) { return odt::site_at(mesh.points[v], 0); };
+  Row row;
+  row.vertices = mesh.points.size();
+  row.radius_ratio = mesh.mean_radius_ratio();
+  for(const std::array<int, 4>& c : mesh.cells)
+  {
+    const odt::Cell_shape_3 shape(site(c[0]), site(c[1]), site(c[2]), site(c[3]));
+    const auto extremes = std::minmax_element(shape.angles.begin(), shape.angles.end());
+    row.smallest_angle = (std::min)(row.smallest_angle, *extremes.first);
+    row.largest_angle = (std::max)(row.largest_angle, *extremes.second);
+    row.below_20 += *extremes.first < 20;
+  }
+  row.volumes[subdomain] = mesh.volume();
+  std::vector<odt::Site> sites;
+  for(std::size_t v = 0; v < mesh.points.size(); ++v)
+    sites.push_back(site(static_cast<int>(v)));
+  for(const std::array<int, 3>& f : boundary_facets(mesh))
+    row.facet_angle = (std::min)(row.facet_angle, odt::smallest_angle_of_facet(f, sites));
+  return row;
+}
+
+template <class C3t3>
+Tetrahedral_mesh tetrahedral_mesh(const C3t3& c3t3)
+{
+  Tetrahedral_mesh mesh;
+  std::map<typename C3t3::Vertex_handle, int> number;
+  for(auto c = c3t3.cells_in_complex_begin(); c != c3t3.cells_in_complex_end(); ++c)
+  {
+    mesh.cells.emplace_back();
+    for(int i = 0; i < 4; ++i)
+    {
+      const auto v = number.emplace(c->vertex(i), static_cast<int>(mesh.points.size()));
+      if(v.second)
+      {
+        const Point_3 p = c->vertex(i)->point().point();
+        mesh.points.emplace_back(p.x(), p.y(), p.z());
+      }
+      mesh.cells.back()[i] = v.first->second;
+    }
+  }
+  return mesh;
+}
+
+template <class C3t3>
+double mean_edge(const C3t3& c3t3)
+{
+  double sum = 0;
+  std::size_t edges = 0;
+  const auto& tr = c3t3.triangulation();
+  for(auto c = c3t3.cells_in_complex_begin(); c != c3t3.cells_in_complex_end(); ++c)
+    for(int i = 0; i < 3; ++i)
+      for(int j = i + 1; j < 4; ++j, ++edges)
+        sum += std::sqrt(tr.segment(c, i, j).squared_length());
+  return sum / double(edges);
+}
+
+static void print(const char* what, const Row& row, const Row& input, double cpu)
+{
+  double change = 0;
+  for(const auto& v : input.volumes)
+  {
+    const auto now = row.volumes.find(v.first);
+    change = (std::max)(change, std::abs((now == row.volumes.end() ? 0 : now->second) / v.second - 1));
+  }
+  std::printf("  %-30s %6zu  %5.1f %5.1f %5zu  %.3f  %5.1f  %5.2f %%  %6.1f s\n", what, row.vertices, row.smallest_angle,
+              row.largest_angle, row.below_20, row.radius_ratio, row.facet_angle, 100 * change, cpu);
+  std::fflush(stdout);
+}
+
+// The CPU time of the processes that have been waited for.
+static double seconds_of_children()
+{
+  rusage usage;
+  getrusage(RUSAGE_CHILDREN, &usage);
+  const auto seconds = [](const timeval& t) { return double(t.tv_sec) + 1e-6 * double(t.tv_usec); };
+  return seconds(usage.ru_utime) + seconds(usage.ru_stime);
+}
+
+// Other mesh generators, for a domain of one piece.
+static void compare_peers(const Tetrahedral_mesh& mesh, const Row& input, const std::string& directory)
+{
+  for(const Peer_mesher& peer : peer_meshers(mesh, directory))
+  {
+    std::map<std::size_t, double> cpu;        // by the number of vertices
+    Peer_mesher timed = peer;
+    timed.run = [&](double size)
+    {
+      const double before = seconds_of_children();
+      Tetrahedral_mesh result = peer.run(size);
+      cpu[result.points.size()] = seconds_of_children() - before;
+      return result;
+    };
+    const Tetrahedral_mesh result = mesh_of_size(timed, mesh.points.size(), std::cbrt(mesh.volume() / double(mesh.points.size())));
+    if(result.cells.empty())
+      std::printf("  %-30s no mesh\n", peer.name.c_str());
+    else
+      print(peer.name.c_str(), row_of(result, input.volumes.begin()->first), input, cpu[result.points.size()]);
+  }
+}
+
+template <class C3t3, class Domain>
+void compare(const char* name, const std::string& directory, const Domain& domain, const std::function<C3t3()>& make)
+{
+  std::printf("%s\n", name);
+  C3t3 input;
+  const double making = seconds([&] { input = make(); });
+  const Row of_input = row_of(input);
+  print("make_mesh_3()", of_input, of_input, making);
+  const Paper_record record(directory);
+  const std::string picture = std::string("time_and_quality_") + name;
+  std::ofstream points = record.data(picture);
+  std::vector<std::string> titles;
+  const auto run = [&](const std::function<void(C3t3&)>& optimize)
+  {
+    C3t3 c3t3(input);
+    CGAL::get_default_random() = CGAL::Random(0);
+    const double cpu = seconds([&] { optimize(c3t3); });
+    const Row row = row_of(c3t3);
+    points << cpu << ' ' << row.radius_ratio << '\n';
+    return std::make_pair(row, cpu);
+  };
+  const auto row = [&](const char* what, const std::function<void(C3t3&)>& optimize)
+  {
+    const std::pair<Row, double> result = run(optimize);
+    print(what, result.first, of_input, result.second);
+    titles.push_back(what);
+    points << "\n\n";
+  };
+  row("lloyd", [&](C3t3& c3t3) { CGAL::lloyd_optimize_mesh_3(c3t3, domain); });
+  row("odt of Mesh_3", [&](C3t3& c3t3) { odt_of_mesh_3(c3t3, domain); });
+  row("odt of Mesh_3, perturb, exude", [&](C3t3& c3t3)
+  {
+    odt_of_mesh_3(c3t3, domain);
+    CGAL::perturb_mesh_3(c3t3, domain);
+    CGAL::exude_mesh_3(c3t3);
+  });
+  const double length = mean_edge(input);
+  row("Tetrahedral Remeshing", [&](C3t3& c3t3)
+  {
+    CGAL::tetrahedral_isotropic_remeshing(c3t3, length, params::number_of_iterations(3));
+  });
+  row("this package", [&](C3t3& c3t3) { CGAL::odt_optimize_mesh_3(c3t3, domain); });
+  row("this package, do_insert_vertices", [&](C3t3& c3t3)
+  {
+    CGAL::odt_optimize_mesh_3(c3t3, domain, params::do_insert_vertices(true));
+  });
+  for(std::size_t rounds : { 0, 1, 2, 4, 8, 20 })
+  {
+    const std::pair<Row, double> result = run([&](C3t3& c3t3)
+    {
+      CGAL::odt_optimize_mesh_3(c3t3, domain, params::number_of_rounds(rounds));
+    });
+    print(("this package, " + std::to_string(rounds) + " rounds").c_str(), result.first, of_input, result.second);
+  }
+  points.close();
+  std::string plots = Paper_record::plot("1:2", titles, "points pt 7 ps 1.5");
+  plots.pop_back();
+  record.draw(picture, "set logscale x\nset xlabel 'CPU s'\nset title 'mean 3r/R, " + std::string(name) + "'\n"
+              "set key outside right center\nset offsets graph 0.1, graph 0.1, graph 0.1, graph 0.1\n" + plots
+              + ", data index " + std::to_string(titles.size()) + " using 1:2 with linespoints lw 2 title 'this package, 0 to 20 rounds'\n",
+              800, 400);
+  if(of_input.volumes.size() == 1)
+    compare_peers(tetrahedral_mesh(input), of_input, directory);
+}
+
+int main(int argc, char* argv[])
+{
+  if(argc < 2)
+  {
+    std::fprintf(stderr, "usage: %s directory [name of an input]\n", argv[0]);
+    return EXIT_FAILURE;
+  }
+  const std::string directory = argv[1], only = argc > 2 ? argv[2] : "";
+  std::printf("%-32s vertices  angles      <20   3r/R  facet   volume      CPU\n", "");
+  const auto is_wanted = [&](const char* name) { return only.empty() || only == name; };
+  const auto compare_model = [&](const char* name, double relative_size, bool with_features)
+  {
+    if(!is_wanted(name))
+      return;
+    const Polyhedron polyhedron = read_polyhedron(CGAL::data_file_path(std::string("meshes/") + name + ".off"));
+    Polyhedral_domain domain(polyhedron);
+    if(with_features)
+      domain.detect_features();
+    compare<Polyhedral_c3t3>(name, directory, domain, [&] { return polyhedral_mesh(domain, relative_size, with_features); });
+  };
+  const auto compare_labels = [&](const char* name, const Labeled_domain& domain, const std::function<Labeled_c3t3()>& make)
+  {
+    compare<Labeled_c3t3>(name, directory, domain, make);
+  };
+  if(is_wanted("sphere"))
+  {
+    const Labeled_domain domain = sphere_domain();
+    compare_labels("sphere", domain, [&] { return sphere(domain, 0.096); });
+  }
+  compare_model("elephant", 0.02, false);
+  compare_model("fandisk", 0.03, true);
+  compare_model("anchor", 0.03, true);
+  CGAL::Image_3 liver;
+  if(is_wanted("liver") && liver.read(CGAL::data_file_path("images/liver.inr.gz").c_str()))
+  {
+    const Labeled_domain domain = image_domain(liver);
+    compare_labels("liver", domain, [&] { return image_mesh(domain, 6, 8); });
+  }
+  if(is_wanted("polycrystal"))
+  {
+    const CGAL::Image_3 image = synthetic_images::polycrystal(80, 20);
+    const Labeled_domain domain = image_domain(image);
+    compare_labels("polycrystal", domain, [&] { return image_mesh(domain, 4, 5); });
+  }
+  return EXIT_SUCCESS;
+}
