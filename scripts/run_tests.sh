@@ -1,34 +1,54 @@
 #!/usr/bin/env bash
-# Installs what is missing, and builds and runs the tests and the examples with the system's CGAL.
+# Installs what is missing; builds and runs the tests and the examples with the system's CGAL; then tests of the contract with
+# the CGAL of Debian 13 and of Debian testing, and two examples in a tree of headers as a release of CGAL that contains the
+# package has it. Where a suite of Debian cannot be reached, its CGAL is not tested.
 #
 #   [JOBS=n] run_tests.sh [build directory]
-#   [JOBS=n] CGAL_DIR=... run_tests.sh "build directory" "name of that CGAL"
 #
-# The second builds and runs the tests of the contract with another CGAL. A compiler needs up to 4 GB, hence two jobs at a time if
-# nothing else is said.
+# A compiler needs up to 4 GB, hence two jobs at a time if nothing else is said.
 set -euo pipefail
 cd "$(dirname "$0")/.."
 scripts/install_dependencies.sh
 build=${1:-build-tests}
-name=${2:-system}
-jobs=${JOBS:-2}
+export JOBS=${JOBS:-2}
 mkdir -p "$build"
 data=$(scripts/extract_data.sh "$build")
-if [ "$name" = system ]; then
-  options=(-DGLOBAL_ODT_MESH_3_BUILD_EXAMPLES=ON)
-else
-  options=(-DGLOBAL_ODT_MESH_3_CONTRACT_TESTS_ONLY=ON "-DCGAL_DIR=$CGAL_DIR")
-fi
-echo "=== tests with the CGAL of $name ==="
-# Tests and examples take longer to compile than to run, hence -O1; and GCC, unless told so, collects garbage all the time.
-flags="-O1 -DNDEBUG"
+
+# GCC, unless told so, collects garbage all the time.
 if ${CXX:-c++} -v 2>&1 | grep -q "^gcc version"; then
-  flags="$flags --param ggc-min-heapsize=1000000"
+  export CXXFLAGS="${CXXFLAGS:-} --param ggc-min-heapsize=1000000"
 fi
-cmake -S . -B "$build/$name" -DCMAKE_BUILD_TYPE=Release -DGLOBAL_ODT_MESH_3_BUILD_TESTS=ON "${options[@]}" \
-      -DCMAKE_CXX_FLAGS_RELEASE="$flags" -DCMAKE_CXX_COMPILER_LAUNCHER=ccache -DCGAL_DATA_DIR="$data" \
-      > "$build/$name.log" 2>&1 || { cat "$build/$name.log"; exit 1; }
-cmake --build "$build/$name" -j"$jobs"
-# Not the tests that compile, which CGAL adds for each program.
-cd "$build/$name"
-ctest -j"$jobs" -R '^test_' --output-on-failure
+
+# run NAME OPTION...: with the CGAL of that name. Tests and examples take longer to compile than to run, hence -O1.
+run() {
+  local name=$1
+  shift
+  echo "=== tests with the CGAL of $name ==="
+  cmake -S . -B "$build/$name" -DCMAKE_BUILD_TYPE=Release -DGLOBAL_ODT_MESH_3_BUILD_TESTS=ON -DCMAKE_CXX_FLAGS_RELEASE="-O1 -DNDEBUG" \
+        -DCMAKE_CXX_COMPILER_LAUNCHER=ccache -DCGAL_DATA_DIR="$data" "$@" \
+        > "$build/$name.log" 2>&1 || { cat "$build/$name.log"; return 1; }
+  cmake --build "$build/$name" -j"$JOBS" || return 1
+  # Not the tests that compile, which CGAL adds for each program.
+  (cd "$build/$name" && ctest -j"$JOBS" -R '^test_' --output-on-failure)
+}
+
+status=0
+run system -DGLOBAL_ODT_MESH_3_BUILD_EXAMPLES=ON || status=1
+for suite in trixie testing; do
+  code=0
+  cgal=$(scripts/fetch_cgal.sh "$suite" "$build/$suite-cgal") || code=$?
+  case $code in
+    0) ;;
+    2) echo "=== $suite cannot be reached: its CGAL is not tested ==="; continue ;;
+    *) status=1; continue ;;
+  esac
+  # Both have the tests of all parameters; each has a part of the others.
+  if [ $suite = trixie ]; then
+    run $suite "-DCGAL_DIR=$cgal" "-DGLOBAL_ODT_MESH_3_CONTRACT_TESTS=call|domains" || status=1
+  else
+    run $suite "-DCGAL_DIR=$cgal" "-DGLOBAL_ODT_MESH_3_CONTRACT_TESTS=call|own_domain|periodic|preconditions|transaction" || status=1
+    echo "=== a release of CGAL that contains the package ==="
+    scripts/check_merge.sh "${cgal%/lib/*}/include" "$build/merge" || status=1
+  fi
+done
+exit $status
