@@ -5,7 +5,7 @@
 
 // What CGAL's optimizers, Tetrahedral Remeshing, this package, and, where they are installed, other mesh generators make of
 // six domains: vertices, dihedral angles, cells below 20 degrees, the mean of 3r/R, the smallest angle of a facet, the largest
-// change of a subdomain's volume, and the CPU time.
+// change of a subdomain's volume, and the CPU time, as a table in Markdown.
 //
 // CGAL's functions begin with the same mesh of make_mesh_3(), whose time is that of the first row alone. TetGen and Gmsh fill
 // the boundary of that mesh, which they keep, where there is one subdomain. Their sizes are such that about as many vertices
@@ -135,7 +135,7 @@ static void print(const char* what, const Row& row, const Row& input, double cpu
     const auto now = row.volumes.find(v.first);
     change = (std::max)(change, std::abs((now == row.volumes.end() ? 0 : now->second) / v.second - 1));
   }
-  std::printf("  %-30s %6zu  %5.1f %5.1f %5zu  %.3f  %5.1f  %5.2f %%  %6.1f s\n", what, row.vertices, row.smallest_angle,
+  std::printf("| %-32s | %8zu | %8.1f | %7.1f | %5zu | %.3f | %5.1f | %8.2f | %5.1f |\n", what, row.vertices, row.smallest_angle,
               row.largest_angle, row.below_20, row.radius_ratio, row.facet_angle, 100 * change, cpu);
   std::fflush(stdout);
 }
@@ -165,7 +165,7 @@ static void compare_peers(const Tetrahedral_mesh& mesh, const Row& input, const 
     };
     const Tetrahedral_mesh result = mesh_of_size(timed, mesh.points.size(), std::cbrt(mesh.volume() / double(mesh.points.size())));
     if(result.cells.empty())
-      std::printf("  %-30s no mesh\n", peer.name.c_str());
+      std::printf("| %-32s | none |||||||\n", peer.name.c_str());
     else
       print(peer.name.c_str(), row_of(result, input.volumes.begin()->first), input, cpu[result.points.size()]);
   }
@@ -174,7 +174,7 @@ static void compare_peers(const Tetrahedral_mesh& mesh, const Row& input, const 
 template <class C3t3, class Domain>
 void compare(const char* name, const std::string& directory, const Domain& domain, const std::function<C3t3()>& make)
 {
-  std::printf("%s\n", name);
+  std::printf("| **%s** |||||||||\n", name);
   C3t3 input;
   const double making = seconds([&] { input = make(); });
   const Row of_input = row_of(input);
@@ -223,15 +223,15 @@ void compare(const char* name, const std::string& directory, const Domain& domai
     {
       CGAL::odt_optimize_mesh_3(c3t3, domain, params::number_of_rounds(rounds));
     });
-    print(("this package, " + std::to_string(rounds) + " rounds").c_str(), result.first, of_input, result.second);
+    print(("number_of_rounds = " + std::to_string(rounds)).c_str(), result.first, of_input, result.second);
   }
   points.close();
   std::string plots = Paper_record::plot("1:2", titles, "points pt 7 ps 1.5");
   plots.pop_back();
-  record.draw(picture, "set logscale x\nset xlabel 'CPU s'\nset title 'mean 3r/R, " + std::string(name) + "'\n"
+  record.draw(picture, "set termoption noenhanced\nset logscale x\nset xlabel 'CPU s'\nset title 'mean 3r/R, " + std::string(name) + "'\n"
               "set key outside right center\nset offsets graph 0.1, graph 0.1, graph 0.1, graph 0.1\n" + plots
               + ", data index " + std::to_string(titles.size()) + " using 1:2 with linespoints lw 2 title 'this package, 0 to 20 rounds'\n",
-              800, 400);
+              900, 400);
   if(of_input.volumes.size() == 1)
     compare_peers(tetrahedral_mesh(input), of_input, directory);
 }
@@ -244,7 +244,7 @@ int main(int argc, char* argv[])
     return EXIT_FAILURE;
   }
   const std::string directory = argv[1], only = argc > 2 ? argv[2] : "";
-  std::printf("%-32s vertices  angles      <20   3r/R  facet   volume      CPU\n", "");
+  std::printf("| %-32s | vertices | smallest | largest | < 20  | 3r/R  | facet | volume, %% | CPU s |\n|---|---|---|---|---|---|---|---|---|\n", "");
   const auto is_wanted = [&](const char* name) { return only.empty() || only == name; };
   const auto compare_model = [&](const char* name, double relative_size, bool with_features)
   {
