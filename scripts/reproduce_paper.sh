@@ -79,7 +79,8 @@ data=$(scripts/extract_data.sh "$output")
 cmake -S . -B "$output/build" -DCMAKE_BUILD_TYPE=Release -DGLOBAL_ODT_MESH_3_BUILD_BENCHMARKS=ON \
       -DCMAKE_CXX_COMPILER_LAUNCHER=ccache -DCGAL_DATA_DIR="$data" > "$output/configure.log" 2>&1 \
   || { cat "$output/configure.log"; exit 1; }
-# The targets of one makefile are built one after another, hence a process for each.
+# The targets of one makefile are built one after another, hence a process for each, after the library that all link.
+cmake --build "$output/build" --target core_for_benchmarks
 for f in "${figures[@]}"; do program "$f"; done | sort -u \
   | xargs -P "${JOBS:-2}" -I '{}' cmake --build "$output/build" --target '{}'
 
