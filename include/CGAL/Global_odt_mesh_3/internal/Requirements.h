@@ -15,7 +15,7 @@
 #include <CGAL/version.h>
 
 #if CGAL_VERSION_NR < 1050500000
-#  error "Global_odt_mesh_3 requires CGAL 5.5 or later"
+#  error "Global_odt_mesh_3 requires CGAL 5.5 or later: set CGAL_DIR in CMake, or give the compiler the directory of such a version first"
 #endif
 
 #if !__has_include(<Eigen/Core>)
