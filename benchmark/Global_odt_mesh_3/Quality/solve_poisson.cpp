@@ -193,7 +193,8 @@ static void draw_table(const Paper_record& record, const std::vector<std::string
   std::string commands = "set logscale xy\nset xrange [400:20000]\nunset key\nset xlabel 'vertices'\nset multiplot layout 1,2\n";
   // Both have the same key, for which there is room in the second.
   for(int n = 0; n < 2; ++n)
-    commands += (n == 0 ? "" : "set key left bottom\n") + std::string("set title 'L2 error, " + problems()[n].name + "'\n" + Paper_record::plot(text("1:%d", 2 + n), names, "linespoints");
+    commands += std::string(n == 0 ? "" : "set key left bottom\n") + "set title 'L2 error, " + problems()[n].name + "'\n"
+                + Paper_record::plot(text("1:%d", 2 + n), names, "linespoints");
   for(const std::string& name : names)
   {
     for(const Mean_errors& e : errors.at(name))
