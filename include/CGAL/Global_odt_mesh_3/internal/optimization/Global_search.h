@@ -86,6 +86,8 @@ public:
   }
 
 private:
+  // Two rounds end with 0.001 (ball) to 0.006 (image of a liver) less of 3r/R, in about four fifths of the time of the call;
+  // eight with up to 0.008 more (elephant), in one and a half times that.
   static constexpr int usual_rounds_of_momentum = 4;
   static constexpr int iterations_in_round_of_momentum = 50;
   static constexpr int final_iterations_of_momentum = 20;

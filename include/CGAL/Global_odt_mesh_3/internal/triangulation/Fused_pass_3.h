@@ -29,7 +29,9 @@ namespace CGAL {
 namespace Global_odt_mesh_3 {
 namespace internal {
 
-// Energy, gradient, orientation of the cells and regularity of the facets of a whole mesh in one pass.
+// Energy, gradient, orientation of the cells and regularity of the facets of a whole mesh in one pass. To test facets in every
+// second or third pass of a search only saves nothing: more has to be repaired then. Four cells at once, with AVX, take 8 %
+// of the time of a call off on a ball, and 2 to 4 % on parts and images.
 //
 // Chunks of cells have sums and lists of their own, which are put together in the order of the chunks:
 // the result is the same, bit for bit, for any number of threads.
