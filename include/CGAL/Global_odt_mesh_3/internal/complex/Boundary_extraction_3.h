@@ -50,9 +50,11 @@ public:
     const Buckets by_first_vertex(static_cast<int>(found.size()), candidate_.numbering.number_of_vertices(),
                                   [&found](int n) { return found[n].key[0]; }, candidate_.threads);
     std::vector<int> order = by_first_vertex.numbers();
-    for(int v = 0; v < by_first_vertex.number_of_buckets(); ++v)
+    for_each_in_chunks(by_first_vertex.number_of_buckets(), candidate_.threads, [&](int v)
+    {
       std::sort(order.begin() + by_first_vertex.begin(v), order.begin() + by_first_vertex.end(v),
                 [&found](int n, int m) { return found[n].key < found[m].key; });
+    });
     const std::vector<Boundary_facet>& old_facets = candidate_.snapshot.boundary.complex().facets();
     std::vector<Boundary_facet> facets;
     facets.reserve(found.size());
