@@ -121,7 +121,7 @@ public:
 private:
   static constexpr int most_tries_of_last_round = 3;
   static constexpr double least_gain_of_round = 2e-4;     // of the energy, relatively
-  static constexpr std::size_t iterations_for_a_check = 20, cells_in_iteration_for_a_try = 180;     // of like cost
+  static constexpr std::size_t iterations_for_a_check = 26, cells_in_iteration_for_a_try = 180;     // of like cost
   static constexpr std::size_t fewest_tries = 20000, fewest_tries_for_a_cell = 2;          // what slivers need as a rule
   static constexpr std::size_t tries_for_a_sliver = 120;                                   // where they are many
 

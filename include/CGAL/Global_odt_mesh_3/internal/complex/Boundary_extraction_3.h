@@ -34,7 +34,7 @@ namespace internal {
 
 // Finds the boundary facets of a labelled candidate, and their patches: those that separate subdomains, and those that were
 // in the complex without separating any. All their vertices are on the boundary, as cells around a vertex that is not have
-// its label.
+// its label, unless they have vertices of several subdomains.
 class Boundary_extraction_3
 {
 public:
@@ -90,13 +90,26 @@ private:
     return collect_in_chunks<Found_facet>(static_cast<int>(cells.size()), candidate_.threads,
                                           [&](int n, std::vector<Found_facet>& found)
     {
+      // Separating facets are found from the side of a subdomain, if there is one on one side only.
+      const int label = cells[n]->label();
+      if(label == Domain_view_3::outside && !snapshot.has_unseparating_facets)
+        return;
       for(int i = 0; i < 4; ++i)
       {
-        const Facet f(cells[n], i);
-        const bool is_separating = f.first->label() != f.first->neighbor(i)->label();
-        if((!is_separating && !snapshot.has_unseparating_facets) || !candidate_.working.is_first_side(f))
+        const int label_beyond = cells[n]->neighbor(i)->label();
+        const bool is_separating = label != label_beyond;
+        if(!is_separating && !snapshot.has_unseparating_facets)
           continue;
+        Facet f(cells[n], i);
+        if(!candidate_.working.is_first_side(f))
+        {
+          if(label_beyond != Domain_view_3::outside || snapshot.has_unseparating_facets)
+            continue;
+          f = candidate_.triangulation().mirror_facet(f);
+        }
         const Triple t = sorted(candidate_.working.vertices(f));
+        if(!std::all_of(t.begin(), t.end(), [this](int v) { return candidate_.numbering.is_on_boundary(v); }))
+          continue;
         const int old = snapshot.facet_number(t);
         if(is_separating || (old >= 0 && old_facets[old].labels[0] == old_facets[old].labels[1]))
           found.push_back({ t, old, f });

@@ -93,7 +93,7 @@ private:
 
   bool is_on_boundary(int v) const { return candidate_.numbering.is_on_boundary(v); }
 
-  // The one label of the vertices that are not on the boundary, or no_subdomain if there are none; false if
+  // The one label of the vertices that are not on the boundary, or no_subdomain if there are none; false and one of them if
   // they have several.
   bool find_label(const Quadruple& q, int& label) const
   {
@@ -164,12 +164,12 @@ private:
   void label_or_report(Cell_handle c, const Findings& found, Defect_report_3& report)
   {
     const Quadruple q = candidate_.numbers(c);
+    c->set_label(found.label);
     if(found.has_several_labels)
     {
       report.send_back(q);
       return;
     }
-    c->set_label(found.label);
     // What was wrong in the input may stay so.
     if(candidate_.numbering.is_input_cell(q, candidate_.sites))
       c->set_flag(IS_SETTLED);

@@ -177,6 +177,11 @@ public:
     return advance(mesh.sites, &mesh, true, &angles);
   }
 
+  std::optional<Complex_snapshot_3> advance(const std::vector<Site>& target, const Angle_check_3& angles)
+  {
+    return advance(target, nullptr, true, &angles);
+  }
+
   // Goes back to a snapshot that has been replaced.
   void return_to(Complex_snapshot_3 earlier)
   {
@@ -258,32 +263,26 @@ private:
            && fidelity_.check(candidate).is_clean();
   }
 
-  // Completes the candidate until something is found wrong. Facets that are too thin may be found good enough.
+  // Completes the candidate, and reports all that is wrong with it. Facets that are too thin may be found good enough.
   Defect_report_3 check(Complex_candidate_3& candidate, bool wants_good_facets)
   {
     ++number_of_checks_;
     if(!candidate.working.is_complete())
       return hidden_vertices(candidate);
-    const Defect_report_3 labels = Cell_labels_3(candidate, domain_).label_cells();
-    if(!labels.is_clean())
-      return labels;
+    Defect_report_3 report = Cell_labels_3(candidate, domain_).label_cells();
     Boundary_extraction_3 extraction(candidate, domain_);
     extraction.find_boundary();
-    Defect_report_3 topology = candidate.boundary_moves() ? check_topology(candidate) : check_facets_stay(candidate);
-    if(!topology.is_clean())
-    {
-      if(candidate.boundary_moves() && wants_good_facets)
-        shapes_.check(candidate, topology);
-      return topology;
-    }
-    if(candidate.boundary_moves() && candidate.is_final)
-      Flat_boundary_cells_3(candidate, domain_, fidelity_, shapes_).exempt();
-    else if(candidate.boundary_moves())
+    report.add(candidate.boundary_moves() ? check_topology(candidate) : check_facets_stay(candidate));
+    // Of flat cells, what may be flipped off the boundary is not wrong.
+    candidate.exempt_facets.clear();
+    if(candidate.boundary_moves() && !candidate.is_final && report.is_clean())
       Boundary_flips_3(candidate, domain_, extraction, fidelity_, shapes_).flip();
-    const Defect_report_3 centers = Surface_centers_3(candidate, domain_).find_surface_centers();
-    if(!candidate.boundary_moves() || !centers.is_clean())
-      return centers;
-    Defect_report_3 report = fidelity_.check(candidate);
+    else if(candidate.boundary_moves())
+      Flat_boundary_cells_3(candidate, domain_, fidelity_, shapes_).exempt();
+    report.add(Surface_centers_3(candidate, domain_).find_surface_centers());
+    if(!candidate.boundary_moves())
+      return report;
+    report.add(fidelity_.check(candidate));
     if(wants_good_facets)
       shapes_.check(candidate, report);
     return report;

@@ -72,6 +72,15 @@ public:
 
   void give_up() { is_beyond_repair_ = true; }
 
+  // What is found later may come of what is wrong already; so it is not beyond repair unless all else is well.
+  void add(const Defect_report_3& later)
+  {
+    is_beyond_repair_ = is_beyond_repair_ || (is_clean() && later.is_beyond_repair_);
+    offending_vertices_.insert(later.offending_vertices_.begin(), later.offending_vertices_.end());
+    for(const auto& p : later.pushes_)
+      push(p.first, p.second);
+  }
+
 private:
   // A cell or facet comes where a vertex that it has, or one beside it, has moved; farther away, none can be the cause.
   static constexpr int most_rings = 3;

@@ -59,22 +59,29 @@ public:
   template <class Has_time, class May_go_on>
   bool run(const Has_time& has_time, const May_go_on& may_go_on)
   {
-    remove_from_mesh(first_step, has_time);
+    // The repair of a rough surface would bring slivers back: in an image of separate balls, twice as many cells below 30 degrees
+    // would be left.
+    if(!is_rough())
+      remove_from_mesh(first_step, has_time);
     const bool is_stored = complex_.snapshot().has_positions(mesh_.sites);
     if((!is_stored || !complex_.snapshot().is_input) && !complex_.advance(mesh_, true))
       return false;
     complex_.load_into(mesh_);
     measure(first_step);
-    bool goes_on = may_go_on() && climb_in_complex(first_step, has_time);
+    bool goes_on = may_go_on() && climb_in_complex(first_step, 0, has_time);
     int repetitions = most_repetitions;
     for(int step = first_step + 1; step <= Sliver_steps::last(bound_) && goes_on; ++step)
     {
       if(step > reached_.last_step)
         measure(step);
+      if(!may_go_on() || !is_worthwhile(step, reached_))
+        return true;
       const std::size_t before = reached_.below[step];
-      goes_on = may_go_on() && is_worthwhile(step) && climb(step, has_time);
+      const std::optional<int> climbed = climb(step, Sliver_steps::last(bound_), has_time);
+      goes_on = climbed.has_value();
       const std::size_t removed = before - (std::min)(before, reached_.below[step]);
       most_tries_ += tries_for_a_removed_cell * removed;
+      step = climbed.value_or(step);
       // Other random numbers remove cells that the first ones have not; so they are tried as long as that pays, and where
       // cells are left far below, since another step would do less for these.
       const bool pays = Sliver_steps::angles[step] <= always_wanted && removed > 0
@@ -89,6 +96,16 @@ public:
   }
 
 private:
+  // What a step has led to in the mesh.
+  struct Removal
+  {
+    int step;
+    double smallest_angle;                      // before it, or 0 for the first step
+    std::vector<Site> sites;
+    unsigned int seed;                          // of what follows
+    std::size_t number_of_tries;
+  };
+
   static constexpr int first_step = 1, most_repetitions = 2;
   static constexpr std::size_t tries_for_an_exact_one = 3;
   // What pays, so that all tries are in proportion to the cells that there are to remove.
@@ -101,41 +118,52 @@ private:
 
   void measure(int last_step) { reached_ = Cell_angles(mesh_, last_step, mesh_.threads()); }
 
-  bool is_worthwhile(int step) const
+  // Of a mesh with these angles.
+  bool is_worthwhile(int step, const Cell_angles& angles) const
   {
     return bound_ > 0 || Sliver_steps::angles[step] <= always_wanted
-           || (reached_.below[step - 1] == 0
-               && double(reached_.below[step]) < most_slivers * mesh_.topology.number_of_cells());
+           || (angles.below[step - 1] == 0
+               && double(angles.below[step]) < most_slivers * mesh_.topology.number_of_cells());
   }
 
-  // Whether the next step may be transferred.
+  // Goes through a step and, while that leaves no cells in the mesh, through the next ones there before a complex is made of it.
+  // Gives the last step that is transferred: one fewer where the smallest angle of the complex is less than that of the mesh was
+  // before the last, so that a higher bound does not lead to less. None if nothing is reached.
   template <class Has_time>
-  bool climb(int step, const Has_time& has_time)
+  std::optional<int> climb(int step, int last, const Has_time& has_time)
   {
     if(reached_.below[step] == 0)
-      return true;
+      return step;
     const Angle_check_3 angles(mesh_, Sliver_steps::angles[step - 1], mesh_.threads());
-    if(!remove_from_mesh(step, has_time))
-      return climb_in_complex(step, has_time);
-    std::optional<Complex_snapshot_3> replaced = complex_.advance(mesh_, angles);
-    if(climb_in_complex(step, has_time))
-      return true;
-    if(replaced)
-      complex_.return_to(std::move(*replaced));
-    return climb_in_complex(step, has_time);
+    const Exact_sliver_removal_3::Failures failures = failures_;
+    std::vector<Removal> removals = remove_from_mesh(step, last, has_time);
+    for(bool is_in_mesh = true; !removals.empty(); is_in_mesh = false, removals.pop_back())
+    {
+      const Removal& removal = removals.back();
+      seed_ = removal.seed;
+      number_of_tries_ = removal.number_of_tries;
+      failures_ = failures;
+      std::optional<Complex_snapshot_3> replaced
+        = is_in_mesh ? complex_.advance(mesh_, angles) : complex_.advance(removal.sites, angles);
+      if(climb_in_complex(removal.step, removal.smallest_angle, has_time))
+        return removal.step;
+      if(replaced)
+        complex_.return_to(std::move(*replaced));
+    }
+    return climb_in_complex(step, 0, has_time) ? std::make_optional(step) : std::nullopt;
   }
 
-  // Whether more is reached than before.
+  // Whether more is reached than before, or the smallest angle if one is given.
   template <class Has_time>
-  bool climb_in_complex(int step, const Has_time& has_time)
+  bool climb_in_complex(int step, double smallest_angle, const Has_time& has_time)
   {
     remove_from_complex(step, has_time);
     complex_.load_into(mesh_);
     const Cell_angles now(mesh_, (std::min)(step + 1, Sliver_steps::number - 1), mesh_.threads());
-    const bool is_better = now.is_better_than(reached_, step);
+    const bool is_better = smallest_angle > 0 ? now.smallest >= smallest_angle : now.is_better_than(reached_, step);
     if(is_better)
       reached_ = now;
-    return is_better || reached_.below[step] == 0;
+    return is_better || (!(smallest_angle > 0) && reached_.below[step] == 0);
   }
 
   // On rough surfaces, vertices move even where the facets around them bend sharply.
@@ -144,6 +172,25 @@ private:
   // The first step may take them all. If half of them are kept for 30 degrees, an image of thin layers has 134 cells below 20
   // degrees instead of 60, and a CAD part with half as many below 30 takes half as long again.
   std::size_t tries_left() const { return most_tries_ - (std::min)(number_of_tries_, most_tries_); }
+
+  // Those of the steps, until one leaves cells or the next is not worthwhile. None if no vertex has moved.
+  template <class Has_time>
+  std::vector<Removal> remove_from_mesh(int first, int last, const Has_time& has_time)
+  {
+    std::vector<Removal> removals;
+    bool have_moved = false;
+    double smallest_angle = 0;
+    for(int step = first; step <= last; ++step)
+    {
+      have_moved = remove_from_mesh(step, has_time) || have_moved;
+      removals.push_back({ step, smallest_angle, mesh_.sites, seed_, number_of_tries_ });
+      const Cell_angles now(mesh_, (std::min)(step + 1, Sliver_steps::number - 1), mesh_.threads());
+      if(now.below[step] > 0 || !is_worthwhile(now.last_step, now))
+        break;
+      smallest_angle = (std::min)(now.smallest, Sliver_steps::angles[now.last_step]);
+    }
+    return have_moved ? removals : std::vector<Removal>();
+  }
 
   // Whether vertices have moved.
   template <class Has_time>
