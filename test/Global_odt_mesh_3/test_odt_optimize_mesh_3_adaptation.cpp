@@ -180,7 +180,8 @@ std::size_t test_removal(const std::string& name, const C3t3& input, const Domai
     const double angle_without = all_without.first / seeds, angle = all.first / seeds;
     std::cout << name << ": mean of the smallest angles " << angle_without << " -> " << angle << ", cells below 30 degrees "
               << all_without.second << " -> " << all.second << std::endl;
-    check::that(angle > (std::min)(angle_without, 30.) - 1 && all.second <= all_without.second, name,
+    // An image with 150 vertices has one or two cells that decide about the angle.
+    check::that(angle > (std::min)(angle_without, 30.) - 2 && all.second <= all_without.second, name,
                 ": removal makes cells worse");
   }
   Mesh_contract<C3t3, Domain> contract(input, domain, name + ", vertices removed inside");
