@@ -108,6 +108,7 @@ private:
           f = candidate_.triangulation().mirror_facet(f);
         }
         const Triple t = sorted(candidate_.working.vertices(f));
+        // What such a cell has as its label says nothing of facets.
         if(!std::all_of(t.begin(), t.end(), [this](int v) { return candidate_.numbering.is_on_boundary(v); }))
           continue;
         const int old = snapshot.facet_number(t);

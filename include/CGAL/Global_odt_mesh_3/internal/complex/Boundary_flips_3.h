@@ -123,8 +123,10 @@ public:
     , flat_cells_(candidate, domain, fidelity, shapes)
   {}
 
+  // What is not flipped is not exempt from the checks of facets.
   void flip()
   {
+    candidate_.exempt_facets.clear();
     for(int pass = 0; pass < most_passes; ++pass)
     {
       Flipped_cells flipped = find_cells();

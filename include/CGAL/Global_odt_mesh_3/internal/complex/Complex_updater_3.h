@@ -177,6 +177,7 @@ public:
     return advance(mesh.sites, &mesh, true, &angles);
   }
 
+  // The same for positions at which the mesh has been.
   std::optional<Complex_snapshot_3> advance(const std::vector<Site>& target, const Angle_check_3& angles)
   {
     return advance(target, nullptr, true, &angles);
@@ -273,8 +274,7 @@ private:
     Boundary_extraction_3 extraction(candidate, domain_);
     extraction.find_boundary();
     report.add(candidate.boundary_moves() ? check_topology(candidate) : check_facets_stay(candidate));
-    // Of flat cells, what may be flipped off the boundary is not wrong.
-    candidate.exempt_facets.clear();
+    // Flat cells that cannot be flipped off the boundary yet are not what is wrong.
     if(candidate.boundary_moves() && !candidate.is_final && report.is_clean())
       Boundary_flips_3(candidate, domain_, extraction, fidelity_, shapes_).flip();
     else if(candidate.boundary_moves())

@@ -77,7 +77,7 @@ public:
       if(!may_go_on() || !is_worthwhile(step, reached_))
         return true;
       const std::size_t before = reached_.below[step];
-      const std::optional<int> climbed = climb(step, Sliver_steps::last(bound_), has_time);
+      const std::optional<int> climbed = climb(step, has_time);
       goes_on = climbed.has_value();
       const std::size_t removed = before - (std::min)(before, reached_.below[step]);
       most_tries_ += tries_for_a_removed_cell * removed;
@@ -130,13 +130,13 @@ private:
   // Gives the last step that is transferred: one fewer where the smallest angle of the complex is less than that of the mesh was
   // before the last, so that a higher bound does not lead to less. None if nothing is reached.
   template <class Has_time>
-  std::optional<int> climb(int step, int last, const Has_time& has_time)
+  std::optional<int> climb(int step, const Has_time& has_time)
   {
     if(reached_.below[step] == 0)
       return step;
     const Angle_check_3 angles(mesh_, Sliver_steps::angles[step - 1], mesh_.threads());
     const Exact_sliver_removal_3::Failures failures = failures_;
-    std::vector<Removal> removals = remove_from_mesh(step, last, has_time);
+    std::vector<Removal> removals = remove_in_steps_from_mesh(step, has_time);
     for(bool is_in_mesh = true; !removals.empty(); is_in_mesh = false, removals.pop_back())
     {
       const Removal& removal = removals.back();
@@ -173,14 +173,14 @@ private:
   // degrees instead of 60, and a CAD part with half as many below 30 takes half as long again.
   std::size_t tries_left() const { return most_tries_ - (std::min)(number_of_tries_, most_tries_); }
 
-  // Those of the steps, until one leaves cells or the next is not worthwhile. None if no vertex has moved.
+  // From a step on, until one leaves cells or the next is not worthwhile. Nothing if no vertex has moved.
   template <class Has_time>
-  std::vector<Removal> remove_from_mesh(int first, int last, const Has_time& has_time)
+  std::vector<Removal> remove_in_steps_from_mesh(int first, const Has_time& has_time)
   {
     std::vector<Removal> removals;
     bool have_moved = false;
     double smallest_angle = 0;
-    for(int step = first; step <= last; ++step)
+    for(int step = first; step <= Sliver_steps::last(bound_); ++step)
     {
       have_moved = remove_from_mesh(step, has_time) || have_moved;
       removals.push_back({ step, smallest_angle, mesh_.sites, seed_, number_of_tries_ });
