@@ -6,6 +6,7 @@
 #ifndef GLOBAL_ODT_MESH_3_TEST_OPENED_COMPLEX_H
 #define GLOBAL_ODT_MESH_3_TEST_OPENED_COMPLEX_H
 
+#include <CGAL/Global_odt_mesh_3/internal/complex/Candidate_checks_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/complex/Complex_updater_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/complex/Snapshot_reader_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/complex/Snapshot_tabulation_3.h>
@@ -24,6 +25,7 @@ struct Opened_complex
   C3t3 c3t3;
   Mesh_domain_view_3<Domain> domain;
   C3t3_view_3<C3t3, Domain> input;
+  Facet_bounds_3 bounds;
   Complex_updater_3 complex;
   Moving_triangulation_3 mesh;
 
@@ -31,7 +33,8 @@ struct Opened_complex
     : c3t3(from)
     , domain(of)
     , input(c3t3, domain)
-    , complex(domain, motion)
+    , bounds(domain)
+    , complex(domain, bounds, motion)
   {
     complex.start(Snapshot_reader_3(input).read(mesh, motion != Boundary_motion::NONE));
   }

@@ -286,11 +286,11 @@ void test_number(const std::string& name, const C3t3& input, const Domain& domai
     for(bool is_graded : { false, true })
     {
       Mesh_contract<C3t3, Domain> contract(input, domain, name + ", number of vertices");
-      contract.permit(true, true);
+      const std::size_t wanted = static_cast<std::size_t>(factor * before);
+      contract.permit(true, true, (std::max)(1., before / double(wanted)));
       C3t3 c3t3(input);
       Removal_visitor<typename C3t3::Vertex_handle> visitor;
       const auto handles = handles_of(c3t3);
-      const std::size_t wanted = static_cast<std::size_t>(factor * before);
       const auto optimize = [&](const auto&... sizes)
       {
         CGAL::odt_optimize_mesh_3(c3t3, domain, params::do_insert_vertices = true, params::do_remove_vertices = true,

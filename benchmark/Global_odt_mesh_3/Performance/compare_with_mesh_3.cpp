@@ -15,6 +15,7 @@
 #include "cpu_seconds.h"
 #include "odt_of_mesh_3.h"
 
+#include <CGAL/Global_odt_mesh_3/internal/complex/Candidate_checks_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/complex/Complex_updater_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/complex/Snapshot_reader_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/complex/Snapshot_tabulation_3.h>
@@ -87,7 +88,8 @@ void compare(const char* name, const C3t3& input, const Domain& domain)
     {
       odt::Mesh_domain_view_3<Domain> domain_view(domain);
       odt::C3t3_view_3<C3t3, Domain> view(copy, domain_view);
-      odt::Complex_updater_3 complex(domain_view, odt::Boundary_motion::NONE);
+      odt::Facet_bounds_3 bounds(domain_view);
+      odt::Complex_updater_3 complex(domain_view, bounds, odt::Boundary_motion::NONE);
       odt::Moving_triangulation_3 mesh;
       complex.start(odt::Snapshot_reader_3(view).read(mesh, false));
       if(complex.advance(mesh, true))

@@ -96,6 +96,10 @@ struct Random_parameters
       (draw.chance(0.5) ? callback_stops_after : callback_throws_after) = draw.integer(0, 100);
   }
 
+  // The number of vertices, or that of the input if any is wanted.
+  double wanted_number(std::size_t before) const
+  { return number_of_vertices > 0 ? std::ceil(number_of_vertices * double(before)) : double(before); }
+
   friend std::ostream& operator<<(std::ostream& out, const Random_parameters& p)
   {
     return out << "time_limit " << p.time_limit << ", convergence " << p.convergence << ", freeze_bound " << p.freeze_bound
@@ -133,9 +137,8 @@ void optimize(C3t3& c3t3, const Domain& domain, const Random_parameters& p)
                               params::domain_is_thread_safe(p.domain_is_thread_safe), params::callback(callback),
                               params::random_seed(p.random_seed), number...);
   };
-  const double number = std::ceil(p.number_of_vertices * double(c3t3.triangulation().number_of_vertices()));
-  if(number > 0)
-    optimize(params::number_of_vertices = number);
+  if(p.number_of_vertices > 0)
+    optimize(params::number_of_vertices = p.wanted_number(c3t3.triangulation().number_of_vertices()));
   else
     optimize();
 }
@@ -204,7 +207,8 @@ void run(Input& input, const std::string& method, Draw& draw, Outcome& outcome)
   outcome.vertices = c3t3.triangulation().number_of_vertices();
   const Random_parameters parameters(draw);
   if(method != "cgal")
-    contract.permit(parameters.do_insert_vertices, parameters.do_remove_vertices);
+    contract.permit(parameters.do_insert_vertices, parameters.do_remove_vertices,
+                    (std::max)(1., double(outcome.vertices) / parameters.wanted_number(outcome.vertices)));
   std::cerr << input.name << ", " << outcome.vertices << " vertices: " << parameters << std::endl;
   input.fail_sometimes(draw);
   bool has_thrown = false;

@@ -13,6 +13,7 @@
 #include <CGAL/license/Global_odt_mesh_3.h>
 
 #include <CGAL/Global_odt_mesh_3/internal/Odt_parameters.h>
+#include <CGAL/Global_odt_mesh_3/internal/complex/Candidate_checks_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/complex/Complex_updater_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/complex/Size_adaptation_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/complex/Snapshot_reader_3.h>
@@ -45,9 +46,10 @@ class Mesh_adaptation_3
 {
 public:
   // Refers to its arguments.
-  Mesh_adaptation_3(Tabulated_mesh_3& mesh, const Domain_view_3& domain, Boundary_motion motion, const Thread_policy& threads)
+  Mesh_adaptation_3(Tabulated_mesh_3& mesh, const Domain_view_3& domain, Facet_bounds_3& bounds, Boundary_motion motion,
+                    const Thread_policy& threads)
     : mesh_(mesh)
-    , complex_(domain, motion, false, threads)
+    , complex_(domain, bounds, motion, false, threads)
   {
     complex_.start(Snapshot_reader_3(mesh, threads).read(indexed_, motion != Boundary_motion::NONE));
   }
@@ -78,7 +80,9 @@ public:
       wanted.scale(longest_over_mean);
       tolerance = of_neighbors;
     }
-    const double coarsening = wants_number || has_sizes ? (std::max)(1., number_before / wanted.number_of_vertices()) : 1;
+    const double wanted_number = wants_number ? double(parameters.number_of_vertices)
+                               : has_sizes ? wanted.number_of_vertices() : number_before;
+    const double coarsening = (std::max)(1., number_before / wanted_number);
     Vertex_edits_3 edits = complex_.make_edits(coarsening);
     Size_adaptation_3 adaptation(edits, wanted, tolerance);
     if(parameters.do_remove_vertices)

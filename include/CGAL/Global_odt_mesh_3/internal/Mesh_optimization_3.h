@@ -16,6 +16,7 @@
 #include <CGAL/Global_odt_mesh_3/internal/Mesh_adaptation_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/Odt_parameters.h>
 #include <CGAL/Global_odt_mesh_3/internal/Optimization_attempt_3.h>
+#include <CGAL/Global_odt_mesh_3/internal/complex/Candidate_checks_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/complex/Complex_candidate_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/complex/Tabulated_mesh_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/geometry/Sliver_steps.h>
@@ -50,6 +51,7 @@ public:
     , visitor_(visitor)
     , threads_(threads)
     , control_(parameters, visitor)
+    , bounds_(domain)
   {}
 
   Mesh_optimization_return_code run(User_mesh_view_3& mesh, Odt_task task)
@@ -90,7 +92,7 @@ private:
       motions.push_back(Boundary_motion::NONE);
     for(Boundary_motion motion : motions)
     {
-      Optimization_attempt_3 attempt(mesh, domain_, task, parameters_, field_, control_, threads_, motion);
+      Optimization_attempt_3 attempt(mesh, domain_, bounds_, task, parameters_, field_, control_, threads_, motion);
       if(!attempt.run())
         continue;
       attempt.commit();
@@ -151,10 +153,10 @@ private:
            && adaptation(mesh).refine(violations, step, parameters_.random_seed + n, [this] { return control_.has_time(); });
   }
 
-  Mesh_adaptation_3 adaptation(Tabulated_mesh_3& mesh) const
+  Mesh_adaptation_3 adaptation(Tabulated_mesh_3& mesh)
   {
-    return Mesh_adaptation_3(mesh, domain_, parameters_.optimize_boundary ? Boundary_motion::BY_NORMALS : Boundary_motion::NONE,
-                             threads_);
+    return Mesh_adaptation_3(mesh, domain_, bounds_,
+                             parameters_.optimize_boundary ? Boundary_motion::BY_NORMALS : Boundary_motion::NONE, threads_);
   }
 
   const Domain_view_3& domain_;
@@ -163,6 +165,7 @@ private:
   Optimization_visitor& visitor_;
   Thread_policy threads_;
   Iteration_control control_;
+  Facet_bounds_3 bounds_;
 };
 
 } // namespace internal

@@ -16,6 +16,7 @@
 #include <CGAL/Global_odt_mesh_3/internal/Odt_parameters.h>
 #include <CGAL/Global_odt_mesh_3/internal/Optimization_rounds_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/Round_plan.h>
+#include <CGAL/Global_odt_mesh_3/internal/complex/Candidate_checks_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/complex/Complex_candidate_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/complex/Complex_updater_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/complex/Snapshot_reader_3.h>
@@ -56,15 +57,15 @@ class Optimization_attempt_3
 {
 public:
   // Refers to its arguments; the input stays as it is until commit().
-  Optimization_attempt_3(Mesh_view_3& input, const Domain_view_3& domain, Odt_task task, const Odt_parameters& parameters,
-                         const User_field_3& field, Iteration_control& control, const Thread_policy& threads,
+  Optimization_attempt_3(Mesh_view_3& input, const Domain_view_3& domain, Facet_bounds_3& bounds, Odt_task task,
+                         const Odt_parameters& parameters, const User_field_3& field, Iteration_control& control, const Thread_policy& threads,
                          Boundary_motion motion)
     : input_(input)
     , parameters_(parameters)
     , field_(field)
     , control_(control)
     , threads_(threads)
-    , complex_(domain, motion, static_cast<bool>(field), threads)     // to sizes that the input does not have
+    , complex_(domain, bounds, motion, static_cast<bool>(field), threads)     // to sizes that the input does not have
   {
     const auto in_stage = during(Stage_clock::READ);
     complex_.start(Snapshot_reader_3(input, threads).read(mesh_, motion != Boundary_motion::NONE));

@@ -44,11 +44,9 @@ class Flat_boundary_cells_3
 public:
   static constexpr int no_subdomain = Complex_snapshot_3::no_subdomain;
 
-  Flat_boundary_cells_3(Complex_candidate_3& candidate, const Domain_view_3& domain, const Fidelity_check_3& fidelity,
-                        const Facet_shape_check_3& shapes)
+  Flat_boundary_cells_3(Complex_candidate_3& candidate, const Domain_view_3& domain, const Facet_bounds_3& bounds)
     : candidate_(candidate)
-    , fidelity_(fidelity)
-    , shapes_(shapes)
+    , bounds_(bounds)
     , centers_(candidate, domain)
   {}
 
@@ -74,7 +72,7 @@ public:
       const std::array<int, 3> t = {{ q[(i + 1) % 4], q[(i + 2) % 4], q[(i + 3) % 4] }};
       if(i == facet[0] || i == facet[1])
         continue;
-      if(!shapes_.is_good(t, candidate_.sites) || !fidelity_.is_faithful(candidate_, t) || !has_surface_center(Facet(c, i)))
+      if(!bounds_.permit(candidate_, t) || !has_surface_center(Facet(c, i)))
         return no_subdomain;
     }
     return c->neighbor(facet[0])->label();
@@ -105,8 +103,7 @@ private:
   }
 
   Complex_candidate_3& candidate_;
-  const Fidelity_check_3& fidelity_;
-  const Facet_shape_check_3& shapes_;
+  const Facet_bounds_3& bounds_;
   Candidate_center_search_3 centers_;
 };
 
@@ -117,10 +114,10 @@ class Boundary_flips_3
 {
 public:
   Boundary_flips_3(Complex_candidate_3& candidate, const Domain_view_3& domain, Boundary_extraction_3& extraction,
-                   const Fidelity_check_3& fidelity, const Facet_shape_check_3& shapes)
+                   const Facet_bounds_3& bounds)
     : candidate_(candidate)
     , extraction_(extraction)
-    , flat_cells_(candidate, domain, fidelity, shapes)
+    , flat_cells_(candidate, domain, bounds)
   {}
 
   // What is not flipped is not exempt from the checks of facets.

@@ -34,72 +34,50 @@
 #include <cstddef>
 #include <map>
 #include <set>
+#include <utility>
 #include <vector>
 
 namespace CGAL {
 namespace Global_odt_mesh_3 {
 namespace internal {
 
-// Keeps the angles of boundary facets from falling below the smallest one of the input, or below 30 degrees if that
-// is less.
-class Facet_shape_check_3
+// What boundary facets may be in all of a call, by the facets of its input: no centroid is farther from the surface than the
+// worst, where the domain tells distances, and no angle falls below the smallest, or below 30 degrees if that is less. Later
+// meshes have no say, since slivers may leave facets that are worse.
+class Facet_bounds_3
 {
 public:
-  void measure(const Boundary_complex_3& input, const std::vector<Site>& sites)
-  {
-    for(const Boundary_facet& f : input.facets())
-      smallest_angle_ = (std::min)(smallest_angle_, smallest_angle_of_facet(f.vertices, sites));
-  }
-
-  // At 30 degrees, an elephant that loses two thirds of its vertices gets stuck with a mean 3r/R of .78; at 20, it reaches .85.
-  void permit_thin_facets() { smallest_angle_ = (std::min)(smallest_angle_, 20.); }
-
-  // What angles may be, in degrees.
-  double smallest_angle() const { return smallest_angle_; }
-
-  // Whether these vertices may be those of a boundary facet.
-  bool is_good(const std::array<int, 3>& facet, const std::vector<Site>& sites) const
-  {
-    return smallest_angle_of_facet(facet, sites) >= smallest_angle_;
-  }
-
-  // Sends back vertices of facets that have become too thin.
-  void check(const Complex_candidate_3& candidate, Defect_report_3& report) const
-  {
-    for(std::size_t n = 0; n < candidate.old_facets.size(); ++n)
-    {
-      const std::array<int, 3>& t = candidate.boundary_complex->facets()[n].vertices;
-      if(!is_good(t, candidate.sites) && !(candidate.old_facets[n] >= 0 && candidate.are_reverted(t))
-         && candidate.exempt_facets.count(sorted(t)) == 0)
-        report.send_back_around(t);
-    }
-  }
-
-private:
-  double smallest_angle_ = 30;
-};
-
-// No centroid of a boundary facet may be farther from the surface than the worst of
-// the input, where the domain tells distances.
-class Fidelity_check_3
-{
-public:
-  explicit Fidelity_check_3(const Domain_view_3& domain)
+  explicit Facet_bounds_3(const Domain_view_3& domain)
     : domain_(domain)
   {}
 
+  // Of the first mesh that is measured.
   void measure(const Complex_snapshot_3& input)
   {
-    if(!domain_.tells_distances())
+    if(std::exchange(are_measured_, true))
       return;
     const std::vector<Boundary_facet>& facets = input.boundary.complex().facets();
+    for(const Boundary_facet& f : facets)
+      smallest_angle_ = (std::min)(smallest_angle_, smallest_angle_of_facet(f.vertices, input.sites));
+    if(!domain_.tells_distances())
+      return;
     std::vector<double> distances(facets.size());
     domain_.for_each(facets.size(), [&](int n) { distances[n] = distance(sorted(facets[n].vertices), input.sites); });
     for(double d : distances)
       farthest_centroid_ = (std::max)(farthest_centroid_, d);
   }
 
-  void permit_distances(double factor) { farthest_centroid_ *= factor; }
+  // Where there are to be so many times fewer vertices. With angles of 30 degrees, an elephant that loses two thirds of its vertices
+  // gets stuck with a mean 3r/R of .78; with 20, it reaches .85.
+  void permit_coarsening(double factor)
+  {
+    farthest_centroid_ *= factor;
+    if(factor > 1)
+      smallest_angle_ = (std::min)(smallest_angle_, 20.);
+  }
+
+  // What angles may be, in degrees.
+  double smallest_angle() const { return smallest_angle_; }
 
   // Whether a boundary facet may have its centroid there.
   bool is_close(const Eigen::Vector3d& point) const
@@ -108,18 +86,25 @@ public:
   }
 
   // Whether these vertices may be those of a boundary facet.
-  bool is_faithful(Complex_candidate_3& candidate, const Triple& facet) const
+  bool permit(Complex_candidate_3& candidate, const Triple& facet) const
   {
-    if(!domain_.tells_distances())
-      return true;
-    const Triple t = sorted(facet);
-    const auto known = candidate.known_distances.find(t);
-    if(known != candidate.known_distances.end())
-      return known->second <= farthest_centroid_;
-    return candidate.known_distances.emplace(t, distance(t, candidate.sites)).first->second <= farthest_centroid_;
+    return has_good_angles(facet, candidate.sites) && is_faithful(candidate, facet);
   }
 
-  Defect_report_3 check(Complex_candidate_3& candidate) const
+  // Sends back vertices of facets that have become too thin.
+  void check_angles(const Complex_candidate_3& candidate, Defect_report_3& report) const
+  {
+    for(std::size_t n = 0; n < candidate.old_facets.size(); ++n)
+    {
+      const std::array<int, 3>& t = candidate.boundary_complex->facets()[n].vertices;
+      if(!has_good_angles(t, candidate.sites) && !(candidate.old_facets[n] >= 0 && candidate.are_reverted(t))
+         && candidate.exempt_facets.count(sorted(t)) == 0)
+        report.send_back_around(t);
+    }
+  }
+
+  // Sends back vertices of facets that have come too far from the surface.
+  Defect_report_3 check_distances(Complex_candidate_3& candidate) const
   {
     Defect_report_3 report(candidate);
     if(!domain_.tells_distances())
@@ -162,13 +147,30 @@ public:
   }
 
 private:
+  bool has_good_angles(const Triple& facet, const std::vector<Site>& sites) const
+  {
+    return smallest_angle_of_facet(facet, sites) >= smallest_angle_;
+  }
+
+  bool is_faithful(Complex_candidate_3& candidate, const Triple& facet) const
+  {
+    if(!domain_.tells_distances())
+      return true;
+    const Triple t = sorted(facet);
+    const auto known = candidate.known_distances.find(t);
+    if(known != candidate.known_distances.end())
+      return known->second <= farthest_centroid_;
+    return candidate.known_distances.emplace(t, distance(t, candidate.sites)).first->second <= farthest_centroid_;
+  }
+
   double distance(const Triple& facet, const std::vector<Site>& sites) const
   {
     return domain_.distance_to_surface(centroid(facet, sites));
   }
 
   const Domain_view_3& domain_;
-  double farthest_centroid_ = 0;
+  bool are_measured_ = false;
+  double farthest_centroid_ = 0, smallest_angle_ = 30;
 };
 
 // Keeps slivers from coming where there were none: no cell may get a dihedral angle below a bound that is smaller than the

@@ -54,17 +54,16 @@ namespace internal {
 class Complex_updater_3
 {
 public:
-  // If vertices have long ways to go, facets may be thin until the final snapshot.
-  Complex_updater_3(const Domain_view_3& domain, Boundary_motion motion, bool has_long_ways = false,
+  // Refers to the domain and the bounds. If vertices have long ways to go, facets may be thin until the final snapshot.
+  Complex_updater_3(const Domain_view_3& domain, Facet_bounds_3& bounds, Boundary_motion motion, bool has_long_ways = false,
                     const Thread_policy& threads = Thread_policy())
     : domain_(domain)
     , motion_(motion)
     , threads_(threads)
     , has_long_ways_(has_long_ways)
-    , fidelity_(domain_)
+    , bounds_(bounds)
   {}
 
-  // The checks refer to the domain.
   Complex_updater_3(const Complex_updater_3&) = delete;
   Complex_updater_3& operator=(const Complex_updater_3&) = delete;
 
@@ -74,10 +73,7 @@ public:
     places_on_surface_ = Places_on_surface(snapshot_.numbering->number_of_interior_vertices,
                                            snapshot_.numbering->number_of_surface_vertices());
     if(motion_ != Boundary_motion::NONE && snapshot_.numbering->number_of_movable_vertices > 0)
-    {
-      fidelity_.measure(snapshot_);
-      shapes_.measure(snapshot_.boundary.complex(), snapshot_.sites);
-    }
+      bounds_.measure(snapshot_);
   }
 
   const Complex_snapshot_3& snapshot() const { return snapshot_; }
@@ -116,13 +112,13 @@ public:
   void keep_on_surface(int v, const Site& s) { places_on_surface_.keep(v, s); }
 
   // Whether that is close enough to the surface for the centroid of a boundary facet.
-  bool is_close_to_surface(const Eigen::Vector3d& point) const { return fidelity_.is_close(point); }
+  bool is_close_to_surface(const Eigen::Vector3d& point) const { return bounds_.is_close(point); }
 
   // Trials of single vertices, which have the triangulation until the snapshot adopts them.
   Exact_relocation_3 make_trial(const Circumradius_bound_3& size_bound = Circumradius_bound_3())
   {
     Working_triangulation_3& working = edited_triangulation();
-    return Exact_relocation_3(snapshot_, *snapshot_.numbering, working, domain_, fidelity_, shapes_, motion_ != Boundary_motion::NONE, size_bound,
+    return Exact_relocation_3(snapshot_, *snapshot_.numbering, working, domain_, bounds_, motion_ != Boundary_motion::NONE, size_bound,
                               threads_);
   }
 
@@ -131,10 +127,8 @@ public:
   Vertex_edits_3 make_edits(double coarsening = 1)
   {
     Working_triangulation_3& working = edited_triangulation();
-    fidelity_.permit_distances(coarsening);
-    if(coarsening > 1)
-      shapes_.permit_thin_facets();
-    return Vertex_edits_3(snapshot_, working, domain_, fidelity_, shapes_, motion_ != Boundary_motion::NONE, coarsening, threads_);
+    bounds_.permit_coarsening(coarsening);
+    return Vertex_edits_3(snapshot_, working, domain_, bounds_, motion_ != Boundary_motion::NONE, coarsening, threads_);
   }
 
   // Goes to where trials of this snapshot have led. False if that cannot be done: then the snapshot is as it was.
@@ -256,12 +250,12 @@ private:
   bool complete_trials(Complex_candidate_3& candidate)
   {
     if(candidate.boundary_moves())
-      Flat_boundary_cells_3(candidate, domain_, fidelity_, shapes_).exempt();
+      Flat_boundary_cells_3(candidate, domain_, bounds_).exempt();
     for(int v = candidate.numbering.number_of_interior_vertices; v < candidate.numbering.number_of_movable_vertices; ++v)
       if(!candidate.is_reverted(v))
         candidate.surface_position(v) = { true, 0, candidate.sites[v] };
     return topology_changes(candidate).empty() && Surface_centers_3(candidate, domain_).find_surface_centers().is_clean()
-           && fidelity_.check(candidate).is_clean();
+           && bounds_.check_distances(candidate).is_clean();
   }
 
   // Completes the candidate, and reports all that is wrong with it. Facets that are too thin may be found good enough.
@@ -276,15 +270,15 @@ private:
     report.add(candidate.boundary_moves() ? check_topology(candidate) : check_facets_stay(candidate));
     // Flat cells that cannot be flipped off the boundary yet are not what is wrong.
     if(candidate.boundary_moves() && !candidate.is_final && report.is_clean())
-      Boundary_flips_3(candidate, domain_, extraction, fidelity_, shapes_).flip();
+      Boundary_flips_3(candidate, domain_, extraction, bounds_).flip();
     else if(candidate.boundary_moves())
-      Flat_boundary_cells_3(candidate, domain_, fidelity_, shapes_).exempt();
+      Flat_boundary_cells_3(candidate, domain_, bounds_).exempt();
     report.add(Surface_centers_3(candidate, domain_).find_surface_centers());
     if(!candidate.boundary_moves())
       return report;
-    report.add(fidelity_.check(candidate));
+    report.add(bounds_.check_distances(candidate));
     if(wants_good_facets)
-      shapes_.check(candidate, report);
+      bounds_.check_angles(candidate, report);
     return report;
   }
 
@@ -303,8 +297,7 @@ private:
   Boundary_motion motion_;
   Thread_policy threads_;
   bool has_long_ways_;
-  Fidelity_check_3 fidelity_;
-  Facet_shape_check_3 shapes_;
+  Facet_bounds_3& bounds_;
   Complex_snapshot_3 snapshot_;
   Working_triangulation_3 triangulation_;
   bool is_of_snapshot_ = false;              // whether that is the triangulation of the snapshot, with its labels

@@ -56,12 +56,11 @@ public:
   // In the triangulation of the snapshot, with whose numbering that of the vertices begins. If `boundary_moves` is false, the
   // boundary stays. Threads share visits of all cells.
   Exact_relocation_3(const Complex_snapshot_3& snapshot, const Vertex_numbering_3& numbering, Working_triangulation_3& triangulation,
-                     const Domain_view_3& domain,
-                     const Fidelity_check_3& fidelity, const Facet_shape_check_3& shapes, bool boundary_moves,
+                     const Domain_view_3& domain, const Facet_bounds_3& bounds, bool boundary_moves,
                      const Circumradius_bound_3& size_bound, const Thread_policy& threads)
     : complex_(snapshot, numbering, triangulation, domain, threads)
     , detached_(complex_)
-    , exchange_(complex_, detached_, fidelity, shapes, boundary_moves)
+    , exchange_(complex_, detached_, bounds, boundary_moves)
     , boundary_moves_(boundary_moves)
     , size_bound_(size_bound)
     , deficit_(Sliver_steps::angles[0] + margin)

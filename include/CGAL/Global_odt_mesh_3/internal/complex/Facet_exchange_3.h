@@ -39,12 +39,11 @@ class Facet_exchange_3
 {
 public:
   // If `changes` is false, the boundary has to stay as it is.
-  Facet_exchange_3(Editable_complex_3& complex, const Detached_vertex_3& detached, const Fidelity_check_3& fidelity,
-                   const Facet_shape_check_3& shapes, bool changes)
+  Facet_exchange_3(Editable_complex_3& complex, const Detached_vertex_3& detached, const Facet_bounds_3& bounds, bool changes)
     : complex_(complex)
     , detached_(detached)
-    , fidelity_(fidelity)
-    , least_angle_(shapes.smallest_angle())
+    , bounds_(bounds)
+    , least_angle_(bounds.smallest_angle())
     , changes_(changes)
   {}
 
@@ -68,7 +67,7 @@ public:
     for(const Facet& f : added_)
       facets.push_back(f.vertices);
     return std::all_of(facets.begin(), facets.end(), [&](const Triple& t)
-                       { return smallest_angle_of_facet(t, complex_.sites) >= least && fidelity_.is_close(centroid(t, complex_.sites)); });
+                       { return smallest_angle_of_facet(t, complex_.sites) >= least && bounds_.is_close(centroid(t, complex_.sites)); });
   }
 
   void apply() { complex_.boundary.exchange(removed_, added_); }
@@ -221,7 +220,7 @@ private:
 
   Editable_complex_3& complex_;
   const Detached_vertex_3& detached_;
-  const Fidelity_check_3& fidelity_;
+  const Facet_bounds_3& bounds_;
   double least_angle_;
   bool changes_;
   std::vector<int> removed_;          // numbers of facets

@@ -91,10 +91,10 @@ public:
   // Surfaces get vertices only if `boundary_moves`. The triangulation is that of the snapshot, and not any longer afterwards. The
   // bound on changes of volumes is multiplied.
   Vertex_edits_3(const Complex_snapshot_3& snapshot, Working_triangulation_3& triangulation, const Domain_view_3& domain,
-                     const Fidelity_check_3& fidelity, const Facet_shape_check_3& shapes, bool boundary_moves,
-                 double permitted_changes_of_volume, const Thread_policy& threads)
+                 const Facet_bounds_3& bounds, bool boundary_moves, double permitted_changes_of_volume,
+                 const Thread_policy& threads)
     : numbering_(std::make_shared<Vertex_numbering_3>(*snapshot.numbering))
-    , trial_(snapshot, *numbering_, triangulation, domain, fidelity, shapes, boundary_moves, Circumradius_bound_3(), threads)
+    , trial_(snapshot, *numbering_, triangulation, domain, bounds, boundary_moves, Circumradius_bound_3(), threads)
     , boundary_moves_(boundary_moves)
     , most_of_volume_(usual_most_of_volume * permitted_changes_of_volume)
   {}
