@@ -4,8 +4,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 // The default call, with and without the removal of slivers, beside what CGAL reaches with odt, perturb and exude on
-// the same meshes, in one run and in process CPU time; then with CGAL's perturb and exude after it, and with a higher
-// sliver bound. CGAL's functions know of no seed: for each, they do the same once more, and only the time differs.
+// the same meshes, in one run, in CPU time, and each in a process of its own; then with CGAL's perturb and exude after it,
+// and with a higher sliver bound. CGAL's functions know of no seed: for each, they do the same once more, and only the
+// time differs.
 //
 //   compare_qualities [number of seeds, default 3] [rounds with the higher bound, default 6] [name of an input]
 //
@@ -14,6 +15,7 @@
 #include "benchmark_inputs.h"
 #include "cpu_seconds.h"
 #include "odt_of_mesh_3.h"
+#include "process_of_its_own.h"
 
 #include <CGAL/Mesh_quality_report_3.h>
 #include <CGAL/exude_mesh_3.h>
@@ -28,7 +30,6 @@
 #include <functional>
 #include <map>
 #include <string>
-#include <utility>
 #include <vector>
 
 using namespace inputs;
@@ -114,27 +115,34 @@ void compare(const char* name, const C3t3& input, const Domain& domain, const Si
              std::size_t more_rounds)
 {
   Table<C3t3> table(name, input, size);
-  const auto optimize = [&](const std::string& what, const auto&... parameters)
+  // Gives the time.
+  const auto call = [&](const std::string& what, bool is_reference, bool goes_on, const auto& optimize)
   {
-    C3t3 c3t3(input);
-    const double time = seconds([&] { CGAL::odt_optimize_mesh_3(c3t3, domain, parameters...); });
-    table.print(what, c3t3, time);
-    return std::make_pair(c3t3, time);
+    return in_process_of_its_own<double>([&]
+    {
+      C3t3 c3t3(input);
+      const double time = seconds([&] { optimize(c3t3); });
+      if(is_reference)
+        table.set_reference(time);
+      table.print(what, c3t3, time);
+      if(goes_on)
+        perturb_and_exude(table, c3t3, domain, time);
+      return time;
+    });
   };
   for(unsigned int seed = 1; seed <= seeds; ++seed)
   {
-    C3t3 cgal(input);
-    const double time = seconds([&] { odt_of_mesh_3(cgal, domain); });
-    table.set_reference(time);
-    table.print("CGAL's odt", cgal, time);
-    perturb_and_exude(table, cgal, domain, time);
-
     const std::string suffix = ", seed " + std::to_string(seed);
-    optimize("slivers left" + suffix, params::random_seed(seed), params::do_remove_slivers = false);
-    auto ours = optimize("default" + suffix, params::random_seed(seed));
-    perturb_and_exude(table, ours.first, domain, ours.second);
-    optimize("bound 35, " + std::to_string(more_rounds) + " rounds" + suffix, params::random_seed(seed),
-             params::number_of_rounds = more_rounds, params::sliver_bound = 35);
+    const auto call_ours = [&](const std::string& what, bool goes_on, const auto&... parameters)
+    {
+      call(what + suffix, false, goes_on, [&](C3t3& c3t3)
+           { CGAL::odt_optimize_mesh_3(c3t3, domain, params::random_seed(seed), parameters...); });
+    };
+    table.set_reference(call("CGAL's odt", true, true, [&](C3t3& c3t3) { odt_of_mesh_3(c3t3, domain); }));
+    call_ours("slivers left", false, params::do_remove_slivers = false);
+    call_ours("default", true);
+    call_ours("bound 35, " + std::to_string(more_rounds) + " rounds", false, params::number_of_rounds = more_rounds,
+              params::sliver_bound = 35);
   }
 }
 

@@ -14,15 +14,13 @@
 #include "benchmark_inputs.h"
 #include "cpu_seconds.h"
 #include "odt_of_mesh_3.h"
+#include "process_of_its_own.h"
 #include "subdomain_measures.h"
 #include "synthetic_images.h"
 
 #include <CGAL/Mesh_domain_with_polyline_features_3.h>
 #include <CGAL/Mesh_quality_report_3.h>
 #include <CGAL/odt_optimize_mesh_3.h>
-
-#include <sys/wait.h>
-#include <unistd.h>
 
 #include <algorithm>
 #include <array>
@@ -109,33 +107,19 @@ Outcome measure(const C3t3& c3t3, const Sizes& sizes, const C3t3& input)
   return o;
 }
 
-// In a process of its own.
 template <class C3t3, class F>
 Outcome outcome(const C3t3& input, const Sizes& sizes, const F& optimize)
 {
-  Outcome o;
-  int ends[2];
-  if(pipe(ends) != 0)
-    return o;
-  std::fflush(stdout);
-  const pid_t child = fork();
-  if(child == 0)
+  return in_process_of_its_own<Outcome>([&]
   {
     C3t3 c3t3(input);
     Outcome of_call;
     const double cpu = seconds([&] { optimize(c3t3, of_call); });
-    o = measure(c3t3, sizes, input);
+    Outcome o = measure(c3t3, sizes, input);
     o.cpu = cpu;
     o.stages = of_call.stages;
-    _exit(write(ends[1], &o, sizeof o) == sizeof o ? EXIT_SUCCESS : EXIT_FAILURE);
-  }
-  close(ends[1]);
-  if(child < 0 || read(ends[0], &o, sizeof o) != sizeof o)
-    o = Outcome();
-  close(ends[0]);
-  int status = 0;
-  waitpid(child, &status, 0);
-  return o;
+    return o;
+  });
 }
 
 static void print(const char* what, const Outcome& o, double reference)
