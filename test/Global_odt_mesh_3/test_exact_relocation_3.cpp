@@ -8,6 +8,8 @@
 #include "mesh_domains.h"
 #include "opened_complex.h"
 
+#include <CGAL/Global_odt_mesh_3/internal/complex/Candidate_checks_3.h>
+#include <CGAL/Global_odt_mesh_3/internal/complex/Complex_snapshot_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/complex/Complex_updater_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/geometry/Random_source.h>
 #include <CGAL/Global_odt_mesh_3/internal/slivers/Exact_sliver_removal_3.h>
@@ -248,6 +250,28 @@ void limits(const C3t3& c3t3, const Domain& domain)
   check::that(few.number_of_tries() <= 2000 + 10 * (p.tries_of_detachment + p.tries_per_vertex), few.number_of_tries(), " tries");
 }
 
+// What facets may be is decided by the first mesh, also if a later one is worse.
+static void bounds_stay(const Polyhedral_c3t3& c3t3, const Polyhedral_domain& domain)
+{
+  Opened_complex<Polyhedral_c3t3, Polyhedral_domain> setting(c3t3, domain, Boundary_motion::BY_NORMALS);
+  Complex_snapshot_3 worse = setting.complex.snapshot();
+  for(Site& s : worse.sites)
+    s.z *= 0.1;
+  Facet_bounds_3 of_worse(setting.domain);
+  of_worse.measure(worse);
+  const double angle = setting.bounds.smallest_angle();
+  setting.bounds.measure(worse);
+  int far = 0;
+  for(const Boundary_facet& f : worse.boundary.complex().facets())
+  {
+    const Eigen::Vector3d c = centroid(f.vertices, worse.sites);
+    far += !setting.bounds.is_close(c);
+    check::that(of_worse.is_close(c), "the bounds are not those of the first mesh");
+  }
+  check::that(far > 0 && setting.bounds.smallest_angle() == angle && of_worse.smallest_angle() < angle,
+              "a later mesh makes bounds wider");
+}
+
 // A box with a wavy surface inside that does not separate subdomains.
 static void make_box_with_surface(domains::Polyhedron& box, domains::Polyhedron& surface)
 {
@@ -294,6 +318,7 @@ int main()
     const Polyhedral_c3t3 c3t3 = domains::mesh(domain, 0.3, true);
     rejected_trials("box with features", c3t3, domain, true);
     removal("box with features", c3t3, domain, Boundary_motion::BY_NORMALS, 0, 0.1);
+    bounds_stay(c3t3, domain);
   }
   {
     domains::Polyhedron box, surface;
