@@ -58,8 +58,8 @@ class Optimization_attempt_3
 public:
   // Refers to its arguments; the input stays as it is until commit().
   Optimization_attempt_3(Mesh_view_3& input, const Domain_view_3& domain, Facet_bounds_3& bounds, Odt_task task,
-                         const Odt_parameters& parameters, const User_field_3& field, Iteration_control& control, const Thread_policy& threads,
-                         Boundary_motion motion)
+                         const Odt_parameters& parameters, const User_field_3& field, Iteration_control& control,
+                         const Thread_policy& threads, Boundary_motion motion)
     : input_(input)
     , parameters_(parameters)
     , field_(field)
