@@ -201,7 +201,8 @@ version of %CGAL in use accepts: `parameters::time_limit = 10, parameters::do_fr
                           with `sizing_field` or `density` or, without, with the edges around, lose or get
                           vertices until the number is reached. Where there are to be *k* times fewer vertices, facets may be *k* times
                           as far from surfaces as those of the input, and volumes change *k* times as much. Where features,
-                          junctions, and the topology permit no more, the number stays larger or smaller; where at least half of the vertices are free, it is met within 1 %.}
+                          junctions, and the topology permit no more, the number stays larger or smaller; where
+                          at least half of the vertices are free, it is met within 1 %.}
     \cgalParamType{`std::size_t`}
     \cgalParamPrecondition{positive; `do_insert_vertices` and `do_remove_vertices` are `true`}
     \cgalParamDefault{any number}

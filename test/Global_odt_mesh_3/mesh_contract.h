@@ -50,11 +50,11 @@ public:
 
   std::size_t number_of_interior_vertices() const { return before_.interior; }
 
-  // From now on, vertices may be inserted or removed, inside and on surfaces, but not where surfaces meet; so many times fewer are
-  // asked for.
-  void permit(bool insertion, bool removal, double coarsening = 1)
+  // From now on, vertices may be inserted or removed, inside and on surfaces, but not where surfaces meet. If there are to
+  // be so many times fewer, facets may be as many times farther from surfaces.
+  void permit(bool insertion, bool removal, double times_fewer = 1)
   {
-    coarsening_ = coarsening;
+    coarsening_ = (std::max)(1., times_fewer);
     may_insert_ = insertion;
     may_remove_ = removal;
   }

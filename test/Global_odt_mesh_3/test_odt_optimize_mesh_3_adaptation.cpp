@@ -287,7 +287,7 @@ void test_number(const std::string& name, const C3t3& input, const Domain& domai
     {
       Mesh_contract<C3t3, Domain> contract(input, domain, name + ", number of vertices");
       const std::size_t wanted = static_cast<std::size_t>(factor * before);
-      contract.permit(true, true, (std::max)(1., before / double(wanted)));
+      contract.permit(true, true, before / double(wanted));
       C3t3 c3t3(input);
       Removal_visitor<typename C3t3::Vertex_handle> visitor;
       const auto handles = handles_of(c3t3);

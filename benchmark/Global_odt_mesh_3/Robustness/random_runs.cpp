@@ -208,7 +208,7 @@ void run(Input& input, const std::string& method, Draw& draw, Outcome& outcome)
   const Random_parameters parameters(draw);
   if(method != "cgal")
     contract.permit(parameters.do_insert_vertices, parameters.do_remove_vertices,
-                    (std::max)(1., double(outcome.vertices) / parameters.wanted_number(outcome.vertices)));
+                    double(outcome.vertices) / parameters.wanted_number(outcome.vertices));
   std::cerr << input.name << ", " << outcome.vertices << " vertices: " << parameters << std::endl;
   input.fail_sometimes(draw);
   bool has_thrown = false;

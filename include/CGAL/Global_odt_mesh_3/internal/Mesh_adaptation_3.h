@@ -49,6 +49,7 @@ public:
   Mesh_adaptation_3(Tabulated_mesh_3& mesh, const Domain_view_3& domain, Facet_bounds_3& bounds, Boundary_motion motion,
                     const Thread_policy& threads)
     : mesh_(mesh)
+    , bounds_(bounds)
     , complex_(domain, bounds, motion, false, threads)
   {
     complex_.start(Snapshot_reader_3(mesh, threads).read(indexed_, motion != Boundary_motion::NONE));
@@ -83,6 +84,7 @@ public:
     const double wanted_number = wants_number ? double(parameters.number_of_vertices)
                                : has_sizes ? wanted.number_of_vertices() : number_before;
     const double coarsening = (std::max)(1., number_before / wanted_number);
+    bounds_.permit_coarsening(coarsening);
     Vertex_edits_3 edits = complex_.make_edits(coarsening);
     Size_adaptation_3 adaptation(edits, wanted, tolerance);
     if(parameters.do_remove_vertices)
@@ -156,6 +158,7 @@ private:
   }
 
   Tabulated_mesh_3& mesh_;
+  Facet_bounds_3& bounds_;
   Moving_triangulation_3 indexed_;
   Complex_updater_3 complex_;
 };

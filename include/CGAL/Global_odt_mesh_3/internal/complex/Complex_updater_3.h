@@ -122,13 +122,11 @@ public:
                               threads_);
   }
 
-  // Insertion and removal of vertices, which has the triangulation. If there are to be so many times fewer on purpose, facets may be
-  // farther from surfaces, and thin.
-  Vertex_edits_3 make_edits(double coarsening = 1)
+  // Insertion and removal of vertices, which has the triangulation. The bound on changes of volumes is multiplied.
+  Vertex_edits_3 make_edits(double permitted_changes_of_volume = 1)
   {
     Working_triangulation_3& working = edited_triangulation();
-    bounds_.permit_coarsening(coarsening);
-    return Vertex_edits_3(snapshot_, working, domain_, bounds_, motion_ != Boundary_motion::NONE, coarsening, threads_);
+    return Vertex_edits_3(snapshot_, working, domain_, bounds_, motion_ != Boundary_motion::NONE, permitted_changes_of_volume, threads_);
   }
 
   // Goes to where trials of this snapshot have led. False if that cannot be done: then the snapshot is as it was.
