@@ -77,12 +77,12 @@ public:
   \param largest_size the upper bound of sizes, such as that with which the mesh was made
   \param gradation the Lipschitz constant of the field
 
-  \pre `largest_size` is positive and finite, `gradation` not negative and finite.
+  \pre `largest_size` is positive and finite, `gradation` finite and not negative.
   */
   explicit Feature_edge_size_field_3(const C3T3& c3t3, double largest_size, double gradation = 0.45)
   {
     CGAL_GLOBAL_ODT_MESH_3_CHECK_PARAMETER(largest_size > 0 && std::isfinite(largest_size), "largest_size must be positive and finite");
-    CGAL_GLOBAL_ODT_MESH_3_CHECK_PARAMETER(gradation >= 0 && std::isfinite(gradation), "gradation must not be negative, and be finite");
+    CGAL_GLOBAL_ODT_MESH_3_CHECK_PARAMETER(gradation >= 0 && std::isfinite(gradation), "gradation must be finite and not negative");
     using Global_odt_mesh_3::internal::boundary_sample;
     std::vector<Sample> ends;
     std::vector<double> lengths;

@@ -54,15 +54,15 @@ struct Local_feature_size_parameters_3
   void check() const
   {
     CGAL_GLOBAL_ODT_MESH_3_CHECK_PARAMETER(size_factor > 0 && std::isfinite(size_factor), "size_factor must be positive and finite");
-    CGAL_GLOBAL_ODT_MESH_3_CHECK_PARAMETER(gradation >= 0 && std::isfinite(gradation), "gradation must not be negative, and be finite");
+    CGAL_GLOBAL_ODT_MESH_3_CHECK_PARAMETER(gradation >= 0 && std::isfinite(gradation), "gradation must be finite and not negative");
     CGAL_GLOBAL_ODT_MESH_3_CHECK_PARAMETER(smallest_size >= 0 && std::isfinite(smallest_size),
-                                           "smallest_size must not be negative, and be finite");
+                                           "smallest_size must be finite and not negative");
     CGAL_GLOBAL_ODT_MESH_3_CHECK_PARAMETER(largest_size >= 0 && std::isfinite(largest_size),
-                                           "largest_size must not be negative, and be finite");
+                                           "largest_size must be finite and not negative");
     CGAL_GLOBAL_ODT_MESH_3_CHECK_PARAMETER(largest_size == 0 || largest_size >= smallest_size,
                                            "largest_size must not be below smallest_size");
     CGAL_GLOBAL_ODT_MESH_3_CHECK_PARAMETER(sample_spacing >= 0 && std::isfinite(sample_spacing),
-                                           "sample_spacing must not be negative, and be finite");
+                                           "sample_spacing must be finite and not negative");
   }
 };
 

@@ -45,10 +45,11 @@ by a global search and the L-BFGS method, as proposed by Chen et al. \cgalCite{c
 that are left are removed. The function takes the place of the one of the same
 name in the package 3D Mesh Generation. Section \ref godt_kept tells what is preserved: features, corners, topology, subdomains, sizes, and,
 unless vertices may be inserted or removed, their number and all handles to them; section \ref godt_threads, what runs on several threads. If the
-domain, a field, or the callback throws, `c3t3` is as it was before the call. An argument that is no named parameter, one that is not listed
+domain, a field, the callback, or, until the mesh is final, the visitor throws, `c3t3` is as it was before the call. An argument that is no named parameter, one that is not listed
 below, and one that is given twice are refused at compile time; bad values violate preconditions, which are checked in each build.
 
-\tparam C3T3 a model of the concept `MeshComplex_3InTriangulation_3`
+\tparam C3T3 a model of the concept `MeshComplex_3InTriangulation_3` whose points have coordinates of type `double`, such as those of
+`Exact_predicates_inexact_constructions_kernel`
 \tparam MeshDomain a model of the concept `MeshDomain_3`
 \tparam NamedParameters a sequence of named parameters, in each of the notations that the
 version of %CGAL in use accepts: `parameters::time_limit = 10, parameters::do_freeze = false` in all,
@@ -61,7 +62,8 @@ version of %CGAL in use accepts: `parameters::time_limit = 10, parameters::do_fr
 \cgalNamedParamsBegin
   \cgalParamNBegin{time_limit}
     \cgalParamDescription{the wall time, in seconds, after which no further iteration is begun; 0 means no limit. The
-                          schedule is shortened in advance, so that the noise of the search fades away in time.}
+                          schedule is shortened in advance, so that the noise of the search fades away in time. The valid mesh that has to be
+                          made of the last positions may take half as long again.}
     \cgalParamType{`double`}
     \cgalParamPrecondition{`time_limit >= 0`}
     \cgalParamDefault{0}
@@ -69,15 +71,16 @@ version of %CGAL in use accepts: `parameters::time_limit = 10, parameters::do_fr
   \cgalParamNEnd
   \cgalParamNBegin{max_iteration_number}
     \cgalParamDescription{the number of iterations of all stages together, that is, of accepted evaluations of either
-                          energy, at most; 0 means 1000 in addition to those of the rounds. If few, the search is
-                          shortened in advance, and less or nothing is spent on the CVT of the surface. Removing slivers
-                          does not count.}
+                          energy, at most; 0 means 1000 in addition to those of the rounds. If it is small, the search is
+                          shortened in advance, and less or nothing is spent on the CVT of the surface. Removing slivers and
+                          inserting vertices does not count. Where no valid mesh results, the optimization begins anew, with as
+                          many iterations and less freedom for the boundary.}
     \cgalParamType{`std::size_t`}
     \cgalParamDefault{0}
     \cgalParamExtra{From \cgal 5.6 on also called `number_of_iterations`.}
   \cgalParamNEnd
   \cgalParamNBegin{convergence}
-    \cgalParamDescription{the process stops when the mean of the largest displacements (one in 500) falls below this
+    \cgalParamDescription{the process stops when the mean of the largest 0.2 % of the displacements falls below this
                           ratio. The displacement of a vertex is the length of its move to the volume-weighted mean of
                           the circumcenters around it, relative to its shortest incident edge.}
     \cgalParamType{`double`}
@@ -122,9 +125,9 @@ version of %CGAL in use accepts: `parameters::time_limit = 10, parameters::do_fr
     \cgalParamPrecondition{all sizes are positive and finite; not together with `density`}
     \cgalParamDefault{the sizes of the input's cells}
     \cgalParamExtra{It is copied; pass `std::cref(field)` to avoid that.}
-    \cgalParamExtra{With `do_insert_vertices`, sizes bound circumradii, as those of `Mesh_criteria_3` do: cells that
-                    are larger are split, where no feature edge or junction is in the way. With `do_remove_vertices`, vertices
-                    go where the mesh is finer. With `number_of_vertices`, ratios alone matter.}
+    \cgalParamExtra{By default, only ratios of sizes matter. With `do_insert_vertices`, sizes bound circumradii, as those of
+                    `Mesh_criteria_3` do: cells that are larger are split, where no feature edge or junction is in the way.
+                    With `do_remove_vertices`, vertices go where the mesh is finer. With `number_of_vertices`, only ratios matter.}
   \cgalParamNEnd
   \cgalParamNBegin{density}
     \cgalParamDescription{the density \f$ \rho \f$ of the volume; that of surfaces is \f$ \rho^{4/5} \f$. It is
@@ -178,7 +181,7 @@ version of %CGAL in use accepts: `parameters::time_limit = 10, parameters::do_fr
                           meet: first into edges that are long compared with `sizing_field` or, without, with the edges
                           around, or with feature edges nearby, before vertices move; then into cells whose circumradius
                           exceeds `sizing_field` or, without sizes and densities, the largest of their subdomain in the input, and
-                          into facets that exceed the largest of the input, unless more angles below 30 degrees would come;
+                          into facets that exceed the largest of the input, unless that would create more angles below 30 degrees;
                           and, if `do_remove_slivers` is `true`, in and beside cells with
                           angles below `sliver_bound`, or 30 degrees if that is 0, where no move helps. They get the
                           dimension and index of where they are; what else a vertex of `c3t3` has is constructed by
@@ -204,7 +207,7 @@ version of %CGAL in use accepts: `parameters::time_limit = 10, parameters::do_fr
                           junctions, and the topology permit no more, the number stays larger or smaller; where
                           at least half of the vertices are free, it is met within 1 %.}
     \cgalParamType{`std::size_t`}
-    \cgalParamPrecondition{positive; `do_insert_vertices` and `do_remove_vertices` are `true`}
+    \cgalParamPrecondition{positive, and at most \f$ 2^{25} \f$; `do_insert_vertices` and `do_remove_vertices` are `true`}
     \cgalParamDefault{any number}
   \cgalParamNEnd
   \cgalParamNBegin{domain_is_thread_safe}
@@ -219,9 +222,9 @@ version of %CGAL in use accepts: `parameters::time_limit = 10, parameters::do_fr
     \cgalParamDefault{0}
   \cgalParamNEnd
   \cgalParamNBegin{callback}
-    \cgalParamDescription{a functor called before every iteration with the fraction done, which never falls; when it
-                          returns `false` the process stops with the mesh found so far, as if the time limit were
-                          reached.}
+    \cgalParamDescription{a functor called before every iteration, and while slivers are removed, with the fraction done, which
+                          never falls, and need not reach 1; when it returns `false` the process stops with the mesh found so
+                          far, as if the time limit were reached.}
     \cgalParamType{a model of `bool(double)`}
     \cgalParamDefault{none}
     \cgalParamExtra{It is spelled `parameters::callback(f)`.}
@@ -242,8 +245,8 @@ version of %CGAL in use accepts: `parameters::time_limit = 10, parameters::do_fr
 - `CGAL::CONVERGENCE_REACHED` when the largest displacements are below `convergence`;
 - `CGAL::ALL_VERTICES_FROZEN` when `do_freeze` is `true` and all vertices that may move are frozen, also when there are
   none;
-- `CGAL::CANT_IMPROVE_ANYMORE` when cells below a positive `sliver_bound` are left though `do_remove_slivers` is `true`,
-  also when no vertex may move, when no step along the search direction, nor along the gradient, lowers the energy, or when
+- `CGAL::CANT_IMPROVE_ANYMORE` when neither time nor iterations have run out, and cells below a positive `sliver_bound` are left though
+  `do_remove_slivers` is `true`, also when no vertex may move, when no step along the search direction, nor along the gradient, lowers the energy, or when
   no valid mesh can be made, in which case `c3t3` is as before.
 
 \pre No vertex but those on features carries a weight, that is, `exude_mesh_3()` has not been called before.

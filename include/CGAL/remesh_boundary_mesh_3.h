@@ -67,7 +67,7 @@ The guarantees are those of `odt_optimize_mesh_3()`, also if the domain or the c
     \cgalParamDefault{0}
   \cgalParamNEnd
   \cgalParamNBegin{max_iteration_number}
-    \cgalParamDescription{the number of iterations, on surfaces and in the interior, at most; 0 means 1000}
+    \cgalParamDescription{the number of iterations, on surfaces and in the interior, at most; 0 means no limit but that of the rounds, of which there are 16 at most}
     \cgalParamType{`std::size_t`}
     \cgalParamDefault{0}
   \cgalParamNEnd
@@ -114,7 +114,7 @@ Mesh_optimization_return_code
 remesh_boundary_mesh_3(C3T3& c3t3, const MeshDomain& domain, const NamedParameters&... np)
 {
   namespace odt = Global_odt_mesh_3::internal;
-  static_assert(!odt::is_periodic<C3T3>, "of periodic triangulations, odt_optimize_mesh_3() alone accepts meshes");
+  static_assert(!odt::is_periodic<C3T3>, "only odt_optimize_mesh_3() accepts meshes in periodic triangulations");
   const auto arguments = odt::named_arguments<odt::Remeshing_parameters>(np...);
   return odt::optimize(c3t3, domain, odt::Odt_task::REMESH_BOUNDARY, odt::read_parameters(arguments), arguments);
 }

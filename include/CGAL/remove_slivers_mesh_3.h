@@ -111,7 +111,7 @@ Mesh_optimization_return_code
 remove_slivers_mesh_3(C3T3& c3t3, const MeshDomain& domain, const NamedParameters&... np)
 {
   namespace odt = Global_odt_mesh_3::internal;
-  static_assert(!odt::is_periodic<C3T3>, "of periodic triangulations, odt_optimize_mesh_3() alone accepts meshes");
+  static_assert(!odt::is_periodic<C3T3>, "only odt_optimize_mesh_3() accepts meshes in periodic triangulations");
   const auto arguments = odt::named_arguments<odt::Sliver_removal_arguments>(np...);
   return odt::optimize(c3t3, domain, odt::Odt_task::REMOVE_SLIVERS, odt::read_parameters(arguments), arguments);
 }

@@ -415,7 +415,7 @@ static void slivers_alone()
               "the callback is not obeyed");
 }
 
-// Where nothing can move, what is returned and told is what is there.
+// As many vertices as are asked for, more or fewer.
 static void vertices_come_and_go(const Labeled_c3t3& input, const Labeled_domain& domain)
 {
   Contract contract(input, domain, "vertices come and go");
@@ -432,6 +432,7 @@ static void vertices_come_and_go(const Labeled_c3t3& input, const Labeled_domain
   }
 }
 
+// Where nothing can move, what is returned and told is what is there.
 static void slivers_that_cannot_move()
 {
   const Labeled_domain domain = domains::sphere();
@@ -454,8 +455,6 @@ static void slivers_that_cannot_move()
   }
 }
 
-// A limit that is too short for the whole schedule shortens all stages: the call ends in time, give
-// or take what cannot be interrupted, and with a better mesh than the input.
 // On a mesh that is fine compared with the curvature, with some seeds: facets have angles of 30 degrees, the volume hardly
 // changes, the median edge gets a little shorter, and the largest cell no larger.
 static void fine_mesh()
@@ -476,6 +475,8 @@ static void fine_mesh()
   }
 }
 
+// A limit that is too short for the whole schedule shortens all stages: the call ends in time, give
+// or take what cannot be interrupted, and with a better mesh than the input.
 static void time_limit()
 {
   const Labeled_domain domain = domains::sphere();
@@ -644,6 +645,12 @@ static void degenerate(const Labeled_c3t3& sphere_mesh, const Labeled_domain& do
     Labeled_c3t3 with_fixed_boundary(c3t3);
     CGAL::odt_optimize_mesh_3(with_fixed_boundary, domain, params::optimize_boundary = false);
     contract.check(with_fixed_boundary);
+    Labeled_c3t3 with_edits(c3t3);
+    Contract contract_of_edits(contract);
+    contract_of_edits.permit(true, true);
+    CGAL::odt_optimize_mesh_3(with_edits, domain, params::sliver_bound = 60, params::do_insert_vertices = true,
+                              params::do_remove_vertices = true);
+    check_moved(contract_of_edits, with_edits, share_of_layer);
     const auto code = CGAL::odt_optimize_mesh_3(c3t3, domain);
     check_moved(contract, c3t3, share_of_layer);
     if(!may_move)

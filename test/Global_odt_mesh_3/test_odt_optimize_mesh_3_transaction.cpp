@@ -23,6 +23,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdlib>
+#include <functional>
 #include <iostream>
 #include <memory>
 #include <new>
@@ -349,6 +350,67 @@ static void memory_runs_out(const Labeled_c3t3& input, const Labeled_domain& dom
   check::that(failures > int(lasts.size()) / 2, "memory runs out in ", failures, " calls only");
 }
 
+// A visitor whose calls can be counted, and one of them made to fail.
+template <class C3t3>
+struct Fallible_visitor
+{
+  // The member functions that may throw without an effect on the mesh, and those that are called when it is final.
+  enum Function { AFTER_COMPUTE_MOVES, AFTER_MOVE_POINTS, END_OF_ITERATION, BEFORE_VERTEX_REMOVAL, FIRST_OF_FINAL,
+                  AFTER_SLIVER_REMOVAL = FIRST_OF_FINAL, AFTER_REBUILD, NUMBER_OF_FUNCTIONS };
+
+  std::array<long, NUMBER_OF_FUNCTIONS> calls = {{ 0, 0, 0, 0, 0, 0 }};
+  int fails_in = NUMBER_OF_FUNCTIONS;
+  long fails_after = 0;
+
+  void after_compute_moves() { called(AFTER_COMPUTE_MOVES); }
+  void after_move_points() { called(AFTER_MOVE_POINTS); }
+  void end_of_iteration(int) { called(END_OF_ITERATION); }
+  void before_vertex_removal(typename C3t3::Triangulation::Vertex_handle) { called(BEFORE_VERTEX_REMOVAL); }
+  void after_sliver_removal(std::size_t) { called(AFTER_SLIVER_REMOVAL); }
+  void after_rebuild_restricted_delaunay() { called(AFTER_REBUILD); }
+
+  void called(int function)
+  {
+    if(calls[function]++ == fails_after && function == fails_in)
+      throw std::runtime_error("the visitor fails");
+  }
+};
+
+// Whichever function of a visitor throws, in its first call, its last, or one between: the mesh is as before, or, where it was
+// final already, optimized.
+static void visitors_fail(const Labeled_c3t3& input, const Labeled_domain& domain)
+{
+  typedef Fallible_visitor<Labeled_c3t3> Visitor;
+  const auto optimize = [&](Labeled_c3t3& c3t3, Visitor& visitor)
+  {
+    CGAL::odt_optimize_mesh_3(c3t3, domain, CGAL::parameters::max_iteration_number = 30,
+                              CGAL::parameters::do_insert_vertices = true, CGAL::parameters::do_remove_vertices = true,
+                              CGAL::parameters::visitor(std::ref(visitor)));
+  };
+  Labeled_c3t3 optimized(input);
+  Visitor counting;
+  optimize(optimized, counting);
+  const std::vector<double> before = contents(input), after = contents(optimized);
+  for(int function = 0; function < Visitor::NUMBER_OF_FUNCTIONS; ++function)
+  {
+    const long calls = counting.calls[function];
+    check::that(calls > 0, "a function of the visitor, ", function, ", is not called: the test is too weak");
+    for(long failing : { 0L, calls / 2, calls - 1 })
+    {
+      Visitor visitor;
+      visitor.fails_in = function;
+      visitor.fails_after = failing;
+      Labeled_c3t3 c3t3(input);
+      bool throws = false;
+      try { optimize(c3t3, visitor); }
+      catch(const std::runtime_error&) { throws = true; }
+      check::that(throws, "the visitor's exception is lost");
+      check::that(contents(c3t3) == (function < Visitor::FIRST_OF_FINAL ? before : after) && c3t3.triangulation().is_valid(),
+                  "a visitor that throws in its function ", function, ", call ", failing, ", harms the mesh");
+    }
+  }
+}
+
 // Where memory runs out while a point is inserted or removed, triangulations that are built later are not harmed. CGAL
 // fills holes with the help of a table that outlives the call.
 static void memory_runs_out_in_a_triangulation()
@@ -402,6 +464,8 @@ int main()
   shares_of_time();
   ball.fail(Fallible_ball::NONE, 0);
   memory_runs_out(c3t3, domain, false);
-  memory_runs_out(domains::mesh(of_image, 0.15), of_image, true);
+  const Labeled_c3t3 meshed_image = domains::mesh(of_image, 0.15);
+  memory_runs_out(meshed_image, of_image, true);
+  visitors_fail(meshed_image, of_image);
   return check::result();
 }

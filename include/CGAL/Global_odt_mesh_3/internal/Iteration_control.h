@@ -43,15 +43,20 @@ public:
     const std::size_t most = parameters_.max_iteration_number;
     most_iterations_ = most == 0 ? usual_most_iterations
                      : static_cast<int>((std::min)(most, std::size_t((std::numeric_limits<int>::max)())));
+    iterations_before_ += number_of_iterations_;
     number_of_iterations_ = 0;
-    goes_on_ = true;
+    goes_on_ = !is_canceled_;
   }
 
+  // Of the attempt.
   int number_of_iterations() const { return number_of_iterations_; }
 
   // False once time or iterations are used up, or the user has said so; then code() says why.
   bool goes_on() const { return goes_on_; }
   Mesh_optimization_return_code code() const { return code_; }
+
+  // Whether the time is used up, or the user has said so; what needs no iterations may be done as long as that is not so.
+  bool is_stopped() const { return !goes_on_ && code_ == TIME_LIMIT_REACHED; }
 
   // The fraction of the time that has passed, or 0 if there is no limit.
   double elapsed() const { return parameters_.time_limit > 0 ? timer_.time() / parameters_.time_limit : 0.; }
@@ -95,26 +100,28 @@ public:
   void end_iteration()
   {
     visitor_.after_move_points();
-    visitor_.end_of_iteration(number_of_iterations_);
+    visitor_.end_of_iteration(iterations_before_ + number_of_iterations_);
     ++number_of_iterations_;
   }
 
 private:
-  // The fraction done is the largest of those of the work, the iterations and the time.
+  // The fraction done is the largest of those of the work, the iterations and the time. A callback that has said no is not asked
+  // again.
   bool report(double progress)
   {
-    if(!parameters_.callback)
-      return true;
+    if(!parameters_.callback || is_canceled_)
+      return !is_canceled_;
     const double iterations = double(number_of_iterations_) / most_iterations_;
     fraction_ = (std::max)(fraction_, (std::min)(1., (std::max)({ progress, iterations, elapsed() })));
-    return parameters_.callback(fraction_);
+    is_canceled_ = !parameters_.callback(fraction_);
+    return !is_canceled_;
   }
 
   const Odt_parameters& parameters_;
   Optimization_visitor& visitor_;
   Real_timer timer_;
-  int most_iterations_ = 0, number_of_iterations_ = 0;
-  bool goes_on_ = true;
+  int most_iterations_ = 0, number_of_iterations_ = 0, iterations_before_ = 0;
+  bool goes_on_ = true, is_canceled_ = false;
   double fraction_ = 0;
   Mesh_optimization_return_code code_ = CANT_IMPROVE_ANYMORE;
 };

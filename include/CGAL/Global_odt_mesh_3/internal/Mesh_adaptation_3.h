@@ -83,7 +83,7 @@ public:
     }
     const double wanted_number = wants_number ? double(parameters.number_of_vertices)
                                : has_sizes ? wanted.number_of_vertices() : number_before;
-    const double coarsening = (std::max)(1., number_before / wanted_number);
+    const double coarsening = parameters.do_remove_vertices ? (std::max)(1., number_before / wanted_number) : 1.;
     bounds_.permit_coarsening(coarsening);
     Vertex_edits_3 edits = complex_.make_edits(coarsening);
     Size_adaptation_3 adaptation(edits, wanted, tolerance);

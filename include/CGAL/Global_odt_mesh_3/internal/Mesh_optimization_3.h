@@ -29,6 +29,7 @@
 
 #include <CGAL/Mesh_optimization_return_code.h>
 
+#include <algorithm>
 #include <cstddef>
 #include <optional>
 #include <utility>
@@ -80,8 +81,8 @@ private:
   // that did to angles, those of an elephant fell from 30 to 8 degrees.
   static constexpr int step_on_the_way = 1, last_step = 3;
 
-  // In one of several attempts: first surface vertices follow normals, then, for rough surfaces
-  // or if no valid complex comes out of that, the domain is asked all the time; and in the end the boundary rests.
+  // By the first of these attempts that leads to a valid complex: surface vertices follow normals; they follow the domain, which is
+  // where rough surfaces begin; the boundary is fixed.
   // None if there is no valid complex, and the mesh is as it was.
   std::optional<Outcome> optimize(Mesh_view_3& mesh, Odt_task task)
   {
@@ -106,6 +107,9 @@ private:
   std::optional<Outcome> adapt_and_optimize(User_mesh_view_3& mesh, Odt_task task)
   {
     Tabulated_mesh_3 adapted(mesh, threads_);
+    const auto is_inside = [](const Mesh_table_3::Cell& c) { return c.label != Domain_view_3::outside; };
+    if(std::none_of(adapted.table().cells.begin(), adapted.table().cells.end(), is_inside))
+      return optimize(mesh, task);
     const std::optional<Size_criteria_3> criteria = size_criteria(adapted.table());
     const auto has_time = [this] { return control_.has_time(); };
     adaptation(adapted).adapt_sizes(field_, parameters_, has_time);
@@ -113,9 +117,9 @@ private:
     if(!outcome)
       return outcome;
     const int last_step_of_edits = Sliver_steps::last(parameters_.sliver_bound > 0 ? parameters_.sliver_bound : wanted_angle);
-    for(unsigned int n = 0; n < most_adaptations && parameters_.do_remove_slivers && control_.goes_on(); ++n)
+    for(unsigned int n = 0; n < most_adaptations && parameters_.do_remove_slivers && !control_.is_stopped(); ++n)
     {
-      Mesh_table_3 before = adapted.table();
+      Tabulated_mesh_3::State before = adapted.state();
       const bool is_refined = refine(adapted, criteria, step_on_the_way, n);
       if(!adaptation(adapted).edit_slivers(parameters_.do_insert_vertices, parameters_.do_remove_vertices,
                                            last_step_of_edits, parameters_.random_seed + n,
@@ -128,8 +132,9 @@ private:
         break;
       }
     }
-    for(unsigned int n = 0; n < most_adaptations && control_.goes_on() && refine(adapted, criteria, last_step, n); ++n) {}
-    if(!control_.goes_on())
+    for(unsigned int n = 0; n < most_adaptations && !control_.is_stopped() && refine(adapted, criteria, last_step, n); ++n)
+      control_.may_go_on();
+    if(control_.is_stopped())
       outcome = Outcome{ control_.code(), control_.code() };
     if(adapted.is_changed())
       mesh.write(adapted.table());

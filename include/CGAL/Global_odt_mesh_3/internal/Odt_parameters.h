@@ -36,6 +36,7 @@ enum class Odt_task { OPTIMIZE, REMESH_BOUNDARY, REMOVE_SLIVERS };
 struct Odt_parameters
 {
   static constexpr std::size_t usual_number_of_rounds = static_cast<std::size_t>(-1);
+  static constexpr std::size_t most_vertices = std::size_t(1) << 25;           // of which cells can be numbered
 
   double time_limit = 0;
   std::size_t max_iteration_number = 0;
@@ -66,8 +67,7 @@ struct Odt_parameters
                                            "surface_weight must be finite, not negative");
     CGAL_GLOBAL_ODT_MESH_3_CHECK_PARAMETER(number_of_vertices == 0 || (do_insert_vertices && do_remove_vertices),
                                            "number_of_vertices needs do_insert_vertices and do_remove_vertices");
-    CGAL_GLOBAL_ODT_MESH_3_CHECK_PARAMETER(number_of_vertices <= std::size_t((std::numeric_limits<int>::max)()),
-                                           "number_of_vertices must be less than 2^31");
+    CGAL_GLOBAL_ODT_MESH_3_CHECK_PARAMETER(number_of_vertices <= most_vertices, "number_of_vertices must be at most 2^25");
     CGAL_GLOBAL_ODT_MESH_3_CHECK_PARAMETER(sliver_bound >= 0 && sliver_bound <= 70.5,
                                            "sliver_bound must be in [0, 70.5] degrees");
   }

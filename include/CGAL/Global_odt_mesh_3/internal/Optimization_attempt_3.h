@@ -205,12 +205,8 @@ private:
     return removes_slivers() ? remove_slivers() : is_untouched() || complex_.advance(mesh_, true).has_value();
   }
 
-  // Also if the iterations are used up, but not if the time is.
   bool removes_slivers() const
-  {
-    return parameters_.do_remove_slivers && plan_->removes_slivers()
-           && (control_.goes_on() || control_.code() != TIME_LIMIT_REACHED);
-  }
+  { return parameters_.do_remove_slivers && plan_->removes_slivers() && !control_.is_stopped(); }
 
   bool remove_slivers()
   {

@@ -46,7 +46,7 @@ namespace internal {
 class Block_annealing_3
 {
 public:
-  // Steps for each partition. One more than iterations, as vertices at the seams of a partition rest in it.
+  // Steps for each partition. One more than the iterations that they count as, since vertices at the seams of the partition do not move.
   static constexpr int iterations_in_block = 10, steps_in_block = 11;
 
   // That is worth the trouble. It depends on the mesh alone, so that the result does not depend on the threads; but numbers

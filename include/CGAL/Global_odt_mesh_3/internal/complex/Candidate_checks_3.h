@@ -42,7 +42,7 @@ namespace Global_odt_mesh_3 {
 namespace internal {
 
 // What boundary facets may be in all of a call, by the facets of its input: no centroid is farther from the surface than the
-// worst, where the domain tells distances, and no angle falls below the smallest, or below 30 degrees if that is less. Later
+// worst, where the domain can measure distances, and no angle falls below the smallest, or below 30 degrees if that is less. Later
 // meshes have no say, since slivers may leave facets that are worse.
 class Facet_bounds_3
 {
@@ -72,8 +72,7 @@ public:
   void permit_coarsening(double factor)
   {
     farthest_centroid_ *= factor;
-    if(factor > 1)
-      smallest_angle_ = (std::min)(smallest_angle_, 20.);
+    smallest_angle_ = (std::min)(smallest_angle_, (std::max)(20., 30 / factor));
   }
 
   // What angles may be, in degrees.

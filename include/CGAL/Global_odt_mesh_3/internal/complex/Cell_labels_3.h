@@ -90,6 +90,7 @@ private:
   // Six times the volume, over the cube of the longest edge at a vertex, of a cell whose dual point is sure to nine digits.
   static constexpr double certain_volume = 1e-6;
   static constexpr int no_subdomain = Complex_snapshot_3::no_subdomain;
+  static_assert(no_subdomain == int(Boundary_geometry_3::no_label), "no label");
 
   bool is_on_boundary(int v) const { return candidate_.numbering.is_on_boundary(v); }
 

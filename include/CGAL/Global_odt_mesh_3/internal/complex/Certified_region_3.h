@@ -54,7 +54,7 @@ private:
   std::array<Weighted_point, 4> points_;
 };
 
-// The cells of a indexed triangulation that are transferred into an exact one: those around vertices that are left
+// The cells of an indexed triangulation that are transferred into an exact one: those around vertices that are left
 // out when the others are inserted. Insertion gives all cells that have no such vertex.
 class Transferred_cells_3
 {

@@ -72,14 +72,13 @@ public:
     snapshot_ = std::move(input);
     places_on_surface_ = Places_on_surface(snapshot_.numbering->number_of_interior_vertices,
                                            snapshot_.numbering->number_of_surface_vertices());
-    if(motion_ != Boundary_motion::NONE && snapshot_.numbering->number_of_movable_vertices > 0)
+    if(motion_ != Boundary_motion::NONE && !snapshot_.sites.empty())
       bounds_.measure(snapshot_);
   }
 
   const Complex_snapshot_3& snapshot() const { return snapshot_; }
   const Domain_view_3& domain() const { return domain_; }
   Boundary_motion motion() const { return motion_; }
-  bool is_surface_rough() const { return motion_ == Boundary_motion::BY_DOMAIN; }
 
   // That of the snapshot, which is made if there is none.
   Working_triangulation_3& triangulation()

@@ -280,10 +280,10 @@ private:
 
   double deficit(const Quadruple& q, const std::array<Site, 4>& s) const { return deficit_(s) + size_bound_.deficit(q.data(), s); }
 
-  // Not one that has been inserted into the snapshot.
+  // Not one that has been inserted into the snapshot, nor one without which there are no cells.
   bool is_movable(int v)
   {
-    if(v >= static_cast<int>(complex_.snapshot.sites.size()))
+    if(v >= static_cast<int>(complex_.snapshot.sites.size()) || !complex_.working.keeps_dimension_without(v))
       return false;
     if(!complex_.numbering.is_on_boundary(v) || !boundary_moves_)
       return complex_.numbering.is_interior(v);
@@ -295,8 +295,8 @@ private:
   int own_patch(int v) const
   { return complex_.numbering.is_on_boundary(v) ? complex_.numbering.input_patch(v) : int(Boundary_facet::no_patch); }
 
-  // Asks the domain about the new cells, first those that may have it decide, as they lack most and nobody knows whether
-  // they are inside; false as soon as one does not fit or the change is not less than `most`.
+  // Asks the domain about the new cells, those of unknown subdomain with the largest deficits first, which are the most likely
+  // to decide; false as soon as one does not fit or the change is not less than `most`.
   bool label_cells(double most)
   {
     double change = change_of_deficit();

@@ -32,25 +32,32 @@ class Tabulated_mesh_3
   : public Mesh_view_3
 {
 public:
+  struct State
+  {
+    Mesh_table_3 table;
+    bool is_changed = false;                // since it was read
+  };
+
   Tabulated_mesh_3(User_mesh_view_3& input, const Thread_policy& threads)
     : input_(input)
   {
-    set_table(input.read(threads));
+    set_state({ input.read(threads) });
     feature_edges_ = input.feature_edges();
-    number_of_input_vertices_ = static_cast<int>(table_.sites.size());
+    number_of_input_vertices_ = static_cast<int>(table().sites.size());
   }
 
-  const Mesh_table_3& table() const { return table_; }
+  const Mesh_table_3& table() const { return state_.table; }
+  const State& state() const { return state_; }
   const std::vector<std::array<int, 2> >& feature_edges() const { return feature_edges_; }
-  bool is_changed() const { return is_changed_; }
+  bool is_changed() const { return state_.is_changed; }
 
   // To what it was once.
-  void return_to(Mesh_table_3 table) { set_table(std::move(table)); }
+  void return_to(State state) { set_state(std::move(state)); }
 
-  Mesh_table_3 read(const Thread_policy&) override { return table_; }
+  Mesh_table_3 read(const Thread_policy&) override { return table(); }
 
   int patch(int v) const override
-  { return v < number_of_input_vertices_ ? input_.patch(v) : table_.inserted[v - number_of_input_vertices_]; }
+  { return v < number_of_input_vertices_ ? input_.patch(v) : table().inserted[v - number_of_input_vertices_]; }
 
   bool is_cell(const Quadruple& q) const override { return cells_.find(sorted(q)) != nullptr; }
 
@@ -58,7 +65,7 @@ public:
   void write(const Mesh_table_3& table) override
   {
     Mesh_table_3 next = table;
-    next.inserted.insert(next.inserted.begin(), table_.inserted.begin(), table_.inserted.end());
+    next.inserted.insert(next.inserted.begin(), state_.table.inserted.begin(), state_.table.inserted.end());
     next.facets.clear();
     for(const Mesh_table_3::Facet& f : table.facets)
     {
@@ -73,25 +80,23 @@ public:
     }
     std::sort(next.facets.begin(), next.facets.end(), [](const Mesh_table_3::Facet& a, const Mesh_table_3::Facet& b)
               { return std::make_pair(a.cell, a.index) < std::make_pair(b.cell, b.index); });
-    set_table(std::move(next));
-    is_changed_ = true;
+    set_state({ std::move(next), true });
   }
 
 private:
-  void set_table(Mesh_table_3 table)
+  void set_state(State state)
   {
-    table_ = std::move(table);
+    state_ = std::move(state);
     cells_ = Tuple_table<Quadruple, int>();
-    cells_.reserve(table_.cells.size());
-    for(const Mesh_table_3::Cell& c : table_.cells)
+    cells_.reserve(table().cells.size());
+    for(const Mesh_table_3::Cell& c : table().cells)
       cells_.insert(sorted(c.vertices), c.label);
   }
 
   User_mesh_view_3& input_;
-  Mesh_table_3 table_;
+  State state_;
   std::vector<std::array<int, 2> > feature_edges_;
   int number_of_input_vertices_ = 0;
-  bool is_changed_ = false;                 // what has been written stays written even if it is returned from
   Tuple_table<Quadruple, int> cells_;
 };
 

@@ -96,7 +96,7 @@ public:
     : numbering_(std::make_shared<Vertex_numbering_3>(*snapshot.numbering))
     , trial_(snapshot, *numbering_, triangulation, domain, bounds, boundary_moves, Circumradius_bound_3(), threads)
     , boundary_moves_(boundary_moves)
-    , most_of_volume_(usual_most_of_volume * permitted_changes_of_volume)
+    , most_of_volume_((std::min)(usual_most_of_volume * permitted_changes_of_volume, most_of_volume_ever))
   {}
 
   Vertex_edits_3(const Vertex_edits_3&) = delete;
@@ -123,6 +123,7 @@ public:
   // Whether the vertex, which may move, may be removed, whatever that does to angles, and has been.
   bool remove(int v)
   {
+    measure_volumes();
     trial_.detach(v);
     const bool is_permitted = trial_.may_leave() && keeps_volumes(v);
     end_removal(is_permitted);
@@ -142,6 +143,7 @@ public:
   // The same if the vertex, which may move, were removed.
   double remove_for_angles(int v, double most, bool leaves)
   {
+    measure_volumes();
     trial_.detach(v);
     const double change = trial_.leave(most);
     const bool is_permitted = change < most && keeps_volumes(v);
@@ -206,23 +208,29 @@ public:
 
 private:
   // Without a bound, a layer of a segmented head lost 4 % of its volume.
-  static constexpr double usual_most_of_volume = 0.003;
+  static constexpr double usual_most_of_volume = 0.003, most_of_volume_ever = 0.3;
+
+  // Those of subdomains before the first removal.
+  void measure_volumes()
+  {
+    if(volume_.empty())
+      for(Cell_handle c : complex().working.cells())
+        if(c->label() != Domain_view_3::outside)
+          volume_[c->label()] += volume(complex().numbers(c));
+  }
 
   // Whether volumes change so little if the vertex leaves.
   bool keeps_volumes(int v)
   {
     if(!numbering_->is_on_boundary(v))
       return true;
-    if(volume_.empty())
-      for(Cell_handle c : complex().working.cells())
-        if(c->label() != Domain_view_3::outside)
-          volume_[c->label()] += volume(complex().numbers(c));
     const std::map<int, double> changes = changes_of_volume();
     return std::all_of(changes.begin(), changes.end(), [this](const std::pair<const int, double>& c)
     {
       const auto before = change_of_volume_.find(c.first);
       const double change = c.second + (before == change_of_volume_.end() ? 0 : before->second);
-      return std::abs(change) <= most_of_volume_ * volume_.at(c.first);
+      const auto whole = volume_.find(c.first);
+      return whole != volume_.end() && std::abs(change) <= most_of_volume_ * whole->second;
     });
   }
 

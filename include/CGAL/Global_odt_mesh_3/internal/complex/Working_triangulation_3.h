@@ -24,6 +24,7 @@
 #include <CGAL/assertions.h>
 
 #include <algorithm>
+#include <array>
 #include <cstddef>
 #include <iterator>
 #include <numeric>
@@ -189,6 +190,29 @@ public:
     for(int v : moved)
       move(v, sites[v]);
     return is_complete();
+  }
+
+  // Whether the triangulation is of dimension 3 without the vertex, too. As a rule, the first cell tells.
+  bool keeps_dimension_without(int v) const
+  {
+    std::array<Exact_traits::Point_3, 3> base;
+    bool has_base = false;
+    for(Cell_handle c : tr_.finite_cell_handles())
+    {
+      int i;
+      if(!c->has_vertex(vertices_[v], i))
+        return true;
+      for(int k = 0; k < 3; ++k)
+      {
+        const Exact_traits::Point_3& p = c->vertex(facet_indices(i)[k])->point().point();
+        if(!has_base)
+          base[k] = p;
+        else if(!CGAL::coplanar(base[0], base[1], base[2], p))
+          return true;
+      }
+      has_base = true;
+    }
+    return false;
   }
 
   // Takes the vertex out of the triangulation.

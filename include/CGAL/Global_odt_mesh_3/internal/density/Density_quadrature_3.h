@@ -100,7 +100,7 @@ public:
   virtual void keep() {}
   virtual void restore() {}
 
-  // By how much, relatively, the energy may rise in a step of the minimizer: little more than rounding feigns, unless the
+  // By how much, relatively, the energy may rise in a step of the minimizer: little more than rounding errors, unless the
   // gradient is not its derivative.
   virtual double energy_tolerance() const { return 1e-9; }
 
@@ -110,7 +110,7 @@ protected:
     return [density, &vertices](int v, const Site& s) { return density(vertices[v], s); };
   }
 
-  // For moments of which the energy is not what (4.6) is the derivative of, so that it cannot be asked to fall.
+  // For moments with which (4.6) is not the derivative of the energy, which therefore need not fall.
   static constexpr double tolerance_of_rough_moments = 1e-3;
 };
 

@@ -119,22 +119,27 @@ public:
     return edges;
   }
 
-  // Whatever may throw, as it takes memory, comes before the first change.
+  // Whatever may throw comes before the first change, and the visitor before anything else.
   void write(const Mesh_table_3& table) override
   {
+    for(std::size_t v = 0; v < vertices_.size(); ++v)
+      if(table.dimensions[v] == Mesh_table_3::removed)
+        before_removal_(vertices_[v]);
     const std::vector<Center> centers = centers_of(table);
     Triangulation& tr = c3t3_.triangulation();
     std::vector<Cell_handle> cells = all_cells(tr);
     vertices_.reserve(table.sites.size());
-    Created_vertices inserted(tr.tds());
-    create_inserted(table, inserted);
-    add_spare_cells(table.cells.size(), cells);
-    for(std::size_t v = 0; v < vertices_.size(); ++v)
-      if(table.dimensions[v] == Mesh_table_3::removed)
-        before_removal_(vertices_[v]);
+    Created_elements created(tr.tds());
+    create_inserted(table, created);
+    // At least one cell, since the first may make the container allocate memory.
+    do
+      created.create_cell();
+    while(cells.size() + created.cells().size() < table.cells.size());
+    cells.reserve(cells.size() + created.cells().size());
 
-    const std::vector<Vertex_handle>& kept = inserted.keep();
-    vertices_.insert(vertices_.end(), kept.begin(), kept.end());
+    created.keep();
+    vertices_.insert(vertices_.end(), created.vertices().begin(), created.vertices().end());
+    cells.insert(cells.end(), created.cells().begin(), created.cells().end());
     empty(cells);
     renew_cells(table.cells.size(), cells);
     connect_cells(table, vertices_, cells, Thread_policy(), tr);
@@ -160,23 +165,30 @@ private:
   // As a cell has it of a facet.
   typedef std::pair<Bare_point, Index> Center;
 
-  // Vertices that are erased again unless they are kept.
-  class Created_vertices
+  // Vertices and cells that are erased again unless they are kept.
+  class Created_elements
   {
   public:
-    explicit Created_vertices(typename Triangulation::Triangulation_data_structure& tds) : tds_(tds) {}
-    Created_vertices(const Created_vertices&) = delete;
-    Created_vertices& operator=(const Created_vertices&) = delete;
+    typedef typename Triangulation::Triangulation_data_structure Data_structure;
 
-    ~Created_vertices()
+    explicit Created_elements(Data_structure& tds) : tds_(tds) {}
+    Created_elements(const Created_elements&) = delete;
+    Created_elements& operator=(const Created_elements&) = delete;
+
+    ~Created_elements()
     {
-      for(std::size_t n = 0; n < vertices_.size() && !is_kept_; ++n)
-        if(vertices_[n] != Vertex_handle())
-          tds_.delete_vertex(vertices_[n]);
+      if(is_kept_)
+        return;
+      for(Vertex_handle v : vertices_)
+        if(v != Vertex_handle())
+          tds_.delete_vertex(v);
+      for(Cell_handle c : cells_)
+        if(c != Cell_handle())
+          tds_.cells().erase(c);
     }
 
     // Or none in its place.
-    Vertex_handle create(bool is_removed)
+    Vertex_handle create_vertex(bool is_removed)
     {
       vertices_.emplace_back();
       if(!is_removed)
@@ -184,23 +196,29 @@ private:
       return vertices_.back();
     }
 
-    const std::vector<Vertex_handle>& keep()
+    void create_cell()
     {
-      is_kept_ = true;
-      return vertices_;
+      cells_.emplace_back();
+      cells_.back() = tds_.create_cell();
     }
 
+    void keep() { is_kept_ = true; }
+
+    const std::vector<Vertex_handle>& vertices() const { return vertices_; }
+    const std::vector<Cell_handle>& cells() const { return cells_; }
+
   private:
-    typename Triangulation::Triangulation_data_structure& tds_;
+    Data_structure& tds_;
     std::vector<Vertex_handle> vertices_;
+    std::vector<Cell_handle> cells_;
     bool is_kept_ = false;
   };
 
-  void create_inserted(const Mesh_table_3& table, Created_vertices& created) const
+  void create_inserted(const Mesh_table_3& table, Created_elements& created) const
   {
     for(std::size_t n = vertices_.size(); n < table.sites.size(); ++n)
     {
-      const Vertex_handle v = created.create(table.dimensions[n] == Mesh_table_3::removed);
+      const Vertex_handle v = created.create_vertex(table.dimensions[n] == Mesh_table_3::removed);
       if(v == Vertex_handle())
         continue;
       const int place = table.inserted[n - vertices_.size()];
@@ -264,26 +282,6 @@ private:
       centers.push_back(f.source != Mesh_table_3::no_facet ? centers_[f.source]
                                                            : Center(point(f.center), domain_.index(f.patch_of_center)));
     return centers;
-  }
-
-  // Adds cells until there are so many, but at least one, since the first may make the container allocate memory.
-  void add_spare_cells(std::size_t number, std::vector<Cell_handle>& cells)
-  {
-    auto& tds = c3t3_.triangulation().tds();
-    const std::size_t before = cells.size();
-    cells.reserve((std::max)(number, before + 1));
-    try
-    {
-      do
-        cells.push_back(tds.create_cell());
-      while(cells.size() < number);
-    }
-    catch(...)
-    {
-      for(std::size_t n = before; n < cells.size(); ++n)
-        tds.cells().erase(cells[n]);
-      throw;
-    }
   }
 
   // Takes all cells and facets out of the complex.

@@ -19,50 +19,64 @@
 #include <CGAL/Kernel_traits.h>
 #include <CGAL/Mesh_3/config.h>
 
+#include <boost/variant/get.hpp>
+
 #include <algorithm>
-#include <cstddef>
+#include <map>
 #include <tuple>
 #include <type_traits>
 #include <utility>
+#include <variant>
 #include <vector>
 
 namespace CGAL {
 namespace Global_odt_mesh_3 {
 namespace internal {
 
-// Numbers for the few different values of an index type of which nothing is
-// known but that it can be compared for equality.
+// The index types of which it is known that they have an order.
+template <class T>
+struct Is_ordered_index : std::bool_constant<std::is_arithmetic<T>::value || std::is_enum<T>::value> {};
+
+template <class T, class U>
+struct Is_ordered_index<std::pair<T, U> > : std::conjunction<Is_ordered_index<T>, Is_ordered_index<U> > {};
+
+// Numbers for the different values of an index type, of which the concepts require no more than that it can be compared for
+// equality. With an order, there may be thousands of values, such as the grains of a polycrystal.
 template <class T>
 class Index_table
 {
 public:
   int number(const T& value)
   {
-    if(last_ < values_.size() && values_[last_] == value)
-      return static_cast<int>(last_);
-    last_ = place(value);
-    if(last_ == values_.size())
-      values_.push_back(value);
-    return static_cast<int>(last_);
+    const int n = number_or(value, -1);
+    if(n >= 0)
+      return n;
+    if constexpr (Is_ordered_index<T>::value)
+      numbers_.emplace(value, static_cast<int>(values_.size()));
+    values_.push_back(value);
+    return static_cast<int>(values_.size()) - 1;
   }
 
   // The number of the value if it has one, or else `other`.
   int number_or(const T& value, int other) const
   {
-    const std::size_t n = place(value);
-    return n < values_.size() ? static_cast<int>(n) : other;
+    if constexpr (Is_ordered_index<T>::value)
+    {
+      const auto it = numbers_.find(value);
+      return it != numbers_.end() ? it->second : other;
+    }
+    else
+    {
+      const auto it = std::find(values_.begin(), values_.end(), value);
+      return it != values_.end() ? static_cast<int>(it - values_.begin()) : other;
+    }
   }
 
   const T& value(int number) const { return values_[number]; }
 
 private:
-  std::size_t place(const T& value) const
-  {
-    return std::size_t(std::find(values_.begin(), values_.end(), value) - values_.begin());
-  }
-
   std::vector<T> values_;
-  std::size_t last_ = 0;
+  std::conditional_t<Is_ordered_index<T>::value, std::map<T, int>, std::monostate> numbers_;
 };
 
 // Polyhedral domains offer the AABB tree of their facets.
@@ -109,8 +123,18 @@ public:
   Index index(int dimension, int place) const
   { return dimension == 3 ? domain_.index_from_subdomain_index(subdomain(place)) : index(place); }
 
-  // The patch of a point with that index, on a surface.
-  int patch_at(const Index& index) const { return patches_.number_or(domain_.surface_patch_index(index), other_patch); }
+  // The patch of a point with that index, on a surface. In a mesh that the mesh generator has not made, the index need not be
+  // that of a patch.
+  int patch_at(const Index& index) const
+  {
+    try
+    {
+      return patches_.number_or(domain_.surface_patch_index(index), other_patch);
+    }
+    catch(const boost::bad_get&) {}
+    catch(const std::bad_variant_access&) {}
+    return other_patch;
+  }
 
 private:
   typedef typename Mesh_domain::Point_3 Point_3;

@@ -40,8 +40,8 @@ inline double cell_energy(const std::vector<Site>& sites, const Cell_vertices& v
   return odt_energy(Cell_products(s0, s1, s2, s3), s0, s1, s2, s3, moments).energy;
 }
 
-// The energy of all cells to a tolerance, relative to the whole: where the density is next to
-// nothing, it may vary as it likes.
+// The energy of all cells to a tolerance, relative to the whole, so that cells of hardly any energy
+// need no accuracy of their own.
 inline double reference_energy(const std::vector<Site>& sites, const std::vector<Cell_vertices>& cells, Density_3& density,
                                const Adaptive_cubature_3& cubature)
 {

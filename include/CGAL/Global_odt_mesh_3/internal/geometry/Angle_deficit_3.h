@@ -124,8 +124,8 @@ private:
   double bound_, cosine_;
 };
 
-// The displacement of a vertex that would give the cells around it what their angles lack, in first order and as far
-// as one vertex can: the step of Gauss and Newton, damped.
+// The displacement of a vertex that makes the deficits of the cells around it zero in first order, in the sense of least
+// squares: the damped step of Gauss and Newton.
 class Angle_step_3
 {
 public:

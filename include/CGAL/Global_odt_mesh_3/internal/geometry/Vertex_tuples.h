@@ -71,8 +71,8 @@ inline std::vector<std::array<int, 2> > edges_of(const std::vector<Quadruple>& c
   return edges;
 }
 
-// Values for facets or cells, by the numbers of their vertices in an order that is the same for all who ask, as those of
-// Vertex_tuples.h. They are together in memory, in the order in which they have come.
+// Values for facets or cells, by the numbers of their vertices in an order that is the same for all who ask, such as sorted().
+// They are together in memory, in the order in which they have come.
 template <class Tuple, class T>
 class Tuple_table
 {

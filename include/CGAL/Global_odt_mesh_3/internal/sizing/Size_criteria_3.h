@@ -62,7 +62,8 @@ public:
         largest = (std::max)(largest, squared_circumradius(sites(input, c)));
       }
     for(const Mesh_table_3::Facet& f : input.facets)
-      facet_radius_ = (std::max)(facet_radius_, facet_radius(input, f));
+      if(f.patch_of_center != Mesh_table_3::no_patch)
+        facet_radius_ = (std::max)(facet_radius_, facet_radius(input, f));
   }
 
   std::vector<Violation> violations(const Mesh_table_3& mesh) const
@@ -81,7 +82,7 @@ public:
       }
     for(const Mesh_table_3::Facet& f : mesh.facets)
     {
-      const double excess = field_ ? 0 : facet_radius(mesh, f) / facet_radius_;
+      const double excess = field_ || facet_radius_ == 0 ? 0 : facet_radius(mesh, f) / facet_radius_;
       const Mesh_table_3::Cell& c = mesh.cells[f.cell];
       // Each facet is in the table from either side.
       if(c.vertices < mesh.cells[c.neighbors[f.index]].vertices)

@@ -40,7 +40,7 @@ public:
   // mean lengths of the mesh.
   typedef User_field_3::Function Size;
 
-  // The vertices have strata; `scale` is over the sizes.
+  // The vertices have strata.
   template <class Stratum>
   Wanted_length_3(const Moving_triangulation_3& mesh, const std::vector<std::array<int, 2> >& feature_edges, const Size& size,
                   const Stratum& stratum)

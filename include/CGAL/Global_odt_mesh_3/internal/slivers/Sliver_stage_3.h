@@ -167,7 +167,7 @@ private:
   }
 
   // On rough surfaces, vertices move even where the facets around them bend sharply.
-  bool is_rough() const { return complex_.is_surface_rough(); }
+  bool is_rough() const { return complex_.motion() == Boundary_motion::BY_DOMAIN; }
 
   // The first step may take them all. If half of them are kept for 30 degrees, an image of thin layers has 134 cells below 20
   // degrees instead of 60, and a CAD part with half as many below 30 takes half as long again.

@@ -75,7 +75,7 @@ public:
       return no_label;
     const std::array<int, 2>& labels = complex_->umbrella(v, 0).labels;
     const double side = shape(v, 0).normal.dot(d);
-    if(labels[0] == labels[1] || std::abs(side) < margin * d.norm())
+    if(labels[0] == labels[1] || !(std::abs(side) >= margin * d.norm()))
       return no_label;
     return labels[side > 0 ? 1 : 0];
   }
