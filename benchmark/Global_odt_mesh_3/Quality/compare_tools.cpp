@@ -204,7 +204,7 @@ void compare(const char* name, const std::string& directory, const Domain& domai
   row("odt of Mesh_3, perturb, exude", [&](C3t3& c3t3)
   {
     odt_of_mesh_3(c3t3, domain);
-    CGAL::perturb_mesh_3(c3t3, domain);
+    CGAL::perturb_mesh_3(c3t3, domain, params::sliver_bound = 20);
     CGAL::exude_mesh_3(c3t3);
   });
   const double length = mean_edge(input);
