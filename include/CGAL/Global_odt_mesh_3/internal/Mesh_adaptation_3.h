@@ -53,12 +53,15 @@ public:
     , complex_(domain, bounds, motion, false, threads)
   {
     complex_.start(Snapshot_reader_3(mesh, threads).read(indexed_, motion != Boundary_motion::NONE));
+    is_editable_ = mesh.is_changed() || complex_.make_regular();
   }
 
   // Where edges are too short or too long for the sizes that are wanted.
   template <class Predicate>
   void adapt_sizes(const User_field_3& field, const Odt_parameters& parameters, const Predicate& may_go_on)
   {
+    if(!is_editable_)
+      return;
     const std::vector<int> number = numbers_of_table();
     std::vector<std::array<int, 2> > feature_edges = mesh_.feature_edges();
     for(std::array<int, 2>& e : feature_edges)
@@ -98,6 +101,8 @@ public:
   template <class Predicate>
   bool refine(const std::vector<Size_criteria_3::Violation>& violations, int step, unsigned int seed, const Predicate& may_go_on)
   {
+    if(!is_editable_)
+      return false;
     const std::vector<int> number = numbers_of_table();
     Vertex_edits_3 edits = complex_.make_edits();
     Sliver_edits_3 insertion(edits, true, false, seed);
@@ -116,6 +121,8 @@ public:
   template <class Predicate>
   bool edit_slivers(bool inserts, bool removes, int step, unsigned int seed, const Predicate& may_go_on)
   {
+    if(!is_editable_)
+      return false;
     Vertex_edits_3 edits = complex_.make_edits();
     Sliver_edits_3(edits, inserts, removes, seed).run(step, may_go_on);
     return store(edits);
@@ -161,6 +168,7 @@ private:
   Facet_bounds_3& bounds_;
   Moving_triangulation_3 indexed_;
   Complex_updater_3 complex_;
+  bool is_editable_;                        // whether the complex is regular
 };
 
 } // namespace internal

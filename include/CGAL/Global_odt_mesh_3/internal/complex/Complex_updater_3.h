@@ -113,6 +113,13 @@ public:
   // Whether that is close enough to the surface for the centroid of a boundary facet.
   bool is_close_to_surface(const Eigen::Vector3d& point) const { return bounds_.is_close(point); }
 
+  // So that vertices can be tried, inserted, and removed: an input from elsewhere, such as a file with rounded coordinates, need
+  // not be regular. False if that cannot be had.
+  bool make_regular()
+  {
+    return !snapshot_.is_input || triangulation().is_regular(threads_) || advance(snapshot_.sites, true).has_value();
+  }
+
   // Trials of single vertices, which have the triangulation until the snapshot adopts them.
   Exact_relocation_3 make_trial(const Circumradius_bound_3& size_bound = Circumradius_bound_3())
   {

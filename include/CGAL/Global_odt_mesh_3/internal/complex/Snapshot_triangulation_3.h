@@ -71,11 +71,11 @@ inline std::vector<Facet> find_boundary_facets(const Complex_snapshot_3& snapsho
 inline void restore_triangulation(const Complex_snapshot_3& snapshot, const Thread_policy& threads,
                                   Working_triangulation_3& working)
 {
-  // The input is what it is, be it regular or not.
+  // The input is what it is, be it regular or not, so that its positions do not tell its cells.
   const Vertex_numbering_3& numbering = *snapshot.numbering;
-  if(snapshot.is_input && !working.is_at(snapshot.sites))
+  if(snapshot.is_input)
     working.copy(numbering.input->read(threads), numbering.input_numbers, threads);
-  else if(!snapshot.is_input && !working.go_to(snapshot.sites))
+  else if(!working.go_to(snapshot.sites))
     working.build(snapshot.sites);
   CGAL_assertion(working.is_complete());
   const std::vector<Cell_handle>& cells = working.cells();

@@ -17,6 +17,7 @@
 #include <CGAL/Global_odt_mesh_3/internal/geometry/Spatial_order.h>
 #include <CGAL/Global_odt_mesh_3/internal/geometry/Vertex_tuples.h>
 #include <CGAL/Global_odt_mesh_3/internal/interface/Mesh_view_3.h>
+#include <CGAL/Global_odt_mesh_3/internal/parallel/Chunked_loops.h>
 #include <CGAL/Global_odt_mesh_3/internal/parallel/Thread_policy.h>
 #include <CGAL/Global_odt_mesh_3/internal/surface/Boundary_complex_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/triangulation/Half_facet.h>
@@ -158,6 +159,22 @@ public:
   // Whether the vertex is in the triangulation, and not hidden.
   bool is_visible(int v) const { return vertices_[v] != Vertex_handle(); }
 
+  // Whether this is the regular triangulation of its vertices. One that is copied need not be, and then CGAL's functions that
+  // insert and remove vertices are of no use.
+  bool is_regular(const Thread_policy& threads) const
+  {
+    const std::vector<Cell_handle>& all = cells();
+    const auto is_everywhere = [&](bool (Working_triangulation_3::*holds)(Cell_handle) const)
+    {
+      return collect_in_chunks(static_cast<int>(all.size()), threads, [&](int n, std::vector<int>& wrong)
+      {
+        if(!(this->*holds)(all[n]))
+          wrong.push_back(n);
+      }).empty();
+    };
+    return is_everywhere(&Working_triangulation_3::is_positive) && is_everywhere(&Working_triangulation_3::is_locally_regular);
+  }
+
   // Whether so many vertices are moved one by one faster than a new triangulation is built.
   bool is_worth_moving(std::size_t number_of_moves) const
   {
@@ -171,12 +188,6 @@ public:
       remove(v);
     Cell_handle hint;
     insert(v, s, hint);
-  }
-
-  // Whether each vertex is at its site.
-  bool is_at(const std::vector<Site>& sites) const
-  {
-    return sites.size() == vertices_.size() && is_complete() && elsewhere(sites).empty();
   }
 
   // Goes to these sites by moving vertices; false if that is not the way, and then nothing is built that is of any use.
@@ -259,6 +270,26 @@ public:
   }
 
 private:
+  // Or infinite.
+  bool is_positive(Cell_handle c) const
+  {
+    const auto p = [c](int i) { return c->vertex(i)->point().point(); };
+    return tr_.is_infinite(c) || CGAL::orientation(p(0), p(1), p(2), p(3)) == POSITIVE;
+  }
+
+  bool is_locally_regular(Cell_handle c) const
+  {
+    for(int i = 0; i < 4; ++i)
+    {
+      if(!is_first_side(Facet(c, i)))
+        continue;
+      const Vertex_handle beyond = tr_.mirror_vertex(c, i);
+      if(!tr_.is_infinite(beyond) && tr_.side_of_power_sphere(c, beyond->point(), true) == ON_BOUNDED_SIDE)
+        return false;
+    }
+    return true;
+  }
+
   // The vertices that are not at these sites.
   std::vector<int> elsewhere(const std::vector<Site>& sites) const
   {

@@ -63,8 +63,8 @@ public:
     // would be left.
     if(!is_rough())
       remove_from_mesh(first_step, has_time);
-    const bool is_stored = complex_.snapshot().has_positions(mesh_.sites);
-    if((!is_stored || !complex_.snapshot().is_input) && !complex_.advance(mesh_, true))
+    const bool is_untouched = complex_.snapshot().is_input && complex_.snapshot().has_positions(mesh_.sites);
+    if(is_untouched ? !complex_.make_regular() : !complex_.advance(mesh_, true))
       return false;
     complex_.load_into(mesh_);
     measure(first_step);
