@@ -18,6 +18,7 @@
 #include <CGAL/Real_timer.h>
 #include <CGAL/make_mesh_3.h>
 #include <CGAL/odt_optimize_mesh_3.h>
+#include <CGAL/Random.h>
 #include <CGAL/refine_mesh_3.h>
 #include <CGAL/remove_slivers_mesh_3.h>
 #include <CGAL/version.h>
@@ -29,6 +30,7 @@
 #include <functional>
 #include <iostream>
 #include <iterator>
+#include <optional>
 #include <stdexcept>
 #include <string>
 #include <utility>
@@ -745,6 +747,59 @@ static void structured(const Labeled_domain& domain)
   }
 }
 
+// Positions that are changed behind the back of a triangulation, by so much. Such a triangulation cannot be copied.
+static void shift_vertices(Labeled_c3t3& c3t3, double amount, unsigned int seed)
+{
+  CGAL::Random random(seed);
+  const auto shifted = [&](double x) { return x + random.get_double(-amount, amount); };
+  auto& tr = c3t3.triangulation();
+  for(auto v = tr.finite_vertices_begin(); v != tr.finite_vertices_end(); ++v)
+  {
+    const auto& p = v->point();
+    v->set_point(Labeled_c3t3::Triangulation::Weighted_point(Point_3(shifted(p.x()), shifted(p.y()), shifted(p.z())), p.weight()));
+  }
+}
+
+// Meshes that are not regular, as when rounded coordinates are read from a file, or far worse: what comes out is regular, or is
+// what came in.
+static void not_regular()
+{
+  const Labeled_domain ball = domains::sphere(), three = domains::three_subdomains();
+  const Labeled_c3t3 of_ball = domains::mesh(ball, 0.15), of_three = domains::mesh(three, 0.25);
+  int changed = 0;
+  for(const unsigned int seed : { 1, 2 })
+    for(const double amount : { 1e-6, 1e-2, 5e-2 })
+      for(const bool is_ball : { true, false })
+        for(int call = 0; call < 3; ++call)
+        {
+          const Labeled_domain& domain = is_ball ? ball : three;
+          Labeled_c3t3 c3t3(is_ball ? of_ball : of_three);
+          shift_vertices(c3t3, amount, seed);
+          const auto before = Contract::points(c3t3);
+          const std::string name = "vertices shifted by " + std::to_string(amount) + ", call " + std::to_string(call);
+          // Cells with inverted orientation have no dual points.
+          std::optional<Contract> contract;
+          if(amount < 1e-5)
+            contract.emplace(c3t3, domain, name);
+          if(call == 0)
+            CGAL::odt_optimize_mesh_3(c3t3, domain);
+          else if(call == 1)
+            CGAL::odt_optimize_mesh_3(c3t3, domain, params::do_insert_vertices = true, params::do_remove_vertices = true);
+          else
+            CGAL::remove_slivers_mesh_3(c3t3, domain);
+          if(contract)
+          {
+            contract->permit(call == 1, call == 1);
+            check_moved(*contract, c3t3);
+          }
+          const bool has_changed = Contract::points(c3t3) != before;
+          check::that(!has_changed || c3t3.triangulation().is_valid(), name, ": the triangulation is not regular");
+          check::that(call == 1 || c3t3.triangulation().number_of_vertices() == before.size(), name, ": vertices come or go");
+          changed += has_changed;
+        }
+  check::that(changed > 20, "only ", changed, " of 36 calls change a mesh that is not regular");
+}
+
 static void called_by_the_mesher()
 {
   // A domain of its own for each, as it carries the random generator.
@@ -798,6 +853,7 @@ int main()
   visitor(mesh, domain);
   degenerate(mesh, domain);
   structured(domain);
+  not_regular();
   called_by_the_mesher();
   return check::result();
 }

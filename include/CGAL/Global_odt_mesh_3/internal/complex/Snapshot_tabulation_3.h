@@ -95,8 +95,10 @@ private:
       std::array<Vertex_handle, 4> v;
       for(int i = 0; i < 4; ++i)
         v[i] = working_.vertex(from->vertices[i]);
+      // An input from elsewhere may have inverted cells.
       Cell_handle to;
-      if(working_.triangulation().is_cell(v[0], v[1], v[2], v[3], to) && to->label() == from->label)
+      if(working_.triangulation().is_cell(v[0], v[1], v[2], v[3], to) && to->label() == from->label
+         && Working_triangulation_3::is_positive(v))
         reorder(to, v);
     }
     for(std::size_t n = 0; n < opposite.size(); ++n)

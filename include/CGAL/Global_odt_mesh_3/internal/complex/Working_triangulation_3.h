@@ -23,6 +23,7 @@
 #include <CGAL/Global_odt_mesh_3/internal/triangulation/Half_facet.h>
 
 #include <CGAL/assertions.h>
+#include <CGAL/Kernel/global_functions.h>
 
 #include <algorithm>
 #include <array>
@@ -164,15 +165,25 @@ public:
   bool is_regular(const Thread_policy& threads) const
   {
     const std::vector<Cell_handle>& all = cells();
-    const auto is_everywhere = [&](bool (Working_triangulation_3::*holds)(Cell_handle) const)
+    const auto is_everywhere = [&](const auto& holds)
     {
       return collect_in_chunks(static_cast<int>(all.size()), threads, [&](int n, std::vector<int>& wrong)
       {
-        if(!(this->*holds)(all[n]))
+        if(!holds(all[n]))
           wrong.push_back(n);
       }).empty();
     };
-    return is_everywhere(&Working_triangulation_3::is_positive) && is_everywhere(&Working_triangulation_3::is_locally_regular);
+    const auto vertices = [](Cell_handle c)
+    { return std::array<Vertex_handle, 4>{{ c->vertex(0), c->vertex(1), c->vertex(2), c->vertex(3) }}; };
+    return is_everywhere([&](Cell_handle c) { return tr_.is_infinite(c) || is_positive(vertices(c)); })
+           && is_everywhere([this](Cell_handle c) { return is_locally_regular(c); });
+  }
+
+  // Whether these, in this order, are those of a positive cell.
+  static bool is_positive(const std::array<Vertex_handle, 4>& v)
+  {
+    const auto p = [&v](int i) { return v[i]->point().point(); };
+    return CGAL::orientation(p(0), p(1), p(2), p(3)) == POSITIVE;
   }
 
   // Whether so many vertices are moved one by one faster than a new triangulation is built.
@@ -270,13 +281,6 @@ public:
   }
 
 private:
-  // Or infinite.
-  bool is_positive(Cell_handle c) const
-  {
-    const auto p = [c](int i) { return c->vertex(i)->point().point(); };
-    return tr_.is_infinite(c) || CGAL::orientation(p(0), p(1), p(2), p(3)) == POSITIVE;
-  }
-
   bool is_locally_regular(Cell_handle c) const
   {
     for(int i = 0; i < 4; ++i)
