@@ -199,7 +199,7 @@ static void wanted_sizes(const domains::Labeled_domain& domain)
   {
     Labeled_c3t3 c3t3(input);
     CGAL::odt_optimize_mesh_3(c3t3, domain, np...);
-    contract.check_moved(c3t3, 0.02, 20);
+    contract.check_moved(c3t3, 0.02);
     return c3t3;
   };
   const Labeled_c3t3 usual = optimized(params::random_seed(0));
@@ -261,7 +261,7 @@ static void holes()
     const Mesh_contract<Labeled_c3t3, Labeled_domain> contract(input, domain, "holes, seed " + std::to_string(seed));
     Labeled_c3t3 c3t3(input);
     CGAL::odt_optimize_mesh_3(c3t3, domain);
-    contract.check_moved(c3t3, 1e-2, 25);
+    contract.check_moved(c3t3, 1e-2);
     c3t3 = input;
     CGAL::odt_optimize_mesh_3(c3t3, domain, params::optimize_boundary = false);
     contract.check(c3t3);
