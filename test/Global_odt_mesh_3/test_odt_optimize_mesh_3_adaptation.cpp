@@ -249,7 +249,7 @@ std::size_t test(const std::string& name, const C3t3& input, const Domain& domai
   };
   CGAL::odt_optimize_mesh_3(sized, domain, params::do_insert_vertices = true, params::sizing_field = size,
                             params::number_of_rounds = 1);
-  contract.check_moved(sized, surface, (std::min)(facet_angle, 20.), 0.3);     // as sizes change
+  contract.check_moved(sized, surface, (std::min)(facet_angle, 15.), 0.3);     // as sizes change
   check::that(dimensions.count(3) + dimensions.count(2) > 0, name, ": the field is not asked");
   std::cout << "  smaller sizes: vertices " << before << " -> " << sized.triangulation().number_of_vertices() << std::endl;
   return after - before;
@@ -267,7 +267,7 @@ void test_sizes(const std::string& name, const C3t3& input, const Domain& domain
     C3t3 c3t3(input);
     CGAL::odt_optimize_mesh_3(c3t3, domain, params::do_insert_vertices = true, params::do_remove_vertices = true,
                               params::sizing_field = factor * largest);
-    contract.check_moved(c3t3, surface, 20, 0.3);        // as sizes change
+    contract.check_moved(c3t3, surface, 15, 0.3);        // as sizes change
     const std::vector<double> radii = relative_circumradii(c3t3, [&](auto) { return factor * largest; });
     std::cout << name << ", sizes times " << factor << ": vertices " << input.triangulation().number_of_vertices() << " -> "
               << c3t3.triangulation().number_of_vertices() << ", largest and median circumradius over the size " << radii.back()
@@ -300,7 +300,7 @@ void test_number(const std::string& name, const C3t3& input, const Domain& domai
         optimize(params::density = [](const Point_3& p) { return std::exp(2 * p.x()); });
       else
         optimize();
-      contract.check_moved(c3t3, surface, 20, 0.3);        // as sizes change
+      contract.check_moved(c3t3, surface, 15, 0.3);        // as sizes change
       check_handles(name, c3t3, handles, visitor.removed);
       const double after = double(c3t3.triangulation().number_of_vertices());
       std::cout << name << ": vertices " << before << " -> " << after << ", wanted " << wanted << (is_graded ? ", graded" : "")
