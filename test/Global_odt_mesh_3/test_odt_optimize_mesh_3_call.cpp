@@ -15,10 +15,10 @@
 #include <CGAL/Density_quadratures_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/geometry/Cell_geometry_3.h>
 #include <CGAL/Mesh_quality_report_3.h>
+#include <CGAL/Random.h>
 #include <CGAL/Real_timer.h>
 #include <CGAL/make_mesh_3.h>
 #include <CGAL/odt_optimize_mesh_3.h>
-#include <CGAL/Random.h>
 #include <CGAL/refine_mesh_3.h>
 #include <CGAL/remove_slivers_mesh_3.h>
 #include <CGAL/version.h>
@@ -776,7 +776,8 @@ static void not_regular()
           Labeled_c3t3 c3t3(is_ball ? of_ball : of_three);
           shift_vertices(c3t3, amount, seed);
           const auto before = Contract::points(c3t3);
-          const std::string name = "vertices shifted by " + std::to_string(amount) + ", call " + std::to_string(call);
+          const std::string name = "vertices shifted by " + std::to_string(amount) + ", seed " + std::to_string(seed)
+                                   + ", call " + std::to_string(call);
           // Cells with inverted orientation have no dual points.
           std::optional<Contract> contract;
           if(amount < 1e-5)

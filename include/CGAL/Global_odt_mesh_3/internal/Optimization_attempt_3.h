@@ -202,7 +202,7 @@ private:
       return false;
     if(!control_.goes_on())
       code_ = control_.code();
-    return removes_slivers() ? remove_slivers() : is_untouched() || complex_.advance(mesh_, true).has_value();
+    return removes_slivers() ? remove_slivers() : complex_.snapshot().is_untouched_at(mesh_.sites) || complex_.advance(mesh_, true).has_value();
   }
 
   bool removes_slivers() const
@@ -231,9 +231,6 @@ private:
     return (std::max)(work * cells / cells_in_iteration_for_a_try, fewest_tries + fewest_tries_for_a_cell * cells)
            + tries_for_a_sliver * Cell_angles(mesh_, 1, threads_).below[1];
   }
-
-  // Whether no vertex has moved since the input.
-  bool is_untouched() const { return complex_.snapshot().is_input && complex_.snapshot().has_positions(mesh_.sites); }
 
   Mesh_view_3& input_;
   const Odt_parameters& parameters_;

@@ -156,6 +156,9 @@ struct Complex_snapshot_3
     return std::equal(sites.begin(), sites.end(), positions.begin(), positions.end(), same_place);
   }
 
+  // Whether this is the input, and no vertex has moved since.
+  bool is_untouched_at(const std::vector<Site>& positions) const { return is_input && has_positions(positions); }
+
   // Of a vertex that moves on a surface.
   const Surface_position& surface_position(int v) const
   {

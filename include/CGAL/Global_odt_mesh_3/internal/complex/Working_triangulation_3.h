@@ -175,6 +175,7 @@ public:
     };
     const auto vertices = [](Cell_handle c)
     { return std::array<Vertex_handle, 4>{{ c->vertex(0), c->vertex(1), c->vertex(2), c->vertex(3) }}; };
+    // Only positive cells have spheres.
     return is_everywhere([&](Cell_handle c) { return tr_.is_infinite(c) || is_positive(vertices(c)); })
            && is_everywhere([this](Cell_handle c) { return is_locally_regular(c); });
   }

@@ -63,8 +63,7 @@ public:
     // would be left.
     if(!is_rough())
       remove_from_mesh(first_step, has_time);
-    const bool is_untouched = complex_.snapshot().is_input && complex_.snapshot().has_positions(mesh_.sites);
-    if(is_untouched ? !complex_.make_regular() : !complex_.advance(mesh_, true))
+    if(complex_.snapshot().is_untouched_at(mesh_.sites) ? !complex_.make_regular() : !complex_.advance(mesh_, true))
       return false;
     complex_.load_into(mesh_);
     measure(first_step);
@@ -72,8 +71,7 @@ public:
     bool goes_on = may_go_on() && climb_in_complex(first_step, 0, has_time);
     // A few cells that nothing helps may have taken all tries. Then the next step would do nothing: in four meshes of a cow, 1307
     // cells instead of 932 would be left below 30 degrees.
-    const std::size_t removed_first = slivers - (std::min)(slivers, reached_.below[first_step]);
-    most_tries_ = (std::max)(most_tries_, number_of_tries_ + tries_for_a_removed_cell * removed_first);
+    most_tries_ = (std::max)(most_tries_, number_of_tries_ + tries_for_a_removed_cell * number_removed(first_step, slivers));
     int repetitions = most_repetitions;
     for(int step = first_step + 1; step <= Sliver_steps::last(bound_) && goes_on; ++step)
     {
@@ -84,7 +82,7 @@ public:
       const std::size_t before = reached_.below[step];
       const std::optional<int> climbed = climb(step, has_time);
       goes_on = climbed.has_value();
-      const std::size_t removed = before - (std::min)(before, reached_.below[step]);
+      const std::size_t removed = number_removed(step, before);
       most_tries_ += tries_for_a_removed_cell * removed;
       step = climbed.value_or(step);
       // Other random numbers remove cells that the first ones have not; so they are tried as long as that pays, and where
@@ -120,6 +118,9 @@ private:
   // Above the angle, no step is taken if no bound is given, and cells are left below the one before or more of them
   // below this.
   static constexpr double always_wanted = 30, most_slivers = 1 / 25.;
+
+  // Of so many cells below the step.
+  std::size_t number_removed(int step, std::size_t before) const { return before - (std::min)(before, reached_.below[step]); }
 
   void measure(int last_step) { reached_ = Cell_angles(mesh_, last_step, mesh_.threads()); }
 
