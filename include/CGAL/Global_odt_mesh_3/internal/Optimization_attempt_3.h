@@ -28,7 +28,6 @@
 #include <CGAL/Global_odt_mesh_3/internal/parallel/Stage_clock.h>
 #include <CGAL/Global_odt_mesh_3/internal/parallel/Thread_policy.h>
 #include <CGAL/Global_odt_mesh_3/internal/sizing/Largest_cells_3.h>
-#include <CGAL/Global_odt_mesh_3/internal/slivers/Cell_angles.h>
 #include <CGAL/Global_odt_mesh_3/internal/slivers/Sliver_stage_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/triangulation/Moving_triangulation_3.h>
 
@@ -124,7 +123,6 @@ private:
   static constexpr double least_gain_of_round = 2e-4;     // of the energy, relatively
   static constexpr std::size_t iterations_for_a_check = 26, cells_in_iteration_for_a_try = 180;     // of like cost
   static constexpr std::size_t fewest_tries = 20000, fewest_tries_for_a_cell = 2;          // what slivers need as a rule
-  static constexpr std::size_t tries_for_a_sliver = 120;                                   // where they are many
 
   Stage_clock::In_stage during(Stage_clock::Stage stage) const { return Stage_clock::In_stage(threads_.clock(), stage); }
 
@@ -202,7 +200,9 @@ private:
       return false;
     if(!control_.goes_on())
       code_ = control_.code();
-    return removes_slivers() ? remove_slivers() : complex_.snapshot().is_untouched_at(mesh_.sites) || complex_.advance(mesh_, true).has_value();
+    if(!complex_.snapshot().is_untouched_at(mesh_.sites) && !complex_.advance(mesh_, true))
+      return false;
+    return !removes_slivers() || remove_slivers();
   }
 
   bool removes_slivers() const
@@ -211,25 +211,27 @@ private:
   bool remove_slivers()
   {
     const auto in_stage = during(Stage_clock::REMOVE_SLIVERS);
-    if(largest_cells_)
-      mesh_.size_bound = largest_cells_->bound(mesh_, local_size());
-    Sliver_stage_3 stage(complex_, mesh_, parameters_.sliver_bound, parameters_.random_seed, most_tries_for_slivers());
-    if(!stage.run([this] { return control_.has_time(); }, [this] { return control_.may_go_on(); }))
+    // Vertices can be tried in a regular complex only.
+    if(!complex_.make_regular())
       return false;
+    Circumradius_bound_3 size_bound;
+    if(largest_cells_)
+      size_bound = largest_cells_->bound(mesh_, local_size());
+    Sliver_stage_3 stage(complex_, size_bound, parameters_.sliver_bound, parameters_.random_seed, most_tries_for_slivers());
+    stage.run([this] { return control_.has_time(); }, [this] { return control_.may_go_on(); });
     if(!control_.goes_on())
       code_ = control_.code();
     return true;
   }
 
   // Tries of single vertices, for a share of what the stages before have taken; after few iterations, for what
-  // slivers need as a rule. And more of them, the more cells are below the angle of the second step.
+  // slivers need as a rule.
   std::size_t most_tries_for_slivers() const
   {
     const int iterations = plan_->optimizes() ? control_.number_of_iterations() : plan_->number_of_iterations();
     const std::size_t work = iterations + iterations_for_a_check * complex_.number_of_checks();
     const std::size_t cells = mesh_.topology.number_of_cells();
-    return (std::max)(work * cells / cells_in_iteration_for_a_try, fewest_tries + fewest_tries_for_a_cell * cells)
-           + tries_for_a_sliver * Cell_angles(mesh_, 1, threads_).below[1];
+    return (std::max)(work * cells / cells_in_iteration_for_a_try, fewest_tries + fewest_tries_for_a_cell * cells);
   }
 
   Mesh_view_3& input_;

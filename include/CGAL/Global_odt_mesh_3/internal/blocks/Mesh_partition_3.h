@@ -199,33 +199,6 @@ private:
   Buckets cells_, vertices_;
 };
 
-// The vertices of a mesh in parts that threads may change at the same time, where they are. Cells with all vertices in one
-// part belong to it; the others belong to none and stay, and with them their vertices. So no part sees anything of
-// another that changes.
-class Mesh_parts_3
-{
-public:
-  static constexpr int none = -1;
-
-  Mesh_parts_3(const Constrained_triangulation_3& mesh, int number_of_parts, Random_source random, const Thread_policy& threads)
-    : part_of_vertex_(mesh.sites.size())
-  {
-    const Space_partition_3 space(mesh, number_of_parts, random);
-    for_each_in_chunks(static_cast<int>(mesh.sites.size()), threads,
-                       [&](int v) { part_of_vertex_[v] = space.block(position(mesh.sites[v])); });
-  }
-
-  // Of a cell with these vertices.
-  int part(const std::array<int, 4>& cell) const
-  {
-    const int first = part_of_vertex_[cell[0]];
-    return std::all_of(cell.begin() + 1, cell.end(), [&](int v) { return part_of_vertex_[v] == first; }) ? first : int(none);
-  }
-
-private:
-  std::vector<int> part_of_vertex_;
-};
-
 } // namespace internal
 } // namespace Global_odt_mesh_3
 } // namespace CGAL

@@ -70,8 +70,6 @@ public:
   void start(Complex_snapshot_3 input)
   {
     snapshot_ = std::move(input);
-    places_on_surface_ = Places_on_surface(snapshot_.numbering->number_of_interior_vertices,
-                                           snapshot_.numbering->number_of_surface_vertices());
     if(motion_ != Boundary_motion::NONE && !snapshot_.sites.empty())
       bounds_.measure(snapshot_);
   }
@@ -104,20 +102,11 @@ public:
     index_snapshot(snapshot_, working, threads_, mesh);
   }
 
-  // Moves a site for a vertex on a surface to that surface; false if that cannot be done.
-  bool put_on_surface(int v, Site& s) { return internal::put_on_surface(domain_, snapshot_.boundary, v, s); }
-
-  // For the next snapshot, the place is one where put_on_surface() has put the vertex.
-  void keep_on_surface(int v, const Site& s) { places_on_surface_.keep(v, s); }
-
-  // Whether that is close enough to the surface for the centroid of a boundary facet.
-  bool is_close_to_surface(const Eigen::Vector3d& point) const { return bounds_.is_close(point); }
-
   // So that vertices can be tried, inserted, and removed: an input from elsewhere, such as a file with rounded coordinates, need
   // not be regular. False if that cannot be had.
   bool make_regular()
   {
-    return !snapshot_.is_input || triangulation().is_regular(threads_) || advance(snapshot_.sites, true).has_value();
+    return !snapshot_.is_input || triangulation().is_regular(threads_) || advance(snapshot_.sites, true);
   }
 
   // Trials of single vertices, which have the triangulation until the snapshot adopts them.
@@ -155,37 +144,17 @@ public:
   // How often most of a candidate's cells were those of a mesh.
   std::size_t number_of_transfers() const { return number_of_transfers_; }
 
-  // Goes to new positions of the movable vertices, as far as possible, and gives the snapshot that is replaced,
-  // or nothing if nothing could be done.
+  // Goes to new positions of the movable vertices, as far as possible; false if nothing could be done.
   // In a final snapshot, all vertices are on their surfaces and all boundary facets have surface centers.
-  std::optional<Complex_snapshot_3> advance(const std::vector<Site>& target, bool is_final)
+  bool advance(const std::vector<Site>& target, bool is_final)
   {
     return advance(target, nullptr, is_final);
   }
 
   // The same for positions of a mesh that is regular as far as its constraints permit, which is faster.
-  std::optional<Complex_snapshot_3> advance(const Moving_triangulation_3& mesh, bool is_final)
+  bool advance(const Moving_triangulation_3& mesh, bool is_final)
   {
     return advance(mesh.sites, &mesh, is_final);
-  }
-
-  // The same for a final snapshot without slivers that the check forbids.
-  std::optional<Complex_snapshot_3> advance(const Moving_triangulation_3& mesh, const Angle_check_3& angles)
-  {
-    return advance(mesh.sites, &mesh, true, &angles);
-  }
-
-  // The same for positions at which the mesh has been.
-  std::optional<Complex_snapshot_3> advance(const std::vector<Site>& target, const Angle_check_3& angles)
-  {
-    return advance(target, nullptr, true, &angles);
-  }
-
-  // Goes back to a snapshot that has been replaced.
-  void return_to(Complex_snapshot_3 earlier)
-  {
-    is_of_snapshot_ = false;
-    snapshot_ = std::move(earlier);
   }
 
 private:
@@ -201,12 +170,10 @@ private:
     return triangulation_;
   }
 
-  // Gives the one before.
-  Complex_snapshot_3 replace_snapshot(Complex_candidate_3& candidate)
+  void replace_snapshot(Complex_candidate_3& candidate)
   {
-    Complex_snapshot_3 before = std::exchange(snapshot_, candidate.finish());
+    snapshot_ = candidate.finish();
     is_of_snapshot_ = true;
-    return before;
   }
 
   // Without a mesh, no cells are transferred.
@@ -216,32 +183,29 @@ private:
     number_of_transfers_ += candidate.build(mesh);
   }
 
-  std::optional<Complex_snapshot_3> advance(const std::vector<Site>& target, const Moving_triangulation_3* mesh, bool is_final,
-                                            const Angle_check_3* angles = nullptr)
+  bool advance(const std::vector<Site>& target, const Moving_triangulation_3* mesh, bool is_final)
   {
     const Stage_clock::In_stage in_stage(threads_.clock(), Stage_clock::CHECK);
     is_of_snapshot_ = false;
     Complex_candidate_3 candidate(snapshot_, triangulation_, target, motion_, is_final, threads_);
-    if(!complete(candidate, mesh, angles))
-      return std::nullopt;
-    return replace_snapshot(candidate);
+    if(!complete(candidate, mesh))
+      return false;
+    replace_snapshot(candidate);
+    return true;
   }
 
   // Whether the candidate is valid, perhaps with some vertices back where they were.
-  bool complete(Complex_candidate_3& candidate, const Moving_triangulation_3* mesh, const Angle_check_3* angles)
+  bool complete(Complex_candidate_3& candidate, const Moving_triangulation_3* mesh)
   {
-    Surface_projection_3 projection(candidate, domain_, places_on_surface_);
+    Surface_projection_3 projection(candidate, domain_);
     if(candidate.boundary_moves())
       projection.project_all();
-    places_on_surface_.forget();
     build(candidate, mesh);
     Candidate_repair_3 repair(candidate, projection, [&] { build(candidate, nullptr); });
     for(int attempt = 0; attempt < most_attempts; ++attempt)
     {
       const bool wants_good_facets = (candidate.is_final || !has_long_ways_) && attempt < attempts_at_good_facets;
       Defect_report_3 report = check(candidate, wants_good_facets);
-      if(angles != nullptr && candidate.working.is_complete())
-        angles->check(candidate, report);
       if(report.is_clean())
         return true;
       if(report.is_beyond_repair() || !repair.apply(report, attempt))
@@ -305,7 +269,6 @@ private:
   Complex_snapshot_3 snapshot_;
   Working_triangulation_3 triangulation_;
   bool is_of_snapshot_ = false;              // whether that is the triangulation of the snapshot, with its labels
-  Places_on_surface places_on_surface_;
   std::size_t number_of_checks_ = 0, number_of_transfers_ = 0;
 };
 

@@ -93,6 +93,9 @@ public:
     });
   }
 
+  // Of the triangulation, infinite ones, too.
+  std::size_t number_of_cells() const { return complex_.working.cells().size(); }
+
   // Those among the cells that the last trial has made.
   std::vector<Quadruple> new_slivers(double bound) const
   {

@@ -28,37 +28,6 @@ namespace CGAL {
 namespace Global_odt_mesh_3 {
 namespace internal {
 
-// Where the domain has put vertices on their surfaces. As it knows these only up to an error, it would put a vertex elsewhere
-// if it was asked again, and slivers that have just been removed would come back.
-//
-// Threads may keep places of different vertices at the same time.
-class Places_on_surface
-{
-public:
-  explicit Places_on_surface(int first_vertex = 0, int number_of_vertices = 0)
-    : first_vertex_(first_vertex)
-    , places_(number_of_vertices)
-  {}
-
-  void keep(int v, const Site& s) { places_[v - first_vertex_].push_back(s); }
-
-  bool has(int v, const Site& s) const
-  {
-    const std::vector<Site>& places = places_[v - first_vertex_];
-    return std::any_of(places.begin(), places.end(), [&s](const Site& place) { return same_place(place, s); });
-  }
-
-  void forget()
-  {
-    for(std::vector<Site>& places : places_)
-      places.clear();
-  }
-
-private:
-  int first_vertex_;
-  std::vector<std::vector<Site> > places_;
-};
-
 // Moves a site for a vertex on a surface to that surface; false if there is no such point nearby.
 inline bool put_on_surface(const Domain_view_3& domain, const Boundary_geometry_3& boundary, int v, Site& s)
 {
@@ -71,15 +40,14 @@ inline bool put_on_surface(const Domain_view_3& domain, const Boundary_geometry_
   return true;
 }
 
-// Keeps the vertices of a candidate that move on surfaces close to these: they are projected, unless that is where they
-// have been put, or follow tangential planes until these may have led too far off.
+// Keeps the vertices of a candidate that move on surfaces close to these: they are projected, or follow tangential planes until
+// these may have led too far off.
 class Surface_projection_3
 {
 public:
-  Surface_projection_3(Complex_candidate_3& candidate, const Domain_view_3& domain, const Places_on_surface& places)
+  Surface_projection_3(Complex_candidate_3& candidate, const Domain_view_3& domain)
     : candidate_(candidate)
     , domain_(domain)
-    , places_(places)
     , projects_all_(candidate.is_thorough() || domain.tells_distances())
   {}
 
@@ -139,11 +107,6 @@ private:
     const auto& before = candidate_.snapshot.surface_position(v);
     auto& position = candidate_.surface_position(v);
     const bool stays = candidate_.is_reverted(v);
-    if(places_.has(v, candidate_.sites[v]))
-    {
-      position = { true, 0, candidate_.sites[v] };
-      return;
-    }
     position.drift = before.drift + drift(v);
     if(!projects_all_ && position.drift < farthest_drift)
       return;
@@ -171,7 +134,6 @@ private:
 
   Complex_candidate_3& candidate_;
   const Domain_view_3& domain_;
-  const Places_on_surface& places_;
   bool projects_all_;
 };
 

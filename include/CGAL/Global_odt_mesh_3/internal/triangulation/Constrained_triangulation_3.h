@@ -12,9 +12,7 @@
 
 #include <CGAL/license/Global_odt_mesh_3.h>
 
-#include <CGAL/Global_odt_mesh_3/internal/geometry/Angle_deficit_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/geometry/Cell_geometry_3.h>
-#include <CGAL/Global_odt_mesh_3/internal/geometry/Circumradius_bound_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/geometry/Site.h>
 #include <CGAL/Global_odt_mesh_3/internal/triangulation/Half_facet.h>
 #include <CGAL/Global_odt_mesh_3/internal/triangulation/Indexed_triangulation_3.h>
@@ -47,7 +45,6 @@ struct Constrained_triangulation_3
   std::vector<double> surface_heights;     // positive toward side 1
   int number_of_interior_vertices = 0;
   int number_of_movable_vertices = 0;
-  Circumradius_bound_3 size_bound;
 
   int number_of_surface_vertices() const { return number_of_movable_vertices - number_of_interior_vertices; }
 
@@ -78,15 +75,6 @@ struct Constrained_triangulation_3
   {
     const int* const v = topology.vertices(cell);
     return {{ sites[v[0]], sites[v[1]], sites[v[2]], sites[v[3]] }};
-  }
-
-  // What the angles of the cell lack and what it is too large by, or 0 if it is not alive.
-  double deficit(int cell, const Angle_deficit_3& angle_deficit) const
-  {
-    if(!topology.is_alive(cell))
-      return 0;
-    const std::array<Site, 4> s = cell_sites(cell);
-    return angle_deficit(s) + size_bound.deficit(topology.vertices(cell), s);
   }
 
   // Six times the volumes of the cells that flip_2_3() would make.
@@ -174,18 +162,6 @@ struct Constrained_triangulation_3
     });
     for(int v = 0; v < number_of_vertices; ++v)
       length[v] /= (std::max)(1, count[v]);
-  }
-
-  // The same of one vertex.
-  double mean_edge_length(int v) const
-  {
-    std::vector<Half_facet> star;
-    topology.star(v, star);
-    double sum = 0;
-    for(Half_facet s : star)
-      for(int w : topology.facet(s))
-        sum += std::sqrt(squared_distance(v, w));
-    return sum / (3 * double((std::max)(std::size_t(1), star.size())));
   }
 
   // The shortest edge of each movable vertex.

@@ -134,7 +134,7 @@ inline std::array<int, 2> flip_3_2(Indexed_triangulation_3& t, const Edge_ring_3
 // nearby have changed their surroundings.
 //
 // `flips` makes the flips in the triangulation, as the functions of Flips_3.h do, and keeps the
-// books that its owner wants. It is asked before whether it permits them.
+// books that its owner wants.
 template <class Flips>
 class Lawson_flips_3
 {
@@ -145,8 +145,8 @@ public:
     , irregular_(irregular)
   {}
 
-  // False if facets are left because a flip is not permitted or there were too many flips: each lowers the lifted surface,
-  // so that only rounding can make them go on.
+  // False if facets are left because there were too many flips: each lowers the lifted surface, so that only rounding can
+  // make them go on.
   bool make_regular()
   {
     std::size_t budget = 1000 + 40 * irregular_.size();
@@ -157,15 +157,16 @@ public:
       for( ; !irregular_.empty(); --budget)
       {
         if(budget == 0)
-          return give_up();
+        {
+          irregular_.clear();
+          return false;
+        }
         const Half_facet s = irregular_.back();
         irregular_.pop_back();
         if(!is_irregular(s))
           continue;
         if(remove_facet(s))
           has_flipped = true;
-        else if(is_refused_)
-          return give_up();
         else
           waiting.push_back(s);
       }
@@ -175,12 +176,6 @@ public:
   }
 
 private:
-  bool give_up()
-  {
-    irregular_.clear();
-    return false;
-  }
-
   bool is_irregular(Half_facet s)
   {
     const int c = s.cell();
@@ -204,8 +199,6 @@ private:
     const int k = static_cast<int>(std::min_element(after.begin(), after.end()) - after.begin());
     if(after[k] > flat)
     {
-      if(!is_permitted(flips_.permits_2_3(s)))
-        return false;
       for(int c : flips_.flip_2_3(s))
         for(int i : outer_facets_2_3)
           mesh_.push_facet(Half_facet(c, i), irregular_);
@@ -217,7 +210,7 @@ private:
     const std::array<int, 3>& f = facet_indices(s.index());
     const std::optional<Edge_ring_3> ring
       = ring_of_degree_3(mesh_.topology, s.cell(), f[(k + 1) % 3], f[(k + 2) % 3]);
-    if(!ring || !is_permitted(flips_.permits_3_2(*ring)))
+    if(!ring)
       return false;
     for(int c : flips_.flip_3_2(*ring))
       for(int i : outer_facets_3_2)
@@ -225,16 +218,9 @@ private:
     return true;
   }
 
-  bool is_permitted(bool permits)
-  {
-    is_refused_ = !permits;
-    return permits;
-  }
-
   const Constrained_triangulation_3& mesh_;
   Flips& flips_;
   std::vector<Half_facet>& irregular_;
-  bool is_refused_ = false;
   double determinant_ = 0;        // of the cell of the facet that was last looked at
 };
 

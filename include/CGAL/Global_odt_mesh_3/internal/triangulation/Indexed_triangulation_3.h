@@ -132,8 +132,8 @@ public:
   // Adds a cell whose neighbors are still to be set.
   int add_cell(int v0, int v1, int v2, int v3)
   {
-    if(!has_free_cell())
-      add_room(1);
+    if(arrays_[FREE_CELLS].empty())
+      add_free_cell();
     const int c = arrays_.pop(FREE_CELLS);
     set_cell(c, v0, v1, v2, v3);
     return c;
@@ -157,34 +157,6 @@ public:
     arrays_.push(FREE_CELLS, c);
   }
 
-  // If not, the triangulation gets longer when a cell is added, which its parts cannot.
-  bool has_free_cell() const { return !arrays_[FREE_CELLS].empty(); }
-
-  // The triangulation in parts, each with so many free cells, that threads may change at the same time, on trial as they
-  // like, until they are joined: a part is the whole, but may change only cells of which no other part changes, or looks
-  // at, a vertex or neighbor. Ends a trial.
-  std::vector<Indexed_triangulation_3> split(int number_of_parts, int free_cells)
-  {
-    end_trial();
-    std::vector<int>& free = arrays_.unguarded(FREE_CELLS);
-    add_room((std::max)(0, number_of_parts * free_cells - static_cast<int>(free.size())));
-    std::vector<Indexed_triangulation_3> parts;
-    for(int n = 0; n < number_of_parts; ++n)
-    {
-      parts.push_back(Indexed_triangulation_3(arrays_.part(FREE_CELLS, std::vector<int>(free.end() - free_cells, free.end()))));
-      free.resize(free.size() - free_cells);
-    }
-    return parts;
-  }
-
-  void join(const std::vector<Indexed_triangulation_3>& parts)
-  {
-    std::vector<int>& free = arrays_.unguarded(FREE_CELLS);
-    for(const Indexed_triangulation_3& part : parts)
-      free.insert(free.end(), part.arrays_[FREE_CELLS].begin(), part.arrays_[FREE_CELLS].end());
-    CGAL_expensive_assertion(is_valid());
-  }
-
   // The other may be a side of a constrained facet.
   void set_neighbors(Half_facet s, Half_facet other)
   {
@@ -192,16 +164,14 @@ public:
     if(!other.is_side())
       return arrays_.write(NEIGHBORS, other.id(), s.id());
     if(static_cast<std::size_t>(other.side_id()) >= arrays_[CONSTRAINED_SLOTS].size())
-      arrays_.extend(CONSTRAINED_SLOTS, (other.side_id() | 1) + 1, Half_facet().id());
+      arrays_.extend(CONSTRAINED_SLOTS, (other.side_id() | 1) + 1 - arrays_[CONSTRAINED_SLOTS].size(), Half_facet().id());
     arrays_.write(CONSTRAINED_SLOTS, other.side_id(), s.id());
   }
 
   // What changes on trial is undone as Undoable_arrays says.
-  typedef Undoable_arrays<NUMBER_OF_ARRAYS>::Trial_length Trial_length;
   void begin_trial() { arrays_.begin_trial(); }
   void end_trial() { arrays_.end_trial(); }
-  Trial_length trial_length() const { return arrays_.trial_length(); }
-  void undo_trial(const Trial_length& length = Trial_length()) { arrays_.undo_trial(length); }
+  void undo_trial() { arrays_.undo_trial(); }
 
   // Gives vertex v the number place[v]. Ends a trial.
   void renumber_vertices(const std::vector<int>& place)
@@ -294,16 +264,11 @@ private:
   // A chunk is to be worth the trouble of a thread.
   static constexpr int least_cells = 10000, most_chunks = 16;
 
-  explicit Indexed_triangulation_3(Undoable_arrays<NUMBER_OF_ARRAYS> arrays) : arrays_(std::move(arrays)) {}
-
-  // For cells that are free.
-  void add_room(int cells)
+  void add_free_cell()
   {
-    const int begin = number_of_cell_slots();
-    arrays_.extend(CELL_VERTICES, arrays_[CELL_VERTICES].size() + 4 * std::size_t(cells), no_vertex);
-    arrays_.extend(NEIGHBORS, arrays_[NEIGHBORS].size() + 4 * std::size_t(cells), Half_facet().id());
-    for(int n = 0; n < cells; ++n)
-      arrays_.extend(FREE_CELLS, arrays_[FREE_CELLS].size() + 1, begin + n);
+    arrays_.extend(FREE_CELLS, 1, number_of_cell_slots());
+    arrays_.extend(CELL_VERTICES, 4, no_vertex);
+    arrays_.extend(NEIGHBORS, 4, Half_facet().id());
   }
 
   // For each cell, -1 for those that are not alive.

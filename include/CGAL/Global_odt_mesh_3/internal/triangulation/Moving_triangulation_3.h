@@ -201,8 +201,6 @@ private:
     });
   }
 
-  bool permits_2_3(Half_facet) const { return true; }
-  bool permits_3_2(const Edge_ring_3&) const { return true; }
 
   std::array<int, 3> flip_2_3(Half_facet s)
   {

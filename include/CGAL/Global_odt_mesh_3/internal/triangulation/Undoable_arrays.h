@@ -16,8 +16,6 @@
 
 #include <array>
 #include <cstddef>
-#include <memory>
-#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -27,53 +25,23 @@ namespace internal {
 // Arrays of numbers that remember what has been overwritten.
 //
 // From begin_trial() to end_trial(), changes are remembered, and undo_trial() brings back what was
-// there when the trial had a certain length. Another beginning ends the trial before.
+// there when it began. Another beginning ends the trial before.
 template <int number_of_arrays>
 class Undoable_arrays
 {
 public:
-  Undoable_arrays()
-  {
-    for(auto& a : arrays_)
-      a = std::make_shared<std::vector<int> >();
-  }
-
-  Undoable_arrays(const Undoable_arrays& other)
-    : is_on_trial_(other.is_on_trial_)
-    , changes_(other.changes_)
-  {
-    for(int a = 0; a < number_of_arrays; ++a)
-      arrays_[a] = std::make_shared<std::vector<int> >(other[a]);
-  }
-
-  Undoable_arrays& operator=(const Undoable_arrays& other) { return *this = Undoable_arrays(other); }
-
-  // Leaves nothing but what may be assigned to.
-  Undoable_arrays(Undoable_arrays&&) noexcept = default;
-  Undoable_arrays& operator=(Undoable_arrays&&) noexcept = default;
-
-  // The same arrays, except one with other contents, for trials of its own. None may get longer but that one, and no two
-  // threads change the same entries.
-  Undoable_arrays part(int array, std::vector<int> contents) const
-  {
-    Undoable_arrays result;
-    result.arrays_ = arrays_;
-    result.arrays_[array] = std::make_shared<std::vector<int> >(std::move(contents));
-    return result;
-  }
-
-  const std::vector<int>& operator[](int array) const { return *arrays_[array]; }
+  const std::vector<int>& operator[](int array) const { return arrays_[array]; }
 
   // For changes that are not to be undone.
   std::vector<int>& unguarded(int array)
   {
     CGAL_assertion(changes_[array].empty());
-    return *arrays_[array];
+    return arrays_[array];
   }
 
   void write(int array, int place, int value)
   {
-    int& entry = (*arrays_[array])[place];
+    int& entry = arrays_[array][place];
     if(is_on_trial_)
       changes_[array].push_back({ place, entry });
     entry = value;
@@ -81,22 +49,22 @@ public:
 
   void push(int array, int value)
   {
-    arrays_[array]->push_back(value);
+    arrays_[array].push_back(value);
     if(is_on_trial_)
       changes_[array].push_back({ pushed, value });
   }
 
   int pop(int array)
   {
-    const int value = arrays_[array]->back();
-    arrays_[array]->pop_back();
+    const int value = arrays_[array].back();
+    arrays_[array].pop_back();
     if(is_on_trial_)
       changes_[array].push_back({ popped, value });
     return value;
   }
 
-  // Makes the array longer, which stays when a trial is undone.
-  void extend(int array, std::size_t size, int value) { arrays_[array]->resize(size, value); }
+  // Makes the array longer by as many values, which stay when a trial is undone.
+  void extend(int array, std::size_t number, int value) { arrays_[array].resize(arrays_[array].size() + number, value); }
 
   void begin_trial()
   {
@@ -117,22 +85,11 @@ public:
       c.clear();
   }
 
-  // How many changes there are, for each array.
-  typedef std::array<std::size_t, number_of_arrays> Trial_length;
-
-  Trial_length trial_length() const
-  {
-    Trial_length length;
-    for(int a = 0; a < number_of_arrays; ++a)
-      length[a] = changes_[a].size();
-    return length;
-  }
-
-  // Takes back what has changed since the trial had that length.
-  void undo_trial(const Trial_length& length)
+  // Takes back what has changed since the trial began.
+  void undo_trial()
   {
     for(int a = 0; a < number_of_arrays; ++a)
-      undo(*arrays_[a], changes_[a], length[a]);
+      undo(arrays_[a], changes_[a]);
   }
 
 private:
@@ -143,10 +100,9 @@ private:
   };
   static constexpr int pushed = -1, popped = -2;
 
-  static void undo(std::vector<int>& array, std::vector<Change>& changes, std::size_t length)
+  static void undo(std::vector<int>& array, std::vector<Change>& changes)
   {
-    CGAL_assertion(length <= changes.size());
-    for( ; changes.size() > length; changes.pop_back())
+    for( ; !changes.empty(); changes.pop_back())
     {
       const Change& c = changes.back();
       if(c.place == pushed)
@@ -158,7 +114,7 @@ private:
     }
   }
 
-  std::array<std::shared_ptr<std::vector<int> >, number_of_arrays> arrays_;
+  std::array<std::vector<int>, number_of_arrays> arrays_;
   bool is_on_trial_ = false;
   std::array<std::vector<Change>, number_of_arrays> changes_;
 };
