@@ -46,13 +46,13 @@ class Mesh_adaptation_3
 {
 public:
   // Refers to its arguments.
-  Mesh_adaptation_3(Tabulated_mesh_3& mesh, const Domain_view_3& domain, Facet_bounds_3& bounds, Boundary_motion motion,
+  Mesh_adaptation_3(Tabulated_mesh_3& mesh, const Domain_view_3& domain, Facet_bounds_3& bounds, bool boundary_moves,
                     const Thread_policy& threads)
     : mesh_(mesh)
     , bounds_(bounds)
-    , complex_(domain, bounds, motion, false, threads)
+    , complex_(domain, bounds, boundary_moves, false, threads)
   {
-    complex_.start(Snapshot_reader_3(mesh, threads).read(indexed_, motion != Boundary_motion::NONE));
+    complex_.start(Snapshot_reader_3(mesh, threads).read(indexed_, boundary_moves));
     is_editable_ = mesh.is_changed() || complex_.make_regular();
   }
 

@@ -81,25 +81,25 @@ private:
   // that did to angles, those of an elephant fell from 30 to 8 degrees.
   static constexpr int step_on_the_way = 1, last_step = 3;
 
-  // By the first of these attempts that leads to a valid complex: surface vertices follow normals; they follow the domain, which is
-  // where rough surfaces begin; the boundary is fixed.
-  // None if there is no valid complex, and the mesh is as it was.
+  // With a boundary that moves or, where that leads to no valid complex, is fixed. None if that does not either, and the mesh is
+  // as it was.
   std::optional<Outcome> optimize(Mesh_view_3& mesh, Odt_task task)
   {
-    std::vector<Boundary_motion> motions;
+    std::optional<Outcome> outcome;
     if(parameters_.optimize_boundary)
-      motions = { Boundary_motion::BY_NORMALS, Boundary_motion::BY_DOMAIN };
-    if(task != Odt_task::REMESH_BOUNDARY)
-      motions.push_back(Boundary_motion::NONE);
-    for(Boundary_motion motion : motions)
-    {
-      Optimization_attempt_3 attempt(mesh, domain_, bounds_, task, parameters_, field_, control_, threads_, motion);
-      if(!attempt.run())
-        continue;
-      attempt.commit();
-      return Outcome{ attempt.code(0), attempt.code(1) };
-    }
-    return std::nullopt;
+      outcome = attempt(mesh, task, true);
+    if(!outcome && task != Odt_task::REMESH_BOUNDARY)
+      outcome = attempt(mesh, task, false);
+    return outcome;
+  }
+
+  std::optional<Outcome> attempt(Mesh_view_3& mesh, Odt_task task, bool boundary_moves)
+  {
+    Optimization_attempt_3 attempt(mesh, domain_, bounds_, task, parameters_, field_, control_, threads_, boundary_moves);
+    if(!attempt.run())
+      return std::nullopt;
+    attempt.commit();
+    return Outcome{ attempt.code(0), attempt.code(1) };
   }
 
   // Vertices are inserted and removed for the sizes that are wanted, before all vertices move; and then where cells are too
@@ -160,8 +160,7 @@ private:
 
   Mesh_adaptation_3 adaptation(Tabulated_mesh_3& mesh)
   {
-    return Mesh_adaptation_3(mesh, domain_, bounds_,
-                             parameters_.optimize_boundary ? Boundary_motion::BY_NORMALS : Boundary_motion::NONE, threads_);
+    return Mesh_adaptation_3(mesh, domain_, bounds_, parameters_.optimize_boundary, threads_);
   }
 
   const Domain_view_3& domain_;

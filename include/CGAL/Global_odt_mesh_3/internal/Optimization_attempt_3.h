@@ -58,17 +58,17 @@ public:
   // Refers to its arguments; the input stays as it is until commit().
   Optimization_attempt_3(Mesh_view_3& input, const Domain_view_3& domain, Facet_bounds_3& bounds, Odt_task task,
                          const Odt_parameters& parameters, const User_field_3& field, Iteration_control& control,
-                         const Thread_policy& threads, Boundary_motion motion)
+                         const Thread_policy& threads, bool boundary_moves)
     : input_(input)
     , parameters_(parameters)
     , field_(field)
     , control_(control)
     , threads_(threads)
-    , complex_(domain, bounds, motion, static_cast<bool>(field), threads)     // to sizes that the input does not have
+    , complex_(domain, bounds, boundary_moves, static_cast<bool>(field), threads)     // to sizes that the input does not have
   {
     const auto in_stage = during(Stage_clock::READ);
-    complex_.start(Snapshot_reader_3(input, threads).read(mesh_, motion != Boundary_motion::NONE));
-    plan_ = std::make_unique<Round_plan>(task, parameters, boundary_moves(), motion == Boundary_motion::BY_DOMAIN);
+    complex_.start(Snapshot_reader_3(input, threads).read(mesh_, boundary_moves));
+    plan_ = std::make_unique<Round_plan>(task, parameters, number_of_surface_vertices() > 0);
     code_ = parameters_.do_freeze && plan_->optimizes() ? ALL_VERTICES_FROZEN : CONVERGENCE_REACHED;
   }
 
@@ -81,8 +81,6 @@ public:
   {
     if(mesh_.number_of_movable_vertices == 0)
       return true;
-    if(complex_.motion() == Boundary_motion::BY_NORMALS && is_surface_rough(complex_.snapshot(), complex_.domain()))
-      return false;
     control_.start(plan_->usual_most_iterations());
     if(plan_->is_done())
     {
@@ -119,7 +117,6 @@ public:
   int number_of_surface_vertices() const { return mesh_.number_of_surface_vertices(); }
 
 private:
-  static constexpr int most_tries_of_last_round = 3;
   static constexpr double least_gain_of_round = 2e-4;     // of the energy, relatively
   static constexpr std::size_t iterations_for_a_check = 26, cells_in_iteration_for_a_try = 180;     // of like cost
   static constexpr std::size_t fewest_tries = 20000, fewest_tries_for_a_cell = 2;          // what slivers need as a rule
@@ -141,7 +138,6 @@ private:
   // complex.
   bool make_rounds()
   {
-    int tries = most_tries_of_last_round;
     double energy = (std::numeric_limits<double>::max)();
     Round_plan::Stage previous = plan_->stage();
     for(;;)
@@ -161,28 +157,15 @@ private:
           store_round();
         continue;
       }
-      if(conclude(pays))
-        return true;
-      if(complex_.motion() != Boundary_motion::BY_NORMALS || !control_.goes_on() || --tries == 0)
-        return false;
-      // One on the way, which need not pay, and another last one.
-      load_for_round();
-      energy = (std::numeric_limits<double>::max)();
-      plan_->add(Round_plan::MINIMIZE, 2);
+      return conclude(pays);
     }
   }
 
-  // On the way, surface vertices follow tangential planes, and cells are rarely looked up in the domain. A
-  // round that leads to no valid complex is lost.
+  // On the way, cells are looked up in the domain only where that is not clear. A round that leads to no valid complex is lost,
+  // and the next needs the memory more than the triangulation.
   void store_round()
   {
     complex_.advance(mesh_, false);
-    load_for_round();
-  }
-
-  // A round needs the memory more than the triangulation.
-  void load_for_round()
-  {
     complex_.load_into(mesh_);
     complex_.release_triangulation();
   }

@@ -34,27 +34,25 @@ public:
 
   static constexpr int iterations_on_surface = 20;      // of the CVT, in a round of remeshing
 
-  // On rough surfaces, steps hide what is gained, so that the number of rounds is given.
-  Round_plan(Odt_task task, const Odt_parameters& p, bool boundary_moves, bool is_rough)
+  Round_plan(Odt_task task, const Odt_parameters& p, bool boundary_moves)
     : task_(task)
-    , stops_without_gain_{{ task == Odt_task::REMESH_BOUNDARY, false, !is_rough }}
     , iterations_{{ iterations_inside_while_remeshing,
                     Global_search::iterations_in_round(p.annealing_schedule), 0 }}
   {
-    const int minimizer_rounds = is_rough ? rounds_of_minimizer_on_rough_surfaces : most_rounds_of_minimizer;
     if(task == Odt_task::REMESH_BOUNDARY)
-      plan_remeshing(boundary_moves, minimizer_rounds);
+      plan_remeshing(boundary_moves);
     else if(task == Odt_task::REMOVE_SLIVERS)
       rounds_ = {{ 0, 0, 0 }};
     else
-      plan_optimization(p, boundary_moves, minimizer_rounds);
+      plan_optimization(p, boundary_moves);
     search_rounds_ = rounds_[SEARCH];
   }
 
   bool is_done() const { return rounds_[REMESH] + rounds_[SEARCH] + rounds_[MINIMIZE] <= 0; }
   Stage stage() const { return rounds_[REMESH] > 0 ? REMESH : rounds_[SEARCH] > 0 ? SEARCH : MINIMIZE; }
   int iterations() const { return iterations_[stage()]; }
-  bool stops_without_gain() const { return stops_without_gain_[stage()]; }
+  // Where vertices search, rounds need not gain anything, and the last ones are few.
+  bool stops_without_gain() const { return task_ == Odt_task::REMESH_BOUNDARY && stage() == REMESH; }
 
   // Whether the interior goes to its minimum after the rounds, and whether slivers are removed then.
   bool optimizes() const { return task_ == Odt_task::OPTIMIZE; }
@@ -62,7 +60,6 @@ public:
 
   void advance() { --rounds_[stage()]; }
   void skip(Stage s) { rounds_[s] = 0; }
-  void add(Stage s, int rounds) { rounds_[s] += rounds; }
 
   // The fraction of the time, if there is a limit, after which no round of the stage is begun.
   double end_of_time(Stage s) const
@@ -87,29 +84,29 @@ public:
 private:
   static constexpr std::size_t most_rounds = 1000000;
   static constexpr int iterations_beyond_plan = 1000;
-  static constexpr int rounds_of_remeshing = 4, rounds_of_remeshing_before_search = 1;
+  static constexpr int rounds_of_remeshing = 4;
   static constexpr int iterations_inside_while_remeshing = 10;
-  static constexpr int most_rounds_of_minimizer = 12, rounds_of_minimizer_on_rough_surfaces = 2;
+  static constexpr int rounds_of_minimizer = 2;
   static constexpr int iterations_of_minimizer = 20;
   // If the user bounds the number of iterations, most remain for the other stages.
   static constexpr int iterations_per_round_of_remeshing = 60;
   static constexpr double share_of_search = 0.7;
 
-  void plan_remeshing(bool boundary_moves, int minimizer_rounds)
+  void plan_remeshing(bool boundary_moves)
   {
-    rounds_ = {{ boundary_moves ? rounds_of_remeshing + minimizer_rounds : 0, 0, boundary_moves ? 0 : 1 }};
+    rounds_ = {{ boundary_moves ? rounds_of_remeshing + rounds_of_minimizer : 0, 0, boundary_moves ? 0 : 1 }};
     planned_iterations_ = planned_iterations();
   }
 
-  void plan_optimization(const Odt_parameters& p, bool boundary_moves, int minimizer_rounds)
+  void plan_optimization(const Odt_parameters& p, bool boundary_moves)
   {
     const int search_rounds = p.number_of_rounds == Odt_parameters::usual_number_of_rounds
                                 ? Global_search::usual_rounds(p.annealing_schedule)
                                 : static_cast<int>((std::min)(p.number_of_rounds, most_rounds));
     if(search_rounds > 0)
-      rounds_ = {{ boundary_moves ? rounds_of_remeshing_before_search : 0, search_rounds, 1 }};
+      rounds_ = {{ 0, search_rounds, 1 }};
     else
-      rounds_ = {{ boundary_moves ? rounds_of_remeshing : 0, 0, boundary_moves ? minimizer_rounds : 1 }};
+      rounds_ = {{ boundary_moves ? rounds_of_remeshing : 0, 0, boundary_moves ? rounds_of_minimizer : 1 }};
     if(boundary_moves)
       iterations_[MINIMIZE] = search_rounds > 0 ? Global_search::final_iterations(p.annealing_schedule)
                                                 : iterations_of_minimizer;
@@ -142,7 +139,6 @@ private:
   }
 
   Odt_task task_;
-  std::array<bool, 3> stops_without_gain_;
   std::array<int, 3> iterations_, rounds_;
   int search_rounds_ = 0, planned_iterations_ = 200;
 };

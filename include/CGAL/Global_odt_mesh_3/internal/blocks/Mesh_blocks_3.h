@@ -35,7 +35,7 @@ namespace internal {
 // that is put together of what they have become.
 //
 // The vertices with all their cells in a block are its own, and move there as they do in the mesh; the others stay.
-// Facets between blocks are constrained, with the surface out of reach.
+// Facets between blocks are constrained.
 class Mesh_blocks_3
 {
 public:
@@ -81,10 +81,6 @@ public:
     for(int v : b.vertices)
       part.sites.push_back(mesh_.sites[v]);
     load_cells(block, b, part);
-    part.surface_heights.clear();
-    for(const Facet& f : b.facets)
-      part.surface_heights.push_back(f.is_seam() ? (std::numeric_limits<double>::infinity)()
-                                                 : mesh_.surface_heights[f.constrained_facet]);
   }
 
   void store(int block, Constrained_triangulation_3& part)

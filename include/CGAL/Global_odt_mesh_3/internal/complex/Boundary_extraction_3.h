@@ -118,12 +118,9 @@ private:
     });
   }
 
-  // The patch from which it has been flipped, or else that on which all vertices agree.
+  // That on which all vertices agree.
   int patch_of_new_facet(const Boundary_facet& f)
   {
-    const auto flipped = candidate_.snapshot.flipped_facets.find(sorted(f.vertices));
-    if(flipped != candidate_.snapshot.flipped_facets.end())
-      return flipped->second;
     const Boundary_complex_3& boundary = candidate_.snapshot.boundary.complex();
     const auto patches = [&](int v)
     {

@@ -35,14 +35,13 @@ class Candidate_repair_3
 {
 public:
   // `rebuild()` makes the triangulation of the candidate anew.
-  Candidate_repair_3(Complex_candidate_3& candidate, Surface_projection_3& projection, std::function<void()> rebuild)
+  Candidate_repair_3(Complex_candidate_3& candidate, const Domain_view_3& domain, std::function<void()> rebuild)
     : candidate_(candidate)
-    , projection_(projection)
+    , domain_(domain)
     , rebuild_(std::move(rebuild))
   {}
 
-  // False if a vertex cannot be put back onto its surface.
-  bool apply(const Defect_report_3& report, int attempt)
+  void apply(const Defect_report_3& report, int attempt)
   {
     for(int v : report.offending_vertices())
       if(candidate_.is_reverted(v))
@@ -55,8 +54,7 @@ public:
     {
       if(!candidate_.numbering.is_movable(v) || candidate_.is_reverted(v))
         continue;
-      if(!send_back(v, attempt))
-        return false;
+      send_back(v, attempt);
       if(!rebuilds)
         candidate_.move(v);
     }
@@ -69,7 +67,6 @@ public:
     clear_facets(candidate_.known_centers, has_moved);
     clear_facets(candidate_.known_distances, has_moved);
     candidate_.measure();
-    return true;
   }
 
 private:
@@ -89,30 +86,21 @@ private:
   void push(int v, const Eigen::Vector3d& by, bool goes_back)
   {
     ++candidate_.pushed_vertices[v];
-    if(goes_back)
-      return;
     Site& s = candidate_.sites[v];
-    if(candidate_.numbering.is_interior(v))
-    {
+    if(!goes_back)
       s = site_at(position(s) + by, s.weight);
-      return;
-    }
-    const Eigen::Vector3d& normal = candidate_.measured_boundary.shape(v, 0).normal;
-    s = site_at(position(s) + by - normal.dot(by) * normal, s.weight);
-    projection_.return_to_surface(v, true);
   }
 
-  bool send_back(int v, int attempt)
+  void send_back(int v, int attempt)
   {
     const bool on_surface = !candidate_.numbering.is_interior(v);
-    // On the way, few attempts matter more than long ways.
-    const bool is_patient = attempt < patient_attempts && (!on_surface || candidate_.is_thorough());
     const int most = on_surface ? halfway_returns_on_surface : halfway_returns;
-    const bool is_halfway = is_patient && candidate_.vertices_sent_back[v]++ < most;
+    const bool is_halfway = attempt < patient_attempts && candidate_.vertices_sent_back[v]++ < most;
     Site& s = candidate_.sites[v];
     const Site& home = candidate_.revert_sites[v];
     s = is_halfway ? site_at((position(s) + position(home)) / 2, home.weight) : home;
-    return !on_surface || projection_.return_to_surface(v, is_halfway);
+    if(on_surface && is_halfway && !put_on_surface(candidate_, domain_, v))
+      s = home;
   }
 
   template <class Answers, class Predicate>
@@ -123,7 +111,7 @@ private:
   }
 
   Complex_candidate_3& candidate_;
-  Surface_projection_3& projection_;
+  const Domain_view_3& domain_;
   std::function<void()> rebuild_;
 };
 

@@ -56,8 +56,6 @@ public:
       if(!is_labelled || cells[n]->has_flag(MAY_HAVE_BOUNDARY_FACETS))
         found.push_back(n);
     };
-    candidate_.flipped_cells.clear();
-    candidate_.flipped_facets.clear();
     const std::vector<int> in_question
       = collect_in_chunks(static_cast<int>(cells.size()), candidate_.threads, find_cells_in_question);
     typedef std::pair<Cell_handle, Findings> Doubt;
@@ -86,7 +84,7 @@ private:
   };
 
   // The sine between the direction to a dual point and the tangential planes that is clear enough.
-  static constexpr double clear_margin = 0.05, clear_margin_on_rough_surface = 0.5;
+  static constexpr double clear_margin = 0.5;
   // Six times the volume, over the cube of the longest edge at a vertex, of a cell whose dual point is sure to nine digits.
   static constexpr double certain_volume = 1e-6;
   static constexpr int no_subdomain = Complex_snapshot_3::no_subdomain;
@@ -202,8 +200,8 @@ private:
   {
     if(!candidate_.is_unchanged(q))
       return no_subdomain;
-    const int of_snapshot = candidate_.snapshot.label_of_dual(q);
-    if(!candidate_.is_thorough() || (candidate_.snapshot.has_labels_of_domain && is_dual_point_certain(q)))
+    const int of_snapshot = candidate_.snapshot.label_of_boundary_cell(q);
+    if(candidate_.snapshot.has_labels_of_domain && is_dual_point_certain(q))
       return of_snapshot;
     if(const Vertex_numbering_3::Input_cell* const c = candidate_.numbering.input_cell(q, candidate_.sites))
       return c->label;
@@ -226,7 +224,6 @@ private:
   int label_seen_from_boundary(const Quadruple& q) const
   {
     const std::vector<Site>& sites = candidate_.sites;
-    const double margin = candidate_.motion == Boundary_motion::BY_DOMAIN ? clear_margin_on_rough_surface : clear_margin;
     const Cell_products t = products(q);
     const Eigen::Vector3d dual = position(sites[q[0]]) + Eigen::Vector3d(t.nx, t.ny, t.nz) / (2 * t.determinant);
     int label = no_subdomain;
@@ -234,7 +231,7 @@ private:
     {
       if(!is_on_boundary(v))
         continue;
-      const int l = candidate_.measured_boundary.label_toward(v, dual - position(sites[v]), margin);
+      const int l = candidate_.measured_boundary.label_toward(v, dual - position(sites[v]), clear_margin);
       if(l == no_subdomain || (label != no_subdomain && l != label))
         return no_subdomain;
       label = l;

@@ -40,33 +40,21 @@ namespace CGAL {
 namespace Global_odt_mesh_3 {
 namespace internal {
 
-// How the vertices on surfaces move, and with that, what is believed about the domain.
-//
-// By normals: vertices follow tangential planes and are projected to the surface now and then, and until the final snapshot
-// normals tell on which side of the surface a dual point lies; the domain is asked where that is not clear. On
-// surfaces that are rough compared with the mesh, as those of images are, normals mean
-// little: the domain is asked where each vertex goes, and for dual points that are not far from the tangential planes.
-enum class Boundary_motion { BY_NORMALS, BY_DOMAIN, NONE };
-
 // The next snapshot of a complex while it is made. It owns all that changes on the way; the snapshot
 // from which it starts stays as it is.
 struct Complex_candidate_3
 {
   typedef Complex_snapshot_3::Surface_center Surface_center;
-  typedef Complex_snapshot_3::Surface_position Surface_position;
 
   const Complex_snapshot_3& snapshot;
   const Vertex_numbering_3& numbering;
-  const Boundary_motion motion;
   const bool is_final;                        // or else one on the way, of which less is asked
   const Thread_policy threads;
 
   Working_triangulation_3& working;         // of the candidate's vertices once it has been built
   std::vector<Site> sites;
-  // Where vertices go back to: as in the snapshot, or put on the surface since, or as in the input.
+  // Where vertices go back to: as in the snapshot, or as in the input.
   std::vector<Site> revert_sites;
-  std::vector<Surface_position> surface_positions;
-  std::vector<char> is_revert_site_on_surface;       // of the vertices that move on surfaces
   Boundary_geometry_3 measured_boundary;      // that of the snapshot, at the positions of the candidate
 
   std::vector<Cell_handle> cells_at_boundary;                 // finite, with three vertices or more on the boundary
@@ -80,28 +68,19 @@ struct Complex_candidate_3
   // What the domain has said of facets holds until their vertices move.
   std::unordered_map<Triple, Surface_center, boost::hash<Triple> > known_centers;
   std::unordered_map<Triple, double, boost::hash<Triple> > known_distances;
-  std::map<Quadruple, int> flipped_cells;
-  std::map<Triple, int> flipped_facets;
   std::set<Triple> exempt_facets, far_facets; // of flat boundary cells: all, and those too far from the surface
   std::map<int, int> vertices_sent_back, pushed_vertices;     // and how often
 
   Complex_candidate_3(const Complex_snapshot_3& from, Working_triangulation_3& triangulation, const std::vector<Site>& target,
-                      Boundary_motion how, bool is_last, const Thread_policy& policy)
+                      bool is_last, const Thread_policy& policy)
     : snapshot(from)
     , numbering(*from.numbering)
-    , motion(how)
     , is_final(is_last)
     , threads(policy)
     , working(triangulation)
     , sites(target)
     , revert_sites(from.sites)
-    , surface_positions(from.surface_positions)
   {
-    for(int v = numbering.number_of_interior_vertices; v < numbering.number_of_movable_vertices; ++v)
-    {
-      is_revert_site_on_surface.push_back(snapshot.surface_position(v).is_on_surface);
-      surface_position(v).is_on_surface = snapshot.surface_position(v).is_on_surface && is_reverted(v);
-    }
     measure();
   }
 
@@ -109,9 +88,6 @@ struct Complex_candidate_3
   Complex_candidate_3& operator=(const Complex_candidate_3&) = delete;
 
   bool boundary_moves() const { return numbering.number_of_surface_vertices() > 0; }
-
-  // Whether vertices have to be on the surface and cells to be labelled as the domain says.
-  bool is_thorough() const { return is_final || motion == Boundary_motion::BY_DOMAIN; }
 
   // To be called when vertices have moved.
   void measure()
@@ -136,12 +112,6 @@ struct Complex_candidate_3
   // Of the vertices of a cell, -1 for the infinite one.
   Quadruple numbers(Cell_handle c) const { return working.numbers(c); }
 
-  Surface_position& surface_position(int v)
-  {
-    CGAL_assertion(numbering.is_movable(v) && !numbering.is_interior(v));
-    return surface_positions[v - numbering.number_of_interior_vertices];
-  }
-
   int times_sent_back(int v) const { return times(vertices_sent_back, v); }
   int times_pushed(int v) const { return times(pushed_vertices, v); }
 
@@ -161,11 +131,8 @@ struct Complex_candidate_3
     return std::all_of(vertices.begin(), vertices.end(), [this](int v) { return same_place(sites[v], snapshot.sites[v]); });
   }
 
-  // Where the vertex is now, on the surface, is its revert site from now on.
-  void settle(int v) { set_revert_site(v, sites[v]); }
-
   // From now on, the vertex reverts to where it was in the input.
-  void revert_to_input(int v) { set_revert_site(v, numbering.input_sites[v]); }
+  void revert_to_input(int v) { revert_sites[v] = numbering.input_sites[v]; }
 
   // The candidate becomes a snapshot, which the cells of the triangulation know.
   Complex_snapshot_3 finish()
@@ -183,31 +150,14 @@ struct Complex_candidate_3
     for_each_in_chunks(static_cast<int>(cells.size()), threads, [&cells](int n) { cells[n]->clear_flags(); });
     next.boundary = std::move(boundary);
     next.centers = std::move(centers);
-    next.flipped_cells = std::move(flipped_cells);
-    next.flipped_facets = std::move(flipped_facets);
     next.far_facets = std::move(far_facets);
     next.number_facets();
     for(std::size_t n = 0; n < facets.size(); ++n)
       mark_facet(next.boundary.complex().facets()[n], facets[n], working);
-    next.surface_positions = std::move(surface_positions);
-    for(int v = numbering.number_of_interior_vertices; v < numbering.number_of_movable_vertices; ++v)
-    {
-      Surface_position& p = next.surface_positions[v - numbering.number_of_interior_vertices];
-      if(p.is_on_surface)
-        p.last_on_surface = next.sites[v];
-    }
     return next;
   }
 
 private:
-  // On the surface, if the vertex belongs to one.
-  void set_revert_site(int v, const Site& s)
-  {
-    revert_sites[v] = s;
-    if(!numbering.is_interior(v))
-      is_revert_site_on_surface[v - numbering.number_of_interior_vertices] = true;
-  }
-
   static int times(const std::map<int, int>& vertices, int v)
   {
     const auto it = vertices.find(v);

@@ -128,24 +128,13 @@ struct Complex_snapshot_3
     bool is_faithful = false;       // the facet's centroid is known to be close enough to the surface
   };
 
-  // Of a vertex that moves on a surface.
-  struct Surface_position
-  {
-    bool is_on_surface;
-    double drift;                   // how far tangential planes may have led off it, over an edge
-    Site last_on_surface;
-  };
-
   std::shared_ptr<const Vertex_numbering_3> numbering;
   bool is_input = false;
   std::vector<Site> sites;
-  std::vector<Surface_position> surface_positions;  // of the vertices that move on surfaces
   Boundary_geometry_3 boundary;
   std::vector<Surface_center> centers;
   Tuple_table<Triple, int> facet_numbers;
   Tuple_table<Quadruple, int> boundary_cells;       // with all vertices on the boundary; labels
-  std::map<Quadruple, int> flipped_cells;            // that have another label than their dual points, which is given
-  std::map<Triple, int> flipped_facets;              // of these cells, that are no longer on the boundary; their patches
   std::set<Triple> far_facets;                      // of flat boundary cells, farther from the surface than permitted
   bool has_unseparating_facets = false;
   bool has_labels_of_domain = false;                // also of the boundary cells
@@ -159,25 +148,11 @@ struct Complex_snapshot_3
   // Whether this is the input, and no vertex has moved since.
   bool is_untouched_at(const std::vector<Site>& positions) const { return is_input && has_positions(positions); }
 
-  // Of a vertex that moves on a surface.
-  const Surface_position& surface_position(int v) const
-  {
-    CGAL_assertion(numbering->is_movable(v) && !numbering->is_interior(v));
-    return surface_positions[v - numbering->number_of_interior_vertices];
-  }
-
   // The label of a cell with all vertices on the boundary, or no_subdomain if there is none.
   int label_of_boundary_cell(const Quadruple& cell) const
   {
     const int* const label = boundary_cells.find(sorted(cell));
     return label == nullptr ? int(no_subdomain) : *label;
-  }
-
-  // The same for that of its dual point, as far as that is known.
-  int label_of_dual(const Quadruple& cell) const
-  {
-    const auto it = flipped_cells.find(sorted(cell));
-    return it == flipped_cells.end() ? label_of_boundary_cell(cell) : it->second;
   }
 
   // The number of the boundary facet with these vertices, or -1.
@@ -200,12 +175,6 @@ struct Complex_snapshot_3
     }
   }
 
-  // The signed height of the surface over the plane of a boundary facet, where the
-  // dual line crosses both, positive toward side 1.
-  double height(const Triple& facet) const
-  {
-    return Facet_dual_3(facet, sites).height(centers[facet_number(facet)].point);
-  }
 };
 
 } // namespace internal

@@ -13,7 +13,7 @@
 #include <CGAL/license/Global_odt_mesh_3.h>
 
 #include <CGAL/Global_odt_mesh_3/internal/complex/Boundary_extraction_3.h>
-#include <CGAL/Global_odt_mesh_3/internal/complex/Boundary_flips_3.h>
+#include <CGAL/Global_odt_mesh_3/internal/complex/Flat_boundary_cells_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/complex/Candidate_checks_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/complex/Candidate_repair_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/complex/Cell_labels_3.h>
@@ -55,10 +55,10 @@ class Complex_updater_3
 {
 public:
   // Refers to the domain and the bounds. If vertices have long ways to go, facets may be thin until the final snapshot.
-  Complex_updater_3(const Domain_view_3& domain, Facet_bounds_3& bounds, Boundary_motion motion, bool has_long_ways = false,
+  Complex_updater_3(const Domain_view_3& domain, Facet_bounds_3& bounds, bool boundary_moves, bool has_long_ways = false,
                     const Thread_policy& threads = Thread_policy())
     : domain_(domain)
-    , motion_(motion)
+    , boundary_moves_(boundary_moves)
     , threads_(threads)
     , has_long_ways_(has_long_ways)
     , bounds_(bounds)
@@ -70,13 +70,12 @@ public:
   void start(Complex_snapshot_3 input)
   {
     snapshot_ = std::move(input);
-    if(motion_ != Boundary_motion::NONE && !snapshot_.sites.empty())
+    if(boundary_moves_ && !snapshot_.sites.empty())
       bounds_.measure(snapshot_);
   }
 
   const Complex_snapshot_3& snapshot() const { return snapshot_; }
   const Domain_view_3& domain() const { return domain_; }
-  Boundary_motion motion() const { return motion_; }
 
   // That of the snapshot, which is made if there is none.
   Working_triangulation_3& triangulation()
@@ -113,7 +112,7 @@ public:
   Exact_relocation_3 make_trial(const Circumradius_bound_3& size_bound = Circumradius_bound_3())
   {
     Working_triangulation_3& working = edited_triangulation();
-    return Exact_relocation_3(snapshot_, *snapshot_.numbering, working, domain_, bounds_, motion_ != Boundary_motion::NONE, size_bound,
+    return Exact_relocation_3(snapshot_, *snapshot_.numbering, working, domain_, bounds_, boundary_moves_, size_bound,
                               threads_);
   }
 
@@ -121,7 +120,7 @@ public:
   Vertex_edits_3 make_edits(double permitted_changes_of_volume = 1)
   {
     Working_triangulation_3& working = edited_triangulation();
-    return Vertex_edits_3(snapshot_, working, domain_, bounds_, motion_ != Boundary_motion::NONE, permitted_changes_of_volume, threads_);
+    return Vertex_edits_3(snapshot_, working, domain_, bounds_, boundary_moves_, permitted_changes_of_volume, threads_);
   }
 
   // Goes to where trials of this snapshot have led. False if that cannot be done: then the snapshot is as it was.
@@ -130,7 +129,7 @@ public:
     const Editable_complex_3& trials = trial.complex();
     if(snapshot_.has_positions(trials.sites))
       return true;
-    Complex_candidate_3 candidate(snapshot_, triangulation_, trials.sites, motion_, true, threads_);
+    Complex_candidate_3 candidate(snapshot_, triangulation_, trials.sites, true, threads_);
     trials.give(candidate);
     if(!complete_trials(candidate))
       return false;
@@ -187,7 +186,7 @@ private:
   {
     const Stage_clock::In_stage in_stage(threads_.clock(), Stage_clock::CHECK);
     is_of_snapshot_ = false;
-    Complex_candidate_3 candidate(snapshot_, triangulation_, target, motion_, is_final, threads_);
+    Complex_candidate_3 candidate(snapshot_, triangulation_, target, is_final, threads_);
     if(!complete(candidate, mesh))
       return false;
     replace_snapshot(candidate);
@@ -197,19 +196,18 @@ private:
   // Whether the candidate is valid, perhaps with some vertices back where they were.
   bool complete(Complex_candidate_3& candidate, const Moving_triangulation_3* mesh)
   {
-    Surface_projection_3 projection(candidate, domain_);
-    if(candidate.boundary_moves())
-      projection.project_all();
+    put_on_surfaces(candidate, domain_);
     build(candidate, mesh);
-    Candidate_repair_3 repair(candidate, projection, [&] { build(candidate, nullptr); });
+    Candidate_repair_3 repair(candidate, domain_, [&] { build(candidate, nullptr); });
     for(int attempt = 0; attempt < most_attempts; ++attempt)
     {
       const bool wants_good_facets = (candidate.is_final || !has_long_ways_) && attempt < attempts_at_good_facets;
       Defect_report_3 report = check(candidate, wants_good_facets);
       if(report.is_clean())
         return true;
-      if(report.is_beyond_repair() || !repair.apply(report, attempt))
+      if(report.is_beyond_repair())
         return false;
+      repair.apply(report, attempt);
     }
     return false;
   }
@@ -219,9 +217,6 @@ private:
   {
     if(candidate.boundary_moves())
       Flat_boundary_cells_3(candidate, domain_, bounds_).exempt();
-    for(int v = candidate.numbering.number_of_interior_vertices; v < candidate.numbering.number_of_movable_vertices; ++v)
-      if(!candidate.is_reverted(v))
-        candidate.surface_position(v) = { true, 0, candidate.sites[v] };
     return topology_changes(candidate).empty() && Surface_centers_3(candidate, domain_).find_surface_centers().is_clean()
            && bounds_.check_distances(candidate).is_clean();
   }
@@ -236,10 +231,7 @@ private:
     Boundary_extraction_3 extraction(candidate, domain_);
     extraction.find_boundary();
     report.add(candidate.boundary_moves() ? check_topology(candidate) : check_facets_stay(candidate));
-    // Flat cells that cannot be flipped off the boundary yet are not what is wrong.
-    if(candidate.boundary_moves() && !candidate.is_final && report.is_clean())
-      Boundary_flips_3(candidate, domain_, extraction, bounds_).flip();
-    else if(candidate.boundary_moves())
+    if(candidate.boundary_moves())
       Flat_boundary_cells_3(candidate, domain_, bounds_).exempt();
     report.add(Surface_centers_3(candidate, domain_).find_surface_centers());
     if(!candidate.boundary_moves())
@@ -262,7 +254,7 @@ private:
   }
 
   const Domain_view_3& domain_;
-  Boundary_motion motion_;
+  bool boundary_moves_;
   Thread_policy threads_;
   bool has_long_ways_;
   Facet_bounds_3& bounds_;

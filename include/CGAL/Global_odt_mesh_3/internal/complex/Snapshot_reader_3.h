@@ -108,8 +108,6 @@ public:
     threads_.sort(in_order.begin(), in_order.end(), [](const auto& a, const auto& b)
                   { return sorted(a.vertices) < sorted(b.vertices); });
     snapshot_.boundary = Boundary_geometry_3(std::make_shared<const Boundary_complex_3>(boundary(in_order)), snapshot_.sites);
-    for(int v = numbering_->number_of_interior_vertices; v < numbering_->number_of_movable_vertices; ++v)
-      snapshot_.surface_positions.push_back({ true, 0, snapshot_.sites[v] });
     snapshot_.number_facets();
     read_surface_centers(in_order);
     read_labels();

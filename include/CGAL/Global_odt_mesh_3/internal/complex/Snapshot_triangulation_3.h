@@ -97,9 +97,6 @@ inline void load_positions(const Complex_snapshot_3& snapshot, const Constrained
   mesh.sites = snapshot.sites;
   mesh.number_of_interior_vertices = snapshot.numbering->number_of_interior_vertices;
   mesh.number_of_movable_vertices = snapshot.numbering->number_of_movable_vertices;
-  mesh.surface_heights.resize(facets.size());
-  for_each_in_chunks(static_cast<int>(facets.size()), threads,
-                     [&](int n) { mesh.surface_heights[n] = snapshot.height(facets[n].vertices); });
 }
 
 // Loads the snapshot, whose triangulation is given, into a mesh: all cells that are in the complex, in canonical order; the

@@ -13,7 +13,6 @@
 #include <CGAL/license/Global_odt_mesh_3.h>
 
 #include <CGAL/Global_odt_mesh_3/internal/geometry/Site.h>
-#include <CGAL/Global_odt_mesh_3/internal/triangulation/Position_control_3.h>
 
 #include <Eigen/Core>
 
@@ -31,7 +30,14 @@ struct Tangential_motion
 
   bool is_at_rest() const { return !(radius > 0); }
 
-  void hold_in_disk(Site& s) const { internal::hold_in_disk(center, radius, s); }
+  // The tangential plane says little of the surface farther away.
+  void hold_in_disk(Site& s) const
+  {
+    const Eigen::Vector3d way = position(s) - position(center);
+    const double length = way.norm();
+    if(length > radius)
+      s = site_at(position(center) + radius / length * way, s.weight);
+  }
 
   Eigen::Vector3d tangential_part(const Eigen::Vector3d& g) const
   {

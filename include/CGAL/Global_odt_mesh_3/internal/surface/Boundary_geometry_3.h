@@ -36,9 +36,7 @@ namespace internal {
 struct Umbrella_shape
 {
   Eigen::Vector3d normal = Eigen::Vector3d::Zero();     // of unit length, from labels[0] to labels[1]
-  Eigen::Vector3d toward = Eigen::Vector3d::Zero();     // from the vertex into the umbrella
   double shortest_edge = (std::numeric_limits<double>::max)();      // from the vertex
-  double bend = 0;                                  // the largest sine between facets and normal
   bool is_smooth = false;                           // closed, oriented, of one patch, not bent too much
 };
 
@@ -122,7 +120,6 @@ private:
     for(int m = 1; m < 3; ++m)
     {
       const Eigen::Vector3d edge = position(sites[t[(corner + m) % 3]]) - position(s);
-      u.toward += edge;
       u.shortest_edge = (std::min)(u.shortest_edge, edge.norm());
     }
   }
@@ -130,10 +127,8 @@ private:
   void add_bend(int corner, const Eigen::Vector3d& facet_normal)
   {
     Umbrella_shape& u = shape_of_corner(corner);
-    const double cosine = orientation(corner) * facet_normal.dot(u.normal);
-    if(!(cosine >= smallest_cosine))
+    if(!(orientation(corner) * facet_normal.dot(u.normal) >= smallest_cosine))
       u.is_smooth = false;
-    u.bend = (std::max)(u.bend, std::sqrt((std::max)(0., 1 - cosine * cosine)));
   }
 
   // Twice the area, pointing to side 1.

@@ -34,15 +34,10 @@ namespace internal {
 //
 // The vertices [0, number_of_interior_vertices) move in space, and no constrained facet touches
 // them; those up to number_of_movable_vertices move along with their constrained facets.
-//
-// A constrained facet is a facet of the restricted triangulation as long as the dual points of
-// its cells lie on either side of the surface. The surface is known by its height
-// over the constrained facet where the dual line of the constrained facet crosses both.
 struct Constrained_triangulation_3
 {
   Indexed_triangulation_3 topology;
   std::vector<Site> sites;
-  std::vector<double> surface_heights;     // positive toward side 1
   int number_of_interior_vertices = 0;
   int number_of_movable_vertices = 0;
 
@@ -112,34 +107,6 @@ struct Constrained_triangulation_3
   {
     for(int i = 0; i < 4; ++i)
       push_facet(Half_facet(cell, i), facets);
-  }
-
-  // Whether the dual point of a cell with vertices `v` is beyond the surface at the facet opposite to
-  // vertex i, which is looked at from that side.
-  bool is_beyond_surface(const Cell_products& t, const int* v, int i, Half_facet side) const
-  {
-    const std::array<int, 3>& f = facet_indices(i);
-    const Site& origin = sites[v[0]];
-    const Site& p = sites[v[f[0]]];
-    const Site& q = sites[v[f[1]]];
-    const Site& r = sites[v[f[2]]];
-    const double ax = q.x - p.x, ay = q.y - p.y, az = q.z - p.z;
-    const double bx = r.x - p.x, by = r.y - p.y, bz = r.z - p.z;
-    // The normal points out of the cell.
-    const double mx = ay * bz - az * by, my = az * bx - ax * bz, mz = ax * by - ay * bx;
-    const double g = 2 * t.determinant;
-    const double above = mx * (t.nx - g * (p.x - origin.x)) + my * (t.ny - g * (p.y - origin.y))
-                         + mz * (t.nz - g * (p.z - origin.z));
-    CGAL_assertion(side.is_side() && static_cast<std::size_t>(side.constrained_facet()) < surface_heights.size());
-    const double height = surface_heights[side.constrained_facet()] * (side.side() == 0 ? 1 : -1);
-    return above > height * g * std::sqrt(mx * mx + my * my + mz * mz);
-  }
-
-  // The same for a slot, whose facet need not be constrained.
-  bool is_beyond_surface(Half_facet s) const
-  {
-    const Half_facet across = topology.neighbor(s);
-    return across.is_side() && is_beyond_surface(products(s.cell()), topology.vertices(s.cell()), s.index(), across);
   }
 
   // The mean length of the edges of each movable vertex; an edge counts once for

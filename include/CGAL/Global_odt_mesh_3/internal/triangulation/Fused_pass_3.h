@@ -67,18 +67,15 @@ public:
     return sum;
   }
 
-  // The cells that are not positive, slots of the facets that are not locally regular, and vertices of the interior
-  // that push dual points through the surface.
-  void lists(std::vector<int>& inverted, std::vector<Half_facet>& irregular, std::vector<int>& intruders) const
+  // The cells that are not positive, and slots of the facets that are not locally regular.
+  void lists(std::vector<int>& inverted, std::vector<Half_facet>& irregular) const
   {
     inverted.clear();
     irregular.clear();
-    intruders.clear();
     for(const Part& p : parts_)
     {
       inverted.insert(inverted.end(), p.inverted.begin(), p.inverted.end());
       irregular.insert(irregular.end(), p.irregular.begin(), p.irregular.end());
-      intruders.insert(intruders.end(), p.intruders.begin(), p.intruders.end());
     }
   }
 
@@ -93,13 +90,12 @@ private:
   struct Part
   {
     double energy = 0;
-    std::vector<int> inverted, intruders;
+    std::vector<int> inverted;
     std::vector<Half_facet> irregular;
 
     void clear()
     {
       inverted.clear();
-      intruders.clear();
       irregular.clear();
     }
   };
@@ -154,22 +150,8 @@ private:
         facets[number_of_facets] = slot + i;
         number_of_facets += across[i] > slot + i;
       }
-      if((across[0] | across[1] | across[2] | across[3]) < 0)
-        find_intruders(mesh, t, slot, part.intruders);
     }
     return number_of_facets;
-  }
-
-  static void find_intruders(const Constrained_triangulation_3& mesh, const Cell_products& t, int slot,
-                             std::vector<int>& intruders)
-  {
-    const int* const v = mesh.topology.cell_vertices() + slot;
-    for(int i = 0; i < 4; ++i)
-    {
-      const Half_facet across(mesh.topology.neighbors()[slot + i]);
-      if(across.is_side() && v[i] < mesh.number_of_interior_vertices && mesh.is_beyond_surface(t, v, i, across))
-        intruders.push_back(v[i]);
-    }
   }
 
   static void test_facets(const Constrained_triangulation_3& mesh, int begin, const Cell_sphere* spheres,

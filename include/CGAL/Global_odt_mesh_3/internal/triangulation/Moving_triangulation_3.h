@@ -63,7 +63,7 @@ public:
 
   struct Statistics
   {
-    std::size_t evaluations = 0, flips = 0, untangled_cells = 0, restorations = 0, holds = 0, retreats = 0;
+    std::size_t evaluations = 0, flips = 0, untangled_cells = 0, restorations = 0, holds = 0;
   };
 
   double energy() const { return energy_; }
@@ -131,7 +131,6 @@ public:
   {
     ++statistics_.evaluations;
     kept_sites_.prepare_changes(sites);
-    retreated_.clear();
     asked_for_sites_.clear();
     choice_.update(sites, number_of_movable_vertices, threads_);
     pass();
@@ -140,9 +139,6 @@ public:
       return false;
     if(number_of_inverted_cells > 0 && !untangle() && !Position_control(*this).hold_back(number_of_inverted_cells))
       return false;
-    if(!make_regular())
-      return false;
-    retreat_from_surfaces();
     const bool is_regular = make_regular();
     CGAL_expensive_assertion(topology.is_valid());
     if(!choice_.is_polynomial())
@@ -150,16 +146,12 @@ public:
     return is_regular;
   }
 
-  // Whether all cells are positive and, up to rounding, locally regular, and their
-  // dual points on their side of constrained facets; nothing is changed but energy and gradient.
+  // Whether all cells are positive and, up to rounding, locally regular; nothing is changed but energy and gradient.
   bool is_regular()
   {
     pass();
-    return inverted_.empty() && irregular_.empty() && intruders_.empty();
+    return inverted_.empty() && irregular_.empty();
   }
-
-  // The vertices that the last evaluation kept from going where they were sent.
-  const std::vector<int>& retreated_vertices() const { return retreated_; }
 
 private:
   typedef Position_control_3<Moving_triangulation_3> Position_control;
@@ -179,7 +171,7 @@ private:
     const Thread_policy threads = choice_.is_safe_for_threads() ? threads_ : Thread_policy();
     choice_.visit([&](auto energy) { energy_ = pass_.run(*this, energy, threads, gradient_); });
     energy_of_pass_ = energy_;
-    pass_.lists(inverted_, irregular_, intruders_);
+    pass_.lists(inverted_, irregular_);
   }
 
   // Adds (or, with sign -1, removes) what a cell contributes. Energies with poles are left to a pass over the regular mesh.
@@ -226,19 +218,16 @@ private:
 
   bool make_regular() { return Lawson_flips_3<Moving_triangulation_3>(*this, *this, irregular_).make_regular(); }
 
-  // Gives all cells positive volume, first by flips, then, if many are left, by moving vertices into the kernel
-  // of their star. The cells for which this fails are left in stuck_.
+  // Gives all cells positive volume by flips. The cells for which this fails are left in stuck_.
   bool untangle()
   {
     statistics_.untangled_cells += inverted_.size();
     Untangling_flips_3<Moving_triangulation_3>(*this, *this, inverted_, irregular_).run(stuck_);
-    Position_control(*this).jump_into_kernels(stuck_);
     return stuck_.empty();
   }
 
   const std::vector<int>& stuck_cells() const { return stuck_; }
   const Site& kept_site(int v) const { return kept_sites_[v]; }
-  void add_retreated(int v) { retreated_.push_back(v); }
 
   const Site& site_asked_for(int v) const
   {
@@ -262,7 +251,7 @@ private:
       sites[a.first] = a.second;
     gradient_.clear(gradient_.number_of_parts() - 1);
     energy_ = energy_of_pass_;
-    pass_.lists(inverted_, irregular_, intruders_);
+    pass_.lists(inverted_, irregular_);
     std::set<int> cells;
     for(const auto& o : others)
     {
@@ -288,40 +277,6 @@ private:
     push_facets(c, irregular_);
     if(is_inverted(c))
       inverted_.push_back(c);
-    else
-      for(int i = 0; i < 4; ++i)
-        if(topology.vertices(c)[i] < number_of_interior_vertices && is_beyond_surface(Half_facet(c, i)))
-          intruders_.push_back(topology.vertices(c)[i]);
-  }
-
-  // Moves `v` if all its cells, those of its star, become positive.
-  bool relocate(int v, const std::vector<Half_facet>& star, const Site& s)
-  {
-    CGAL_assertion(std::all_of(star.begin(), star.end(), [&](Half_facet t) { return topology.vertex(t) == v; }));
-    const Site old = sites[v];
-    for(Half_facet t : star)
-      add_cell(t.cell(), -1);
-    replace(v, s);
-    const bool positive = std::all_of(star.begin(), star.end(), [this](Half_facet t)
-                                      { return products(t.cell()).determinant > 0; });
-    if(!positive)
-      sites[v] = old;
-    for(Half_facet t : star)
-    {
-      add_cell(t.cell(), 1);
-      if(positive)
-        push_facets(t.cell(), irregular_);
-    }
-    return positive;
-  }
-
-  // Flips change which vertices face constrained facets: around them, that is seen
-  // at the next evaluation only.
-  void retreat_from_surfaces()
-  {
-    statistics_.retreats += intruders_.size();
-    for(int v : intruders_)
-      Position_control(*this).retreat_from_surface(v);
   }
 
   Thread_policy threads_;
@@ -329,7 +284,7 @@ private:
   Energy_choice_3 choice_;
   Fused_pass_3::Gradient gradient_;   // the last part is what repairs add
   double energy_ = 0, kept_energy_ = 0, energy_of_pass_ = 0;
-  std::vector<int> inverted_, intruders_, stuck_, retreated_;
+  std::vector<int> inverted_, stuck_;
   std::vector<Half_facet> irregular_, star_;
   Kept_sites kept_sites_;
   std::map<int, Site> asked_for_sites_;   // of vertices that repairs have moved

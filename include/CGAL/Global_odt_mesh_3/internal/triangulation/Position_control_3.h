@@ -16,7 +16,6 @@
 #include <CGAL/Global_odt_mesh_3/internal/triangulation/Half_facet.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <cstddef>
 #include <map>
@@ -28,11 +27,6 @@ namespace internal {
 
 struct Position_parameters_3
 {
-  // More cells than this that flips do not untangle come from long steps, where a jump of the energy
-  // does no harm: a vertex of each jumps to where its cells are positive, if there is such a place. Fewer come from
-  // the short steps near a minimum: all their vertices are held back.
-  std::size_t most_cells_held_back = 16;
-
   // A vertex is held back to a half of its step, to half of that and so on; at this time it stays.
   int times_to_standstill = 4;
 
@@ -43,27 +37,9 @@ struct Position_parameters_3
   // Holding back is given up when that many cells more are stuck than were inverted at first, since the step was much
   // too long.
   std::size_t cells_out_of_reach = 20;
-
-  // The parts of the step that are tried where a vertex pushes dual points through the surface; the last
-  // is where it came from.
-  std::array<double, 3> parts_before_surface = {{ 0.5, 0.25, 0 }};
 };
 
-// A vertex on a surface is held in a disk about where it came from: its tangential plane says little of the surface farther
-// away.
-inline void hold_in_disk(const Site& center, double radius, Site& s)
-{
-  const double x = s.x - center.x, y = s.y - center.y, z = s.z - center.z;
-  const double d = std::sqrt(x * x + y * y + z * z);
-  if(d <= radius)
-    return;
-  const double f = radius / d;
-  s = { center.x + f * x, center.y + f * y, center.z + f * z, s.weight };
-}
-
-// The other ways of altering the position of a vertex that was asked for, in a mesh that is on its way from the state that it
-// keeps, a Moving_triangulation_3: the vertex jumps into the kernel of its star, is held back, or retreats from
-// a surface.
+// Holds vertices back on their way from the state that their mesh keeps, a Moving_triangulation_3.
 template <class Mesh>
 class Position_control_3
 {
@@ -72,16 +48,6 @@ public:
     : mesh_(mesh)
     , parameters_(parameters)
   {}
-
-  // Moves a vertex into the kernel of its star for each of the stuck cells, as far as may be, if they are many.
-  void jump_into_kernels(std::vector<int>& stuck)
-  {
-    const bool may_jump = stuck.size() > parameters_.most_cells_held_back;
-    const auto is_free = [&](int c) { return !mesh_.is_inverted(c) || (may_jump && jump_into_kernel(c)); };
-    stuck.erase(std::remove_if(stuck.begin(), stuck.end(), is_free), stuck.end());
-    // A jump may have freed cells before.
-    stuck.erase(std::remove_if(stuck.begin(), stuck.end(), [&](int c) { return !mesh_.is_inverted(c); }), stuck.end());
-  }
 
   // Starts again from the kept state, with shorter steps for the vertices of stuck cells and, once these do not
   // move at all, of the vertices around. False if no such steps are found.
@@ -99,61 +65,13 @@ public:
       std::map<int, Site> sites;
       for(const auto& t : times)
         sites.emplace(t.first, on_the_way(t.first, mesh_.site_asked_for(t.first), part_of_step(t.second)));
-      if(!mesh_.untangle_anew(sites))
-        continue;
-      for(const auto& t : times)
-        if(t.second == parameters_.times_to_standstill)
-          mesh_.add_retreated(t.first);
-      return true;
-    }
-    return false;
-  }
-
-  // A vertex that has pushed the dual point of its cell beyond a constrained facet goes back toward where it was.
-  void retreat_from_surface(int v)
-  {
-    const Site to = mesh_.sites[v];
-    mesh_.topology.star(v, star_);
-    const auto is_beyond = [this](Half_facet s) { return mesh_.is_beyond_surface(s); };
-    if(std::none_of(star_.begin(), star_.end(), is_beyond))       // any more, after flips
-      return;
-    for(double part : parameters_.parts_before_surface)
-      if(mesh_.relocate(v, star_, on_the_way(v, to, part)) && std::none_of(star_.begin(), star_.end(), is_beyond))
-        break;
-    mesh_.add_retreated(v);
-  }
-
-private:
-  bool jump_into_kernel(int cell)
-  {
-    for(int i = 0; i < 4; ++i)
-    {
-      const int v = mesh_.topology.vertex(Half_facet(cell, i));
-      if(v >= mesh_.number_of_interior_vertices)
-        continue;
-      mesh_.topology.star(v, star_);
-      if(mesh_.relocate(v, star_, centroid_of_link(v)))
+      if(mesh_.untangle_anew(sites))
         return true;
     }
     return false;
   }
 
-  // A vertex of the link counts once for each of its cells.
-  Site centroid_of_link(int v) const
-  {
-    Site centroid = { 0, 0, 0, mesh_.sites[v].weight };
-    for(Half_facet s : star_)
-      for(int j = 0; j < 4; ++j)
-        if(j != s.index())
-        {
-          const Site& p = mesh_.sites[mesh_.topology.vertex(s.in_cell(j))];
-          centroid.x += p.x; centroid.y += p.y; centroid.z += p.z;
-        }
-    const double n = 3. * static_cast<double>(star_.size());
-    centroid.x /= n; centroid.y /= n; centroid.z /= n;
-    return centroid;
-  }
-
+private:
   // Those of the stuck cells and of so many rings around. Leads back to the kept topology.
   std::vector<int> vertices_to_hold_back(int rings)
   {

@@ -42,8 +42,7 @@ public:
     , irregular_(irregular)
   {}
 
-  // `stuck` gets cells that no flip improves, which may have been improved by other flips since, and those that are
-  // left after too many flips.
+  // `stuck` gets the cells that no flip improves, and those that are left after too many flips.
   void run(std::vector<int>& stuck)
   {
     std::size_t budget = 100 + 8 * inverted_.size();
@@ -57,6 +56,8 @@ public:
     }
     stuck.insert(stuck.end(), inverted_.begin(), inverted_.end());
     inverted_.clear();
+    // Other flips may have improved some since.
+    stuck.erase(std::remove_if(stuck.begin(), stuck.end(), [this](int c) { return !mesh_.is_inverted(c); }), stuck.end());
   }
 
 private:
