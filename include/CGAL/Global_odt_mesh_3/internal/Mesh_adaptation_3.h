@@ -88,7 +88,7 @@ public:
                                : has_sizes ? wanted.number_of_vertices() : number_before;
     const double coarsening = parameters.do_remove_vertices ? (std::max)(1., number_before / wanted_number) : 1.;
     bounds_.permit_coarsening(coarsening);
-    Vertex_edits_3 edits = complex_.make_edits(coarsening);
+    Vertex_edits_3 edits(complex_, coarsening);
     Size_adaptation_3 adaptation(edits, wanted, tolerance);
     if(parameters.do_remove_vertices)
       adaptation.remove_vertices(may_go_on);
@@ -104,7 +104,7 @@ public:
     if(!is_editable_)
       return false;
     const std::vector<int> number = numbers_of_table();
-    Vertex_edits_3 edits = complex_.make_edits();
+    Vertex_edits_3 edits(complex_);
     Sliver_edits_3 insertion(edits, true, false, seed);
     for(Size_criteria_3::Violation v : violations)
     {
@@ -123,7 +123,7 @@ public:
   {
     if(!is_editable_)
       return false;
-    Vertex_edits_3 edits = complex_.make_edits();
+    Vertex_edits_3 edits(complex_);
     Sliver_edits_3(edits, inserts, removes, seed).run(step, may_go_on);
     return store(edits);
   }

@@ -133,7 +133,9 @@ private:
       }
       return here;
     };
-    return patch_of_facet(f.vertices, candidate_.sites, patches, domain_);
+    const Triple& t = f.vertices;
+    const std::vector<Site>& s = candidate_.sites;
+    return patch_of_facet(t, {{ s[t[0]], s[t[1]], s[t[2]] }}, patches, domain_);
   }
 
   Complex_candidate_3& candidate_;

@@ -13,7 +13,6 @@
 #include <CGAL/license/Global_odt_mesh_3.h>
 
 #include <CGAL/Global_odt_mesh_3/internal/complex/Boundary_extraction_3.h>
-#include <CGAL/Global_odt_mesh_3/internal/complex/Flat_boundary_cells_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/complex/Candidate_checks_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/complex/Candidate_repair_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/complex/Cell_labels_3.h>
@@ -21,13 +20,11 @@
 #include <CGAL/Global_odt_mesh_3/internal/complex/Complex_snapshot_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/complex/Defect_report_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/complex/Editable_complex_3.h>
-#include <CGAL/Global_odt_mesh_3/internal/complex/Exact_relocation_3.h>
+#include <CGAL/Global_odt_mesh_3/internal/complex/Flat_boundary_cells_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/complex/Snapshot_triangulation_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/complex/Surface_centers_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/complex/Surface_projection_3.h>
-#include <CGAL/Global_odt_mesh_3/internal/complex/Vertex_edits_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/complex/Working_triangulation_3.h>
-#include <CGAL/Global_odt_mesh_3/internal/geometry/Circumradius_bound_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/geometry/Site.h>
 #include <CGAL/Global_odt_mesh_3/internal/interface/Domain_view_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/parallel/Stage_clock.h>
@@ -108,27 +105,25 @@ public:
     return !snapshot_.is_input || triangulation().is_regular(threads_) || advance(snapshot_.sites, true);
   }
 
-  // Trials of single vertices, which have the triangulation until the snapshot adopts them.
-  Exact_relocation_3 make_trial(const Circumradius_bound_3& size_bound = Circumradius_bound_3())
-  {
-    Working_triangulation_3& working = edited_triangulation();
-    return Exact_relocation_3(snapshot_, *snapshot_.numbering, working, domain_, bounds_, boundary_moves_, size_bound,
-                              threads_);
-  }
+  // The complex for trials of single vertices, which have the triangulation until it is adopted.
+  Editable_complex_3 edit() { return edit(*snapshot_.numbering); }
 
-  // Insertion and removal of vertices, which has the triangulation. The bound on changes of volumes is multiplied.
-  Vertex_edits_3 make_edits(double permitted_changes_of_volume = 1)
+  // The same with a numbering to which vertices are to be added.
+  Editable_complex_3 edit(const Vertex_numbering_3& numbering)
   {
-    Working_triangulation_3& working = edited_triangulation();
-    return Vertex_edits_3(snapshot_, working, domain_, bounds_, boundary_moves_, permitted_changes_of_volume, threads_);
+    triangulation();
+    is_of_snapshot_ = false;
+    return Editable_complex_3(snapshot_, numbering, triangulation_, domain_, bounds_, boundary_moves_, threads_);
   }
 
   // Goes to where trials of this snapshot have led. False if that cannot be done: then the snapshot is as it was.
-  bool adopt(const Exact_relocation_3& trial)
+  bool adopt(const Editable_complex_3& trials)
   {
-    const Editable_complex_3& trials = trial.complex();
     if(snapshot_.has_positions(trials.sites))
+    {
+      is_of_snapshot_ = true;
       return true;
+    }
     Complex_candidate_3 candidate(snapshot_, triangulation_, trials.sites, true, threads_);
     trials.give(candidate);
     if(!complete_trials(candidate))
@@ -160,14 +155,6 @@ private:
   static constexpr int most_attempts = 40;
   // Then a valid complex matters more than the shape of facets.
   static constexpr int attempts_at_good_facets = 10;
-
-  // That of the snapshot, for those that change it.
-  Working_triangulation_3& edited_triangulation()
-  {
-    triangulation();
-    is_of_snapshot_ = false;
-    return triangulation_;
-  }
 
   void replace_snapshot(Complex_candidate_3& candidate)
   {

@@ -12,10 +12,13 @@
 
 #include <CGAL/license/Global_odt_mesh_3.h>
 
+#include <CGAL/Global_odt_mesh_3/internal/complex/Candidate_checks_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/complex/Complex_candidate_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/complex/Complex_snapshot_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/complex/Exact_triangulation_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/complex/Working_triangulation_3.h>
+#include <CGAL/Global_odt_mesh_3/internal/geometry/Angle_deficit_3.h>
+#include <CGAL/Global_odt_mesh_3/internal/geometry/Circumradius_bound_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/geometry/Site.h>
 #include <CGAL/Global_odt_mesh_3/internal/geometry/Vertex_tuples.h>
 #include <CGAL/Global_odt_mesh_3/internal/interface/Domain_view_3.h>
@@ -24,19 +27,25 @@
 #include <CGAL/Global_odt_mesh_3/internal/surface/Boundary_complex_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/surface/Exchangeable_boundary_3.h>
 
-#include <Eigen/Core>
-
 #include <algorithm>
 #include <array>
-#include <limits>
 #include <memory>
-#include <numeric>
 #include <utility>
 #include <vector>
 
 namespace CGAL {
 namespace Global_odt_mesh_3 {
 namespace internal {
+
+// A cell with a small dihedral angle, in degrees.
+struct Sliver_3
+{
+  double angle;
+  Quadruple vertices;               // sorted
+  Cell_handle cell;                 // as long as the complex has it
+
+  bool operator<(const Sliver_3& o) const { return angle != o.angle ? angle < o.angle : vertices < o.vertices; }
+};
 
 // A snapshot whose vertices can be moved one by one, in its triangulation, or to which vertices are added. Cells know their
 // labels, but facets are in the boundary alone.
@@ -55,17 +64,23 @@ struct Editable_complex_3
   const Complex_snapshot_3& snapshot;
   const Vertex_numbering_3& numbering;
   const Domain_view_3& domain;
+  const Facet_bounds_3& bounds;
+  bool boundary_moves;
   Thread_policy threads;
   Working_triangulation_3& working;
   std::vector<Site> sites;
   Exchangeable_boundary_3 boundary;
+  Circumradius_bound_3 size_bound;              // of cells
 
-  // The numbering begins with that of the snapshot.
+  // In the triangulation of the snapshot, with whose numbering that of the vertices begins. If `moves` is false, the boundary
+  // stays. Threads share visits of all cells.
   Editable_complex_3(const Complex_snapshot_3& from, const Vertex_numbering_3& numbers, Working_triangulation_3& triangulation,
-                     const Domain_view_3& d, const Thread_policy& policy)
+                     const Domain_view_3& d, const Facet_bounds_3& b, bool moves, const Thread_policy& policy)
     : snapshot(from)
     , numbering(numbers)
     , domain(d)
+    , bounds(b)
+    , boundary_moves(moves)
     , threads(policy)
     , working(triangulation)
     , sites(from.sites)
@@ -82,6 +97,26 @@ struct Editable_complex_3
 
   Weighted_point point(int v) const { return weighted_point(sites[v]); }
 
+  // The label that the vertices off the boundary have; `unknown` if there are none, `mixed` if they have several.
+  static constexpr int unknown = -2, mixed = -3;
+
+  int label_of_vertices(const Quadruple& q) const
+  {
+    if(*std::min_element(q.begin(), q.end()) < 0)
+      return Domain_view_3::outside;
+    int label = unknown;
+    for(int v : q)
+    {
+      const int l = numbering.subdomain[v];
+      if(l == no_subdomain || l == label)
+        continue;
+      if(label != unknown)
+        return mixed;
+      label = l;
+    }
+    return label;
+  }
+
   // The next one, out of the triangulation.
   int add_vertex(const Site& s)
   {
@@ -97,6 +132,44 @@ struct Editable_complex_3
     working.remove_last_vertex();
     boundary.remove_last_vertex();
   }
+
+  // The cell of the complex with these vertices, or none.
+  Cell_handle find_cell(const Quadruple& q) const
+  {
+    Cell_handle c;
+    const bool are_visible = std::all_of(q.begin(), q.end(), [this](int v) { return working.is_visible(v); });
+    const auto vertex = [&](int i) { return working.vertex(q[i]); };
+    return are_visible && triangulation().is_cell(vertex(0), vertex(1), vertex(2), vertex(3), c) && c->label() != Domain_view_3::outside
+           ? c : Cell_handle();
+  }
+
+  // The slivers below a bound, the worst first.
+  std::vector<Sliver_3> slivers(double bound) const
+  {
+    const std::vector<Cell_handle>& cells = working.cells();
+    std::vector<Sliver_3> found = collect_in_chunks<Sliver_3>(static_cast<int>(cells.size()), threads,
+                                                              [&](int n, std::vector<Sliver_3>& some)
+    {
+      if(cells[n]->label() != Domain_view_3::outside)
+        add_sliver(cells[n], bound, some);
+    });
+    std::sort(found.begin(), found.end());
+    return found;
+  }
+
+  // Adds a cell of the complex if it is one of them.
+  void add_sliver(Cell_handle c, double bound, std::vector<Sliver_3>& found) const
+  {
+    const Quadruple q = numbers(c);
+    double most = 0;
+    const std::array<Site, 4> s = {{ sites[q[0]], sites[q[1]], sites[q[2]], sites[q[3]] }};
+    Angle_deficit_3(bound).for_each_lack(s, [&most](double lack) { most = (std::max)(most, lack); });
+    if(most > 0)
+      found.push_back({ bound - most, sorted(q), c });
+  }
+
+  // Whether the sliver has not given way to other cells.
+  bool has(const Sliver_3& s) const { return triangulation().tds().cells().is_used(s.cell) && sorted(numbers(s.cell)) == s.vertices; }
 
   // The boundary, in the order of its facets' vertices. No cell needs a look at the domain afterwards.
   std::vector<Found_facet> find_boundary() const
@@ -160,44 +233,6 @@ private:
     b.labels = {{ f.first->label(), f.first->neighbor(f.second)->label() }};
     b.patch = boundary.facet(n).patch;
     found.push_back({ key, b, f });
-  }
-};
-
-// Lengths of edges at a vertex of a complex, and the direction of its surface, on a patch. Sums are rounded the same way
-// whatever the order of cells and facets.
-struct Vertex_neighborhood_3
-{
-  double mean_edge = 0;                                                       // of all
-  double shortest_edge = (std::numeric_limits<double>::infinity)();           // on the boundary
-  Eigen::Vector3d normal = Eigen::Vector3d::Zero();                           // zero if there is no facet of the patch
-
-  Vertex_neighborhood_3() {}
-
-  Vertex_neighborhood_3(const Editable_complex_3& complex, int v, int patch)
-  {
-    const std::vector<Site>& sites = complex.sites;
-    const auto distance = [&](int w) { return (position(sites[w]) - position(sites[v])).norm(); };
-    std::vector<double> lengths;
-    for(int w : complex.working.neighbors(v))
-      lengths.push_back(distance(w));
-    std::sort(lengths.begin(), lengths.end());
-    mean_edge = std::accumulate(lengths.begin(), lengths.end(), 0.) / double(lengths.size());
-    std::vector<Exchangeable_boundary_3::Facet> around;
-    for(int n : complex.boundary.around(v))
-      around.push_back(complex.boundary.facet(n));
-    std::sort(around.begin(), around.end(), [](const auto& a, const auto& b) { return a.vertices < b.vertices; });
-    for(const Exchangeable_boundary_3::Facet& facet : around)
-    {
-      const std::array<int, 3>& t = facet.vertices;
-      const Eigen::Vector3d origin = position(sites[t[0]]);
-      const Eigen::Vector3d area = (position(sites[t[1]]) - origin).cross(position(sites[t[2]]) - origin);
-      if(facet.patch == patch)
-        normal += area.dot(normal) < 0 ? Eigen::Vector3d(-area) : area;
-      for(int w : t)
-        if(w != v)
-          shortest_edge = (std::min)(shortest_edge, distance(w));
-    }
-    normal.normalize();
   }
 };
 

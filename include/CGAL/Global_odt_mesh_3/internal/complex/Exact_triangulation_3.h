@@ -35,7 +35,7 @@ typedef Robust_weighted_circumcenter_filtered_traits_3<Exact_predicates_inexact_
 enum Cell_flag
 {
   IS_SETTLED, IS_BOUNDARY_CELL, MAY_HAVE_BOUNDARY_FACETS,     // while a candidate is labelled
-  IS_IN_HOLE, IS_IN_CONFLICT,                                 // while a vertex is detached
+  GIVES_WAY,                                                  // while some cells are replaced
   BORDERS_TRANSFER                                            // and the next three: while cells are transferred, its facets
 };
 
@@ -65,7 +65,8 @@ private:
   int number_ = -1;
 };
 
-// A cell that has a label, at first 0 for outside, knows which of its facets are in the complex, and has flags.
+// A cell that has a label, at first 0 for outside, knows which of its facets are in the complex, and has flags. So what is known
+// of a cell is gone when it gives way to another.
 // That is a quarter of what a cell of a c3t3 takes.
 template <class Base = Triangulation_ds_cell_base_3<> >
 class Labelled_cell_base_3 : public Base
@@ -108,6 +109,10 @@ public:
   void clear_flag(int flag) { flags_ &= ~(1 << flag); }
   void clear_flags() { flags_ = 0; }
 
+  // How often the removal of slivers has tried in vain to improve the cell.
+  int failures() const { return failures_; }
+  void add_failure() { ++failures_; }
+
   // As regular triangulations ask for. Hidden points are not kept.
   Point_iterator hidden_points_begin() const { return nullptr; }
   Point_iterator hidden_points_end() const { return nullptr; }
@@ -120,7 +125,7 @@ public:
   }
 
 private:
-  unsigned char facets_in_complex_ = 0;
+  unsigned char facets_in_complex_ = 0, failures_ = 0;
   unsigned short flags_ = 0;
   int label_ = 0;
 };
@@ -143,7 +148,16 @@ public:
 
 // The regular triangulation of the vertices of a complex, with what its restriction to the domain says of cells and
 // facets.
-typedef Regular_triangulation_3<Exact_traits, Exact_data_structure_3> Exact_triangulation_3;
+class Exact_triangulation_3
+  : public Regular_triangulation_3<Exact_traits, Exact_data_structure_3>
+{
+  typedef Regular_triangulation_3<Exact_traits, Exact_data_structure_3> Base;
+
+public:
+  using Base::Base;
+  using Base::side_of_oriented_power_sphere;
+  using Base::side_of_bounded_power_circle;
+};
 
 typedef Exact_triangulation_3::Vertex_handle Vertex_handle;
 typedef Exact_triangulation_3::Cell_handle Cell_handle;

@@ -12,10 +12,9 @@
 
 #include <CGAL/license/Global_odt_mesh_3.h>
 
-#include <CGAL/Global_odt_mesh_3/internal/complex/Candidate_checks_3.h>
-#include <CGAL/Global_odt_mesh_3/internal/complex/Detached_vertex_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/complex/Editable_complex_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/complex/Patch_of_facet_3.h>
+#include <CGAL/Global_odt_mesh_3/internal/complex/Vertex_cavity_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/geometry/Facet_geometry_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/geometry/Site.h>
 #include <CGAL/Global_odt_mesh_3/internal/geometry/Vertex_tuples.h>
@@ -38,13 +37,9 @@ namespace internal {
 class Facet_exchange_3
 {
 public:
-  // If `changes` is false, the boundary has to stay as it is.
-  Facet_exchange_3(Editable_complex_3& complex, const Detached_vertex_3& detached, const Facet_bounds_3& bounds, bool changes)
+  Facet_exchange_3(const Editable_complex_3& complex, const Vertex_cavity_3& cavity)
     : complex_(complex)
-    , detached_(detached)
-    , bounds_(bounds)
-    , least_angle_(bounds.smallest_angle())
-    , changes_(changes)
+    , cavity_(cavity)
   {}
 
   // For cells that have been found and labelled: whether the boundary keeps its topology, is close
@@ -54,26 +49,31 @@ public:
     removed_.clear();
     added_.clear();
     moved_.clear();
-    if(!find_facets())
+    if(has_one_label())
+      return true;
+    if(!find_facets(change))
       return false;
-    if(!changes_)
+    if(!complex_.boundary_moves)
       return removed_.empty() && added_.empty();
     if(!complex_.boundary.keeps_topology(removed_, added_, change))
       return false;
     // Where facets stay as many, those that are worse may stay so.
-    const double least = change.vertex >= 0 ? least_angle_
-                                            : (std::min)((std::max)(least_angle_, small_angle), smallest_angle_before());
+    const double bound = complex_.bounds.smallest_angle();
+    const double least = change.vertex >= 0 ? bound : (std::min)((std::max)(bound, small_angle), smallest_angle_before());
     std::vector<Triple> facets = moved_;
     for(const Facet& f : added_)
       facets.push_back(f.vertices);
     return std::all_of(facets.begin(), facets.end(), [&](const Triple& t)
-                       { return smallest_angle_of_facet(t, complex_.sites) >= least && bounds_.is_close(centroid(t, complex_.sites)); });
+    {
+      const std::array<Site, 3> s = cavity_.sites(t);
+      return smallest_angle_of_facet(s) >= least && complex_.bounds.is_close(centroid(s));
+    });
   }
 
-  void apply() { complex_.boundary.exchange(removed_, added_); }
+  void apply(Editable_complex_3& complex) const { complex.boundary.exchange(removed_, added_); }
 
 private:
-  typedef Detached_vertex_3::Cell Cell;
+  typedef Vertex_cavity_3::Cell Cell;
   typedef Exchangeable_boundary_3::Facet Facet;
 
   // Degrees. Below that, a facet is worse for the surface than a sliver for the cells, even if the input has worse ones.
@@ -88,13 +88,13 @@ private:
   };
 
   // Sorted, those of facets between two of the cells one after the other.
-  static std::vector<Side> sides(const std::vector<Cell>& cells)
+  static std::vector<Side> sides(const std::vector<Cell*>& cells)
   {
     std::vector<Side> result;
     for(int n = 0; n < static_cast<int>(cells.size()); ++n)
       for(int i = 0; i < 4; ++i)
       {
-        const Quadruple& q = cells[n].vertices;
+        const Quadruple& q = cells[n]->vertices;
         const Triple t = sorted(Triple{{ q[(i + 1) % 4], q[(i + 2) % 4], q[(i + 3) % 4] }});
         if(t[0] >= 0)
           result.push_back({ t, n, i });
@@ -103,11 +103,21 @@ private:
     return result;
   }
 
+  // Then the boundary stays as it is.
+  bool has_one_label() const
+  {
+    const int label = cavity_.old_cells().front()->label;
+    const auto has_it = [label](const Cell* c) { return c->label == label; };
+    return !complex_.snapshot.has_unseparating_facets && complex_.snapshot.far_facets.empty()
+           && std::all_of(cavity_.old_cells().begin(), cavity_.old_cells().end(), has_it)
+           && std::all_of(cavity_.new_cells().begin(), cavity_.new_cells().end(), has_it);
+  }
+
   // Finds the facets that would go, come, and stay at the vertex; false if one has no patch or is not to stay.
-  bool find_facets()
+  bool find_facets(const Exchangeable_boundary_3::Vertex_change& change)
   {
     const std::vector<std::pair<Triple, int> > hull = labels_beyond_old_cells();
-    const std::vector<Side> after = sides(detached_.new_cells());
+    const std::vector<Side> after = sides(cavity_.new_cells());
     auto h = hull.begin();
     for(std::size_t n = 0; n < after.size(); ++n)
     {
@@ -115,11 +125,11 @@ private:
       const Side* other = n + 1 < after.size() && after[n + 1].facet == s.facet ? &after[++n] : nullptr;
       if(other == nullptr && (h == hull.end() || h->first != s.facet))
         return false;
-      const std::array<int, 2> labels = {{ detached_.new_cells()[s.cell].label,
-                                           other != nullptr ? detached_.new_cells()[other->cell].label : (h++)->second }};
+      const std::array<int, 2> labels = {{ cavity_.new_cells()[s.cell]->label,
+                                           other != nullptr ? cavity_.new_cells()[other->cell]->label : (h++)->second }};
       const bool is_on_boundary = labels[0] != labels[1]
                                   || (complex_.snapshot.has_unseparating_facets && crosses_surface(s, other));
-      if(is_on_boundary && !add_facet(s.facet, sorted(labels)))
+      if(is_on_boundary && !add_facet(s.facet, sorted(labels), change))
         return false;
     }
     return true;
@@ -129,12 +139,12 @@ private:
   // for removed.
   std::vector<std::pair<Triple, int> > labels_beyond_old_cells()
   {
-    const std::vector<Side> before = sides(detached_.old_cells());
+    const std::vector<Side> before = sides(cavity_.old_cells());
     std::vector<std::pair<Triple, int> > hull;
     for(std::size_t n = 0; n < before.size(); ++n)
     {
       const Triple& t = before[n].facet;
-      const int facet = complex_.boundary.find(t), label = detached_.old_cells()[before[n].cell].label;
+      const int facet = complex_.boundary.find(t), label = cavity_.old_cells()[before[n].cell]->label;
       if(facet >= 0)
         removed_.push_back(facet);
       if(n + 1 < before.size() && before[n + 1].facet == t)
@@ -155,16 +165,16 @@ private:
     if(std::none_of(s.facet.begin(), s.facet.end(), [this](int v) { return complex_.numbering.is_on_boundary(v); }))
       return false;
     const auto is_infinite = [](const Cell& c) { return *std::min_element(c.vertices.begin(), c.vertices.end()) < 0; };
-    const std::vector<Cell>& cells = detached_.new_cells();
-    if(is_infinite(cells[s.cell]) || (other != nullptr && is_infinite(cells[other->cell])))
+    const std::vector<Cell*>& cells = cavity_.new_cells();
+    if(is_infinite(*cells[s.cell]) || (other != nullptr && is_infinite(*cells[other->cell])))
       return false;
-    const Eigen::Vector3d from = cells[s.cell].dual;
+    const Eigen::Vector3d from = cells[s.cell]->dual;
     Eigen::Vector3d to;
     if(other != nullptr)
-      to = cells[other->cell].dual;
+      to = cells[other->cell]->dual;
     else
     {
-      const Cell_handle c = detached_.beyond(s.cell, s.index);
+      const Cell_handle c = cavity_.beyond(s.facet);
       if(complex_.triangulation().is_infinite(c))
         return false;
       to = coordinates(complex_.triangulation().dual(c));
@@ -176,13 +186,13 @@ private:
   }
 
   // Takes it for one that stays, or else for one that comes; false if it has no patch.
-  bool add_facet(const Triple& t, const std::array<int, 2>& labels)
+  bool add_facet(const Triple& t, const std::array<int, 2>& labels, const Exchangeable_boundary_3::Vertex_change& change)
   {
     const auto old = std::find_if(removed_.begin(), removed_.end(),
                                   [&](int n) { return complex_.boundary.facet(n).vertices == t; });
     if(old != removed_.end() && complex_.boundary.facet(*old).labels == labels)
     {
-      if(std::find(t.begin(), t.end(), detached_.vertex()) != t.end())
+      if(std::find(t.begin(), t.end(), cavity_.vertex()) != t.end())
         moved_.push_back(t);
       else if(complex_.snapshot.far_facets.count(t) > 0)         // has to go along with its cell
         return false;
@@ -192,37 +202,32 @@ private:
     const auto patches = [&](int v)
     {
       std::set<int> here;
-      if(v == detached_.vertex() && detached_.is_new() && detached_.patch_of_new() != Boundary_facet::no_patch)
-        here.insert(detached_.patch_of_new());
+      if(v == change.vertex && change.is_inserted && change.patch != Boundary_facet::no_patch)
+        here.insert(change.patch);
       for(int n : complex_.boundary.around(v))
         if(const Facet& f = complex_.boundary.facet(n); f.labels == labels && f.patch != Boundary_facet::no_patch)
           here.insert(f.patch);
       return here;
     };
-    const int patch = patch_of_facet(t, complex_.sites, patches, complex_.domain);
+    const int patch = patch_of_facet(t, cavity_.sites(t), patches, complex_.domain);
     if(patch != unknown_patch)
       added_.push_back({ t, labels, patch });
     return patch != unknown_patch;
   }
 
   // Of the facets that go or stay at the vertex.
-  double smallest_angle_before()
+  double smallest_angle_before() const
   {
     double least = 180;
-    const Site to = std::exchange(complex_.sites[detached_.vertex()], detached_.from());
     for(int n : removed_)
       least = (std::min)(least, smallest_angle_of_facet(complex_.boundary.facet(n).vertices, complex_.sites));
     for(const Triple& t : moved_)
       least = (std::min)(least, smallest_angle_of_facet(t, complex_.sites));
-    complex_.sites[detached_.vertex()] = to;
     return least;
   }
 
-  Editable_complex_3& complex_;
-  const Detached_vertex_3& detached_;
-  const Facet_bounds_3& bounds_;
-  double least_angle_;
-  bool changes_;
+  const Editable_complex_3& complex_;
+  const Vertex_cavity_3& cavity_;
   std::vector<int> removed_;          // numbers of facets
   std::vector<Facet> added_;
   std::vector<Triple> moved_;         // those that stay, at the vertex

@@ -34,7 +34,7 @@ constexpr int unknown_patch = -2;       // of a facet on whose patch its vertice
 // The patch of a new facet: the one that all its vertices have, or else that of them on which its dual line meets the surface.
 // `patches(v)` is the set of those at a vertex, between the subdomains of the facet.
 template <class Patches>
-int patch_of_facet(const Triple& t, const std::vector<Site>& sites, const Patches& patches, const Domain_view_3& domain)
+int patch_of_facet(const Triple& t, const std::array<Site, 3>& sites, const Patches& patches, const Domain_view_3& domain)
 {
   std::set<int> common = patches(t[0]);
   for(int v : { t[1], t[2] })
@@ -45,7 +45,7 @@ int patch_of_facet(const Triple& t, const std::vector<Site>& sites, const Patche
   }
   if(common.size() <= 1)
     return common.empty() ? unknown_patch : *common.begin();
-  const Facet_dual_3 dual(t, sites);
+  const Facet_dual_3 dual(sites);
   Eigen::Vector3d p = dual.center;
   int patch;
   return domain.intersect(p, dual.normal, dual.radius, patch) && common.count(patch) > 0 ? patch : unknown_patch;

@@ -104,14 +104,13 @@ public:
     Constrained_facets facets = index(mesh.topology);
     for(Constrained_facet& f : facets)
       f.vertices = rotated(f.vertices);
-    Constrained_facets in_order = facets;
-    threads_.sort(in_order.begin(), in_order.end(), [](const auto& a, const auto& b)
+    threads_.sort(facets.begin(), facets.end(), [](const auto& a, const auto& b)
                   { return sorted(a.vertices) < sorted(b.vertices); });
-    snapshot_.boundary = Boundary_geometry_3(std::make_shared<const Boundary_complex_3>(boundary(in_order)), snapshot_.sites);
+    snapshot_.boundary = Boundary_geometry_3(std::make_shared<const Boundary_complex_3>(boundary(facets)), snapshot_.sites);
     snapshot_.number_facets();
-    read_surface_centers(in_order);
+    read_surface_centers(facets);
     read_labels();
-    load_positions(snapshot_, facets, threads_, mesh);
+    load_positions(snapshot_, mesh);
     return std::move(snapshot_);
   }
 

@@ -90,9 +90,8 @@ inline void restore_triangulation(const Complex_snapshot_3& snapshot, const Thre
     mark_facet(snapshot.boundary.complex().facets()[n], facets[n], working);
 }
 
-// Completes a mesh whose topology is that of the snapshot, the constrained facets being these.
-inline void load_positions(const Complex_snapshot_3& snapshot, const Constrained_facets& facets, const Thread_policy& threads,
-                           Moving_triangulation_3& mesh)
+// Completes a mesh whose topology is that of the snapshot.
+inline void load_positions(const Complex_snapshot_3& snapshot, Moving_triangulation_3& mesh)
 {
   mesh.sites = snapshot.sites;
   mesh.number_of_interior_vertices = snapshot.numbering->number_of_interior_vertices;
@@ -107,9 +106,8 @@ inline void index_snapshot(const Complex_snapshot_3& snapshot, const Working_tri
   const auto number = [](Vertex_handle v) { return Working_triangulation_3::number(v); };
   const auto label = [](Cell_handle c) { return c->label(); };
   const auto is_in_complex = [](Cell_handle c, int i) { return c->is_facet_in_complex(i); };
-  const Constrained_facets facets = index_triangulation_3(working.triangulation(), working.cells(), number, label,
-                                                            is_in_complex, threads, mesh.topology);
-  load_positions(snapshot, facets, threads, mesh);
+  index_triangulation_3(working.triangulation(), working.cells(), number, label, is_in_complex, threads, mesh.topology);
+  load_positions(snapshot, mesh);
 }
 
 } // namespace internal

@@ -14,11 +14,12 @@
 
 #include <CGAL/Global_odt_mesh_3/internal/complex/Candidate_checks_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/complex/Complex_snapshot_3.h>
-#include <CGAL/Global_odt_mesh_3/internal/complex/Detached_vertex_3.h>
+#include <CGAL/Global_odt_mesh_3/internal/complex/Complex_updater_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/complex/Editable_complex_3.h>
-#include <CGAL/Global_odt_mesh_3/internal/complex/Exact_relocation_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/complex/Snapshot_tabulation_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/complex/Surface_center_search_3.h>
+#include <CGAL/Global_odt_mesh_3/internal/complex/Vertex_cavity_3.h>
+#include <CGAL/Global_odt_mesh_3/internal/complex/Vertex_trial_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/complex/Working_triangulation_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/geometry/Cell_geometry_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/geometry/Circumradius_bound_3.h>
@@ -88,22 +89,19 @@ inline std::optional<New_vertex_3> middle_of_edge(const Editable_complex_3& comp
 class Vertex_edits_3
 {
 public:
-  // Surfaces get vertices only if `boundary_moves`. The triangulation is that of the snapshot, and not any longer afterwards. The
-  // bound on changes of volumes is multiplied.
-  Vertex_edits_3(const Complex_snapshot_3& snapshot, Working_triangulation_3& triangulation, const Domain_view_3& domain,
-                 const Facet_bounds_3& bounds, bool boundary_moves, double permitted_changes_of_volume,
-                 const Thread_policy& threads)
-    : numbering_(std::make_shared<Vertex_numbering_3>(*snapshot.numbering))
-    , trial_(snapshot, *numbering_, triangulation, domain, bounds, boundary_moves, Circumradius_bound_3(), threads)
-    , boundary_moves_(boundary_moves)
+  // Surfaces get vertices only if they move. The bound on changes of volumes is multiplied.
+  explicit Vertex_edits_3(Complex_updater_3& updater, double permitted_changes_of_volume = 1)
+    : numbering_(std::make_shared<Vertex_numbering_3>(*updater.snapshot().numbering))
+    , complex_(updater.edit(*numbering_))
+    , trial_(complex_)
     , most_of_volume_((std::min)(usual_most_of_volume * permitted_changes_of_volume, most_of_volume_ever))
   {}
 
   Vertex_edits_3(const Vertex_edits_3&) = delete;
   Vertex_edits_3& operator=(const Vertex_edits_3&) = delete;
 
-  const Editable_complex_3& complex() const { return trial_.complex(); }
-  Exact_relocation_3& trial() { return trial_; }
+  const Editable_complex_3& complex() const { return complex_; }
+  Vertex_trial_3& trial() { return trial_; }
 
   // The next one that is inserted gets this number.
   int number_of_vertices() const { return static_cast<int>(complex().sites.size()); }
@@ -124,8 +122,7 @@ public:
   bool remove(int v)
   {
     measure_volumes();
-    trial_.detach(v);
-    const bool is_permitted = trial_.may_leave() && keeps_volumes(v);
+    const bool is_permitted = trial_.start(v) && trial_.may_leave() && keeps_volumes(v);
     end_removal(is_permitted);
     return is_permitted;
   }
@@ -144,7 +141,8 @@ public:
   double remove_for_angles(int v, double most, bool leaves)
   {
     measure_volumes();
-    trial_.detach(v);
+    if(!trial_.start(v))
+      return (std::numeric_limits<double>::infinity)();
     const double change = trial_.leave(most);
     const bool is_permitted = change < most && keeps_volumes(v);
     end_removal(leaves && is_permitted);
@@ -158,9 +156,9 @@ public:
   std::vector<std::array<int, 2> > new_edges() const
   {
     std::vector<Quadruple> cells;
-    for(const Detached_vertex_3::Cell& c : trial_.detached().new_cells())
-      if(c.label != Domain_view_3::outside)
-        cells.push_back(c.vertices);
+    for(const Vertex_cavity_3::Cell* c : trial_.cavity().new_cells())
+      if(c->label != Domain_view_3::outside)
+        cells.push_back(c->vertices);
     return edges_of(cells);
   }
 
@@ -200,7 +198,7 @@ public:
         return std::nullopt;
     }
     refined.number_facets();
-    trial_.complex().working.renumber(numbers);
+    complex_.working.renumber(numbers);
     Mesh_table_3 table = Snapshot_tabulation_3(refined, complex().working, complex().threads)();
     table.inserted = places_;
     return table;
@@ -244,21 +242,21 @@ private:
   std::map<int, double> changes_of_volume() const
   {
     std::map<int, double> changes;
-    const auto add = [&](const std::vector<Detached_vertex_3::Cell>& cells, double sign)
+    const auto add = [&](const std::vector<Vertex_cavity_3::Cell*>& cells, double sign)
     {
-      for(const Detached_vertex_3::Cell& c : cells)
-        if(c.label != Domain_view_3::outside)
-          changes[c.label] += sign * volume(c.vertices);
+      for(const Vertex_cavity_3::Cell* c : cells)
+        if(c->label != Domain_view_3::outside)
+          changes[c->label] += sign * volume(c->vertices);
     };
-    add(trial_.detached().old_cells(), -1);
-    add(trial_.detached().new_cells(), 1);
+    add(trial_.cavity().old_cells(), -1);
+    add(trial_.cavity().new_cells(), 1);
     return changes;
   }
 
   void begin(const New_vertex_3& vertex, Cell_handle start)
   {
     const int v = add(vertex);
-    trial_.begin(v, vertex.dimension == 2 ? vertex.place : int(Boundary_facet::no_patch), start);
+    trial_.start_new(v, vertex.dimension == 2 ? vertex.place : int(Boundary_facet::no_patch), start);
   }
 
   void end(bool is_accepted)
@@ -266,16 +264,13 @@ private:
     if(is_accepted)
       trial_.accept();
     else
-    {
-      trial_.reject();
       remove_last();
-    }
   }
 
   void end_removal(bool is_accepted)
   {
     if(!is_accepted)
-      return trial_.reject();
+      return;
     for(const auto& c : changes_of_volume())
       change_of_volume_[c.first] += c.second;
     trial_.accept();
@@ -290,7 +285,7 @@ private:
     numbering_->dimensions.push_back(vertex.dimension);
     numbering_->subdomain.push_back(vertex.dimension == 3 ? vertex.place : int(Vertex_numbering_3::no_subdomain));
     places_.push_back(vertex.place);
-    return trial_.complex().add_vertex(s);
+    return complex_.add_vertex(s);
   }
 
   void remove_last()
@@ -300,7 +295,7 @@ private:
     numbering_->dimensions.pop_back();
     numbering_->subdomain.pop_back();
     places_.pop_back();
-    trial_.complex().remove_last_vertex();
+    complex_.remove_last_vertex();
   }
 
   // The numbering without the vertices that have been removed, whose numbers become -1, and the sites.
@@ -342,7 +337,7 @@ private:
     Complex_snapshot_3::Surface_center known, found;
     if(n >= 0)
       known = complex().snapshot.centers[n];
-    if(known.is_exact && (!boundary_moves_ || search.is_between_subdomains(f.facet, t, known)))
+    if(known.is_exact && (!complex_.boundary_moves || search.is_between_subdomains(f.facet, t, known)))
       return known;
     found.point = expected;
     search.search(f.facet, t, found);
@@ -350,10 +345,10 @@ private:
   }
 
   std::shared_ptr<Vertex_numbering_3> numbering_;
-  Exact_relocation_3 trial_;
+  Editable_complex_3 complex_;
+  Vertex_trial_3 trial_;
   std::vector<int> places_;                 // of those that have been inserted
   int number_of_removed_ = 0;
-  bool boundary_moves_;
   double most_of_volume_;                   // by which removals may change that of a subdomain
   std::map<int, double> volume_, change_of_volume_;         // of subdomains, when a removal is first tried, and by removals
 };

@@ -246,8 +246,57 @@ public:
     vertices_[v] = Vertex_handle();
   }
 
-  // Puts it back, at or near a cell.
-  void insert_near(int v, const Site& s, Cell_handle start) { insert(v, s, start); }
+  // A cell that is to come, by its vertices, -1 for the infinite one.
+  struct New_cell
+  {
+    Quadruple vertices;
+    int label;
+  };
+
+  // Cells of the triangulation give way to others that fill the same space. All vertices have to be there before, and those without
+  // cells are to be removed afterwards. Gives the new cells.
+  std::vector<Cell_handle> replace(const std::vector<Cell_handle>& old_cells, const std::vector<New_cell>& new_cells)
+  {
+    std::vector<Side> sides;
+    std::vector<Cell_handle> created;
+    for(Cell_handle c : old_cells)
+      c->set_flag(GIVES_WAY);
+    for(Cell_handle c : old_cells)
+      for(int i = 0; i < 4; ++i)
+        if(!c->neighbor(i)->has_flag(GIVES_WAY))
+          add_side(tr_.mirror_facet(Facet(c, i)), sides);
+    for(const New_cell& n : new_cells)
+    {
+      const Cell_handle c = tr_.tds().create_cell(handle(n.vertices[0]), handle(n.vertices[1]), handle(n.vertices[2]),
+                                                  handle(n.vertices[3]));
+      created.push_back(c);
+      c->set_label(n.label);
+      for(int i = 0; i < 4; ++i)
+      {
+        c->vertex(i)->set_cell(c);
+        add_side(Facet(c, i), sides);
+      }
+    }
+    std::sort(sides.begin(), sides.end(), [](const Side& a, const Side& b) { return a.key < b.key; });
+    for(std::size_t n = 0; n < sides.size(); n += 2)
+    {
+      CGAL_assertion(n + 1 < sides.size() && sides[n].key == sides[n + 1].key);
+      tr_.tds().set_adjacency(sides[n].facet.first, sides[n].facet.second, sides[n + 1].facet.first, sides[n + 1].facet.second);
+    }
+    for(Cell_handle c : old_cells)
+      tr_.tds().delete_cell(c);
+    cells_.clear();
+    return created;
+  }
+
+  void set_site(int v, const Site& s) { vertices_[v]->set_point(weighted_point(s)); }
+
+  // Of a vertex that no cell has any more.
+  void remove_without_cells(int v)
+  {
+    tr_.tds().delete_vertex(vertices_[v]);
+    vertices_[v] = Vertex_handle();
+  }
 
   // Becomes the triangulation of a table, whatever that is like, in which its vertices are numbered otherwise.
   void copy(const Mesh_table_3& table, const std::vector<int>& numbers_in_table, const Thread_policy& threads)
@@ -282,6 +331,22 @@ public:
   }
 
 private:
+  // A facet, with its sorted vertices.
+  struct Side
+  {
+    Triple key;
+    Facet facet;
+  };
+
+  static void add_side(const Facet& f, std::vector<Side>& sides)
+  {
+    const Triple& k = facet_indices(f.second);
+    sides.push_back({ sorted(Triple{{ number(f.first->vertex(k[0])), number(f.first->vertex(k[1])),
+                                      number(f.first->vertex(k[2])) }}), f });
+  }
+
+  Vertex_handle handle(int v) const { return v < 0 ? tr_.infinite_vertex() : vertices_[v]; }
+
   bool is_locally_regular(Cell_handle c) const
   {
     for(int i = 0; i < 4; ++i)

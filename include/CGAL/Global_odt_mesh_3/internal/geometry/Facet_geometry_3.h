@@ -40,10 +40,12 @@ struct Facet_dual_3
   // With the edges a, b from s0, their lifted heights h_a, h_b and n = a x b, the
   // center is s0 + (h_a (b x n) + h_b (n x a)) / (2 |n|^2).
   Facet_dual_3(const Triple& t, const std::vector<Site>& sites)
+    : Facet_dual_3(std::array<Site, 3>{{ sites[t[0]], sites[t[1]], sites[t[2]] }})
+  {}
+
+  explicit Facet_dual_3(const std::array<Site, 3>& s)
   {
-    const Site& s0 = sites[t[0]];
-    const Site& s1 = sites[t[1]];
-    const Site& s2 = sites[t[2]];
+    const Site &s0 = s[0], &s1 = s[1], &s2 = s[2];
     const Eigen::Vector3d a = position(s1) - position(s0), b = position(s2) - position(s0), n = a.cross(b);
     const double ha = a.squaredNorm() - s1.weight + s0.weight;
     const double hb = b.squaredNorm() - s2.weight + s0.weight;
@@ -59,10 +61,10 @@ struct Facet_dual_3
   Eigen::Vector3d point_at(double height) const { return center + height * normal; }
 };
 
+inline Eigen::Vector3d centroid(const std::array<Site, 3>& s) { return (position(s[0]) + position(s[1]) + position(s[2])) / 3; }
+
 inline Eigen::Vector3d centroid(const Triple& t, const std::vector<Site>& s)
-{
-  return (position(s[t[0]]) + position(s[t[1]]) + position(s[t[2]])) / 3;
-}
+{ return centroid(std::array<Site, 3>{{ s[t[0]], s[t[1]], s[t[2]] }}); }
 
 inline double squared_distance(const Site& s, const Eigen::Vector3d& p) { return (position(s) - p).squaredNorm(); }
 

@@ -41,11 +41,16 @@ struct Sliver_steps
   }
 };
 
-// Of some cells: what they lack at a bound, the smallest of their angles, and how many cells are below each of some
-// steps.
+// What a cell lacks of a goal, in square degrees, and its smallest angle or, if all are above goal and steps, something above these.
+struct Cell_lack
+{
+  double deficit = 0, smallest = 90;
+};
+
+// The same of some cells, and how many of them are below each of some steps.
 struct Sliver_count
 {
-  double deficit = 0, smallest = 90;        // square degrees, degrees
+  double deficit = 0, smallest = 90;
   std::array<int, Sliver_steps::number> below = {};
 
   bool is_not_worse_than(const Sliver_count& other, int steps) const
@@ -54,20 +59,45 @@ struct Sliver_count
            && std::equal(below.begin(), below.begin() + steps, other.below.begin(), std::less_equal<int>());
   }
 
-  // `highest` has the highest of the bound and the steps; the angles above it do not count.
-  void add(const std::array<Site, 4>& cell, const Angle_deficit_3& highest, double bound, int steps)
+  void add(const Cell_lack& cell, int steps)
   {
-    double angle = highest.bound();
-    highest.for_each_lack(cell, [&](double lack)
-    {
-      const double a = highest.bound() - lack, missing = (std::max)(0., bound - a);
-      deficit += missing * missing;
-      angle = (std::min)(angle, a);
-    });
-    smallest = (std::min)(smallest, angle);
+    deficit += cell.deficit;
+    smallest = (std::min)(smallest, cell.smallest);
     for(int n = 0; n < steps; ++n)
-      below[n] += angle < Sliver_steps::angles[n];
+      below[n] += cell.smallest < Sliver_steps::angles[n];
   }
+};
+
+// The dihedral angle, in degrees, that cells should reach, and the number of steps of which none may get more cells below it.
+class Sliver_goal
+{
+public:
+  Sliver_goal(double bound, int steps)
+    : steps_(steps)
+    , wanted_(bound + margin)
+    , highest_((std::max)(bound + margin, steps > 0 ? Sliver_steps::angles[steps - 1] : 0.))
+  {}
+
+  int steps() const { return steps_; }
+  const Angle_deficit_3& wanted() const { return wanted_; }
+
+  Cell_lack lack(const std::array<Site, 4>& cell) const
+  {
+    Cell_lack result;
+    highest_.for_each_lack(cell, [&](double below_highest)
+    {
+      const double angle = highest_.bound() - below_highest, missing = (std::max)(0., wanted_.bound() - angle);
+      result.deficit += missing * missing;
+      result.smallest = (std::min)(result.smallest, angle);
+    });
+    return result;
+  }
+
+private:
+  static constexpr double margin = 0.25;        // by which steps are to be exceeded: they are no place to get stuck
+
+  int steps_;
+  Angle_deficit_3 wanted_, highest_;
 };
 
 } // namespace internal

@@ -12,7 +12,7 @@
 
 #include <CGAL/license/Global_odt_mesh_3.h>
 
-#include <CGAL/Global_odt_mesh_3/internal/complex/Exact_relocation_3.h>
+#include <CGAL/Global_odt_mesh_3/internal/complex/Editable_complex_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/complex/Vertex_edits_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/geometry/Facet_geometry_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/geometry/Random_source.h>
@@ -50,23 +50,18 @@ public:
   template <class Predicate>
   void run(int step, const Predicate& may_go_on)
   {
-    Exact_relocation_3& trial = edits_.trial();
-    trial.set_goal(Sliver_steps::angles[step], step);
-    std::vector<std::pair<double, Quadruple> > slivers;
-    for(const Quadruple& q : trial.slivers(Sliver_steps::angles[step]))
-      slivers.emplace_back(trial.smallest_angle(q), q);
-    std::sort(slivers.begin(), slivers.end());
+    edits_.trial().set_goal(Sliver_goal(Sliver_steps::angles[step], step));
+    const std::vector<Sliver_3> slivers = complex_.slivers(Sliver_steps::angles[step]);
     number_of_tries_ = 0;
     const std::size_t most_tries = fewest_tries + tries_for_a_cell * complex_.working.cells().size();
     const std::size_t places = places_in_cell * (std::max)(slivers.size(), std::size_t(1));
     tries_ = (std::min)((std::max)(int(fewest_tries_around), int(most_tries / places)), int(most_tries_around));
-    for(const auto& s : slivers)
+    for(const Sliver_3& s : slivers)
     {
-      Cell_handle c;
       if(number_of_tries_ > most_tries || !may_go_on())
         return;
-      if(trial.find_cell(s.second, c))
-        improve(s.second, c);
+      if(complex_.has(s))
+        improve(s);
     }
   }
 
@@ -74,10 +69,10 @@ public:
   // them come below the angles of the steps before.
   void split(const Quadruple& q, int facet, int step)
   {
-    Cell_handle c;
-    if(!edits_.trial().find_cell(q, c))
+    const Cell_handle c = complex_.find_cell(q);
+    if(c == Cell_handle())
       return;
-    edits_.trial().set_goal(Sliver_steps::angles[step], step);
+    edits_.trial().set_goal(Sliver_goal(Sliver_steps::angles[step], step));
     Best best;
     best.change = (std::numeric_limits<double>::infinity)();
     const double length = edges(q).front().length;
@@ -112,16 +107,15 @@ private:
     std::optional<New_vertex_3> vertex;
   };
 
-  void improve(const Quadruple& q, Cell_handle c)
+  void improve(const Sliver_3& s)
   {
     Best best;
     if(inserts_)
-      try_insertions(q, c, best);
-    if(removes_ && try_removals(q, best.change))
+      try_insertions(s.vertices, s.cell, best);
+    if(removes_ && try_removals(s.vertices, best.change))
       return;
-    // Vertices that have been detached have got other cells.
-    if(best.vertex && edits_.trial().find_cell(q, c))
-      edits_.insert_for_angles(*best.vertex, 0, c, true);
+    if(best.vertex)
+      edits_.insert_for_angles(*best.vertex, 0, s.cell, true);
   }
 
   // Whether a vertex has been removed because that is better than any insertion.

@@ -13,13 +13,15 @@
 #include <CGAL/license/Global_odt_mesh_3.h>
 
 #include <CGAL/Global_odt_mesh_3/internal/complex/Complex_updater_3.h>
-#include <CGAL/Global_odt_mesh_3/internal/complex/Exact_relocation_3.h>
+#include <CGAL/Global_odt_mesh_3/internal/complex/Editable_complex_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/geometry/Circumradius_bound_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/geometry/Sliver_steps.h>
-#include <CGAL/Global_odt_mesh_3/internal/slivers/Exact_sliver_removal_3.h>
+#include <CGAL/Global_odt_mesh_3/internal/slivers/Sliver_removal_3.h>
 
 #include <algorithm>
 #include <cstddef>
+#include <cstdio>
+#include <cstdlib>
 
 namespace CGAL {
 namespace Global_odt_mesh_3 {
@@ -59,31 +61,34 @@ private:
   // below this.
   static constexpr double always_wanted = 30, most_slivers = 1 / 25.;
 
-  static std::size_t below(int step, const Exact_relocation_3& trial) { return trial.slivers(Sliver_steps::angles[step]).size(); }
-
-  bool is_worthwhile(int step, std::size_t below_step, const Exact_relocation_3& trial) const
+  // Of a step with so many slivers.
+  bool is_worthwhile(int step, std::size_t slivers, const Editable_complex_3& complex) const
   {
     return bound_ > 0 || Sliver_steps::angles[step] <= always_wanted
-           || (double(below_step) < most_slivers * double(trial.number_of_cells()) && below(step - 1, trial) == 0);
+           || (double(slivers) < most_slivers * double(complex.working.cells().size())
+               && complex.slivers(Sliver_steps::angles[step - 1]).empty());
   }
 
   // Whether another step may reach more.
   template <class Has_time>
   bool climb(int step, const Has_time& has_time)
   {
-    Exact_relocation_3 trial = complex_.make_trial(size_bound_);
-    const std::size_t before = below(step, trial);
-    if(!is_worthwhile(step, before, trial))
+    Editable_complex_3 complex = complex_.edit();
+    complex.size_bound = size_bound_;
+    Sliver_removal_3 removal(complex, step, seed_++);
+    const std::size_t before = removal.number_of_slivers();
+    if(!is_worthwhile(step, before, complex))
       return false;
     if(step == first_step)
       most_tries_ += tries_for_a_sliver * before;
-    Exact_sliver_removal_3 removal(trial, failures_, seed_++);
     const std::size_t left = most_tries_ - (std::min)(number_of_tries_, most_tries_);
-    removal.climb(step, std::size_t(share_of_climb * double(left)), has_time);
-    removal.raise_smallest_angle(step, Sliver_steps::angles[step], left - (std::min)(removal.number_of_tries(), left), has_time);
+    removal.climb(std::size_t(share_of_climb * double(left)), has_time);
+    if(std::getenv("DBG")) std::fprintf(stderr, "climb tries %zu left slivers %zu\n", removal.number_of_tries(), removal.number_of_slivers());
+    removal.raise_smallest_angle(left - (std::min)(removal.number_of_tries(), left), has_time);
     number_of_tries_ += removal.number_of_tries();
-    const std::size_t after = below(step, trial);
-    if(!complex_.adopt(trial))
+    if(std::getenv("DBG")) std::fprintf(stderr, "step %d before %zu moves %zu tries %zu left %zu\n", step, before, removal.number_of_moves(), removal.number_of_tries(), left);
+    const std::size_t after = removal.number_of_slivers();
+    if(!complex_.adopt(complex))
       return false;
     // A few cells that nothing helps may have taken all tries. Then the next step would do nothing: in four meshes of a cow, 1307
     // cells instead of 932 would be left below 30 degrees.
@@ -97,7 +102,6 @@ private:
   double bound_;
   unsigned int seed_;
   std::size_t most_tries_, number_of_tries_ = 0;
-  Exact_sliver_removal_3::Failures failures_;
 };
 
 } // namespace internal

@@ -17,8 +17,8 @@
 
 #include <algorithm>
 #include <array>
-#include <iterator>
 #include <cstddef>
+#include <numeric>
 #include <utility>
 #include <vector>
 
@@ -57,12 +57,9 @@ public:
   const std::vector<int>& around(int v) const { return around_[v]; }
 
   // Whether one surface goes all around the vertex, or several meet in one line through it; not if one ends there.
-  bool has_room_to_move(int v)
+  bool has_room_to_move(int v) const
   {
-    before_.clear();
-    for(int n : around_[v])
-      before_.push_back(facets_[n]);
-    const Pattern p = pattern(v, before_);
+    const Pattern p = pattern(v, facets_around(v));
     if(p.junctions.empty())
       return p.umbrellas == 1;
     return p.junctions.size() == 2
@@ -100,7 +97,7 @@ public:
   // Whether after an exchange each patch would have as many facets, each vertex as many umbrellas,
   // and there would be the same junctions. Around a vertex that is inserted on a patch or removed from it, there has to be a disk
   // of it, which has two facets more than what is there without it.
-  bool keeps_topology(const std::vector<int>& removed, const std::vector<Facet>& added, const Vertex_change& change)
+  bool keeps_topology(const std::vector<int>& removed, const std::vector<Facet>& added, const Vertex_change& change) const
   {
     std::vector<int> patches_before, patches_after, vertices;
     if(change.patch != Boundary_facet::no_patch)
@@ -129,7 +126,7 @@ public:
   }
 
   // The same if all vertices stay.
-  bool keeps_topology(const std::vector<int>& removed, const std::vector<Facet>& added)
+  bool keeps_topology(const std::vector<int>& removed, const std::vector<Facet>& added) const
   { return keeps_topology(removed, added, Vertex_change()); }
 
   void exchange(const std::vector<int>& removed, const std::vector<Facet>& added)
@@ -168,32 +165,36 @@ private:
       around_[v].push_back(n);
   }
 
-  bool keeps_topology_at(int v, const std::vector<int>& removed, const std::vector<Facet>& added)
+  static bool has_vertex(const Facet& f, int v) { return std::find(f.vertices.begin(), f.vertices.end(), v) != f.vertices.end(); }
+
+  std::vector<Facet> facets_around(int v) const
   {
-    before_.clear();
-    after_.clear();
+    std::vector<Facet> result;
     for(int n : around_[v])
-    {
-      before_.push_back(facets_[n]);
+      result.push_back(facets_[n]);
+    return result;
+  }
+
+  bool keeps_topology_at(int v, const std::vector<int>& removed, const std::vector<Facet>& added) const
+  {
+    std::vector<Facet> after;
+    for(int n : around_[v])
       if(std::find(removed.begin(), removed.end(), n) == removed.end())
-        after_.push_back(facets_[n]);
-    }
+        after.push_back(facets_[n]);
     for(const Facet& f : added)
-      if(std::find(f.vertices.begin(), f.vertices.end(), v) != f.vertices.end())
-        after_.push_back(f);
-    return pattern(v, before_) == pattern(v, after_);
+      if(has_vertex(f, v))
+        after.push_back(f);
+    return pattern(v, facets_around(v)) == pattern(v, after);
   }
 
   // Whether the facets at the vertex are one, among those added or as they are.
-  bool is_disk(int v, bool is_inserted, const std::vector<Facet>& added)
+  bool is_disk(int v, bool is_inserted, const std::vector<Facet>& added) const
   {
-    after_.clear();
-    for(int n : around_[v])
-      after_.push_back(facets_[n]);
-    if(is_inserted)
-      std::copy_if(added.begin(), added.end(), std::back_inserter(after_), [v](const Facet& f)
-                   { return std::find(f.vertices.begin(), f.vertices.end(), v) != f.vertices.end(); });
-    return pattern(v, after_) == Pattern{ 1, {} };
+    std::vector<Facet> facets = facets_around(v);
+    for(const Facet& f : added)
+      if(is_inserted && has_vertex(f, v))
+        facets.push_back(f);
+    return pattern(v, facets) == Pattern{ 1, {} };
   }
 
   static bool same_surface(const Facet& a, const Facet& b)
@@ -202,47 +203,42 @@ private:
   }
 
   // Of the facets around v.
-  Pattern pattern(int v, const std::vector<Facet>& facets)
+  static Pattern pattern(int v, const std::vector<Facet>& facets)
   {
-    edges_.clear();
-    umbrella_.clear();
-    for(int n = 0; n < static_cast<int>(facets.size()); ++n)
-    {
-      umbrella_.push_back(n);
+    std::vector<std::pair<int, int> > edges;
+    std::vector<int> umbrella(facets.size());
+    std::iota(umbrella.begin(), umbrella.end(), 0);
+    for(std::size_t n = 0; n < facets.size(); ++n)
       for(int w : facets[n].vertices)
         if(w != v)
-          edges_.emplace_back(w, n);
-    }
-    std::sort(edges_.begin(), edges_.end());
+          edges.emplace_back(w, static_cast<int>(n));
+    std::sort(edges.begin(), edges.end());
     Pattern result = { static_cast<int>(facets.size()), {} };
-    for(std::size_t n = 0, m; n < edges_.size(); n = m)
+    for(std::size_t n = 0, m; n < edges.size(); n = m)
     {
       m = n + 1;
-      while(m < edges_.size() && edges_[m].first == edges_[n].first)
+      while(m < edges.size() && edges[m].first == edges[n].first)
         ++m;
-      const int f = edges_[n].second, g = edges_[m - 1].second;
+      const int f = edges[n].second, g = edges[m - 1].second;
       if(m == n + 2 && same_surface(facets[f], facets[g]))
-        result.umbrellas -= join(f, g);
+        result.umbrellas -= join(umbrella, f, g);
       else
-        result.junctions.emplace_back(edges_[n].first, static_cast<int>(m - n));
+        result.junctions.emplace_back(edges[n].first, static_cast<int>(m - n));
     }
     return result;
   }
 
   // Whether the facets were of two umbrellas.
-  bool join(int f, int g)
+  static bool join(std::vector<int>& umbrella, int f, int g)
   {
-    const int a = umbrella_[f], b = umbrella_[g];
-    std::replace(umbrella_.begin(), umbrella_.end(), a, b);
+    const int a = umbrella[f], b = umbrella[g];
+    std::replace(umbrella.begin(), umbrella.end(), a, b);
     return a != b;
   }
 
   std::vector<Facet> facets_;
   std::vector<int> unused_;                   // places in it
   std::vector<std::vector<int> > around_;     // vertices
-  std::vector<Facet> before_, after_;
-  std::vector<std::pair<int, int> > edges_;
-  std::vector<int> umbrella_;
 };
 
 } // namespace internal

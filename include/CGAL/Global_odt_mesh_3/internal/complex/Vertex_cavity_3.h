@@ -1,0 +1,548 @@
+// Copyright (c) 2026 The Global ODT Mesh authors.
+// All rights reserved.
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later OR LicenseRef-Commercial
+//
+// Author(s)     : The Global ODT Mesh authors
+
+#ifndef CGAL_GLOBAL_ODT_MESH_3_INTERNAL_COMPLEX_VERTEX_CAVITY_3_H
+#define CGAL_GLOBAL_ODT_MESH_3_INTERNAL_COMPLEX_VERTEX_CAVITY_3_H
+
+#include <CGAL/license/Global_odt_mesh_3.h>
+
+#include <CGAL/Global_odt_mesh_3/internal/complex/Editable_complex_3.h>
+#include <CGAL/Global_odt_mesh_3/internal/complex/Exact_triangulation_3.h>
+#include <CGAL/Global_odt_mesh_3/internal/complex/Working_triangulation_3.h>
+#include <CGAL/Global_odt_mesh_3/internal/geometry/Cell_geometry_3.h>
+#include <CGAL/Global_odt_mesh_3/internal/geometry/Site.h>
+#include <CGAL/Global_odt_mesh_3/internal/geometry/Sliver_steps.h>
+#include <CGAL/Global_odt_mesh_3/internal/geometry/Vertex_tuples.h>
+#include <CGAL/Global_odt_mesh_3/internal/triangulation/Half_facet.h>
+
+#include <CGAL/Kernel/global_functions.h>
+#include <CGAL/enum.h>
+
+#include <Eigen/Core>
+#include <Eigen/Geometry>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Global_odt_mesh_3 {
+namespace internal {
+
+// What the regular triangulation exchanges where a vertex moves, comes, or goes: the cells that are then no more, and those in
+// their place. Nothing is changed until replace() is called, so that threads may look at several vertices at once.
+//
+// The hole that a vertex leaves is filled once, for all its places, by gift wrapping: on a facet comes the cell whose sphere has
+// no vertex of the hole inside. At a place, the cells in conflict with it, in the hole and around, give way to those
+// between it and their walls. Signs that floating-point numbers do not tell are those of the triangulation.
+class Vertex_cavity_3
+{
+public:
+  struct Cell
+  {
+    Quadruple vertices;                         // -1 for the infinite one
+    int label;
+    Cell_handle handle = Cell_handle();         // none if there is no such cell yet
+    bool is_asked = false, fits = true;         // whether the domain has been asked, and agrees about the label
+    Eigen::Vector3d dual = Eigen::Vector3d::Zero();       // once it has been asked
+    Cell_lack lack = Cell_lack();
+    bool is_measured = false;
+  };
+
+  explicit Vertex_cavity_3(const Editable_complex_3& complex) : complex_(complex) {}
+
+  int vertex() const { return vertex_; }
+  bool is_new() const { return is_new_; }
+
+  // Of any vertex, with the one in question at its place.
+  const Site& site(int v) const { return v == vertex_ ? site_ : complex_.sites[v]; }
+
+  template <std::size_t n>
+  std::array<Site, n> sites(const std::array<int, n>& vertices) const
+  {
+    std::array<Site, n> result;
+    for(std::size_t i = 0; i < n; ++i)
+      result[i] = site(vertices[i]);
+    return result;
+  }
+
+  // The cells around the vertex, in an order that does not depend on the triangulation's, and its neighbors.
+  std::vector<Cell>& star() { return star_; }
+  const std::vector<Cell>& star() const { return star_; }
+  const std::vector<int>& link() const { return link_; }
+
+  // Begins with a vertex of the triangulation; false if it has too many neighbors to be tried.
+  bool start(int v)
+  {
+    vertex_ = v;
+    is_new_ = is_filled_ = false;
+    site_ = complex_.sites[v];
+    hole_.clear();
+    outer_.clear();
+    return find_star();
+  }
+
+  // Begins with one that is not there, near a cell.
+  void start_new(int v, Cell_handle near)
+  {
+    vertex_ = v;
+    is_new_ = is_filled_ = true;
+    site_ = complex_.sites[v];
+    star_.clear();
+    link_.clear();
+    hole_.clear();
+    outer_.clear();
+    outer_.push_back({ known_cell(near), Sphere() });
+  }
+
+  // Finds the cells for another place; false if the vertex would be hidden there or not be near.
+  bool find_cells(const Site& s)
+  {
+    site_ = s;
+    point_ = weighted_point(s);
+    created_.clear();
+    queue_.clear();
+    ++search_;
+    if(!fill_hole())
+      return false;
+    for(Hole_cell& h : hole_)
+      h.is_in_conflict = is_in_conflict(h.sphere, site_, point_);
+    for(std::size_t n = 0; n < hole_.size(); ++n)
+      if(hole_[n].is_in_conflict)
+        visit_neighbors_of_hole_cell(static_cast<int>(n));
+    if(is_new_)
+      visit_near();
+    for(std::size_t n = 0; n < queue_.size() && outer_.size() < most_cells; ++n)
+      visit_neighbors(queue_[n]);
+    list_cells();
+    return !created_.empty() && outer_.size() < most_cells
+           && std::all_of(created_.begin(), created_.end(), [this](const Cell& c) { return is_positive(c.vertices); });
+  }
+
+  // Those without the vertex; false if there are none.
+  bool find_cells_without()
+  {
+    created_.clear();
+    queue_.clear();
+    ++search_;
+    for(Hole_cell& h : hole_)
+      h.is_in_conflict = false;
+    const bool is_filled = fill_hole();
+    list_cells();
+    return is_filled;
+  }
+
+  // As found last: the cells that go, and those that come.
+  const std::vector<Cell*>& old_cells() const { return old_cells_; }
+  const std::vector<Cell*>& new_cells() const { return new_cells_; }
+
+  // The cell beyond a facet, with sorted vertices, of the hull of the cells that go.
+  Cell_handle beyond(const Triple& facet) const
+  {
+    for(const Cell* c : old_cells_)
+      for(int i = 0; i < 4; ++i)
+        if(facet_key(c->vertices, i) == facet && !goes(c->handle->neighbor(i)))
+          return c->handle->neighbor(i);
+    return Cell_handle();
+  }
+
+  // Makes the cells that come those of the triangulation.
+  void replace(Working_triangulation_3& working)
+  {
+    std::vector<Working_triangulation_3::New_cell> cells;
+    for(const Cell* c : new_cells_)
+      cells.push_back({ c->vertices, c->label });
+    std::vector<Cell_handle> old;
+    for(const Cell* c : old_cells_)
+      old.push_back(c->handle);
+    const std::vector<Cell_handle> created = working.replace(old, cells);
+    for(std::size_t n = 0; n < created.size(); ++n)
+      new_cells_[n]->handle = created[n];
+  }
+
+private:
+  static constexpr std::size_t most_cells = 500;            // around a vertex, beyond which trials take too long
+  static constexpr double filter = 1e-13;                   // relative errors of what signs are told from
+
+  // The sphere of a positive cell or, if that is infinite, the plane of its finite facet.
+  struct Sphere
+  {
+    Quadruple vertices;
+    int infinite;                               // the index of that vertex, or 4
+    Cell_sphere products;                       // with the normal of the plane
+    double squared_length;                      // of its edges and weights
+  };
+
+  struct Outer_cell
+  {
+    Cell cell;
+    Sphere sphere;
+    std::array<int, 4> beyond = {{ unknown, unknown, unknown, unknown }};     // other ones, or ~n for cell n of the star
+    std::size_t searched = 0;                   // the last search that has come here
+    bool is_in_conflict = false;
+  };
+
+  struct Hole_cell
+  {
+    Cell cell;
+    Sphere sphere;
+    std::array<int, 4> beyond;                  // other ones, or ~n for what is beyond cell n of the star
+    bool is_in_conflict;
+  };
+
+  // On which a cell of the hole is to come: its vertices, clockwise as seen from there.
+  struct Open_facet
+  {
+    Triple key, facet;
+    int owner, index;                           // the cell beyond, as above, and its facet
+  };
+
+  static constexpr int unknown = (std::numeric_limits<int>::max)();
+
+  static Triple facet_key(const Quadruple& q, int i) { return sorted(Triple{{ q[(i + 1) % 4], q[(i + 2) % 4], q[(i + 3) % 4] }}); }
+
+  const Exact_triangulation_3& triangulation() const { return complex_.triangulation(); }
+
+  Cell known_cell(Cell_handle c) const
+  {
+    Cell cell;
+    cell.vertices = complex_.numbers(c);
+    cell.label = c->label();
+    cell.handle = c;
+    return cell;
+  }
+
+  bool find_star()
+  {
+    const Vertex_handle v = complex_.working.vertex(vertex_);
+    std::vector<Cell_handle>& cells = handles_;
+    cells.assign(1, v->cell());
+    for(std::size_t n = 0; n < cells.size(); ++n)
+      for(int i = 0; i < 4; ++i)
+      {
+        const Cell_handle c = cells[n]->neighbor(i);
+        if(cells[n]->vertex(i) != v && std::find(cells.begin(), cells.end(), c) == cells.end())
+          cells.push_back(c);
+        if(cells.size() > most_cells)
+          return false;
+      }
+    keys_.clear();
+    for(Cell_handle c : cells)
+      keys_.emplace_back(sorted(complex_.numbers(c)), c);
+    std::sort(keys_.begin(), keys_.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
+    star_.clear();
+    link_.clear();
+    for(const auto& k : keys_)
+    {
+      star_.push_back(known_cell(k.second));
+      link_.insert(link_.end(), k.first.begin(), k.first.end());
+    }
+    std::sort(link_.begin(), link_.end());
+    link_.erase(std::unique(link_.begin(), link_.end()), link_.end());
+    link_.erase(std::find(link_.begin(), link_.end(), vertex_));
+    has_infinite_ = link_.front() < 0;
+    if(has_infinite_)
+      link_.erase(link_.begin());
+    return true;
+  }
+
+  // Whether that is possible, which is not so where the triangulation would lose its dimension.
+  bool fill_hole()
+  {
+    if(is_filled_)
+      return is_new_ || !hole_.empty();
+    is_filled_ = true;
+    hole_of_star_.assign(star_.size(), 0);
+    open_.clear();
+    for(std::size_t n = 0; n < star_.size(); ++n)
+    {
+      const Quadruple& q = star_[n].vertices;
+      const Triple& o = facet_indices(static_cast<int>(std::find(q.begin(), q.end(), vertex_) - q.begin()));
+      const Triple f = {{ q[o[0]], q[o[1]], q[o[2]] }};
+      open_.push_back({ sorted(f), f, ~static_cast<int>(n), 0 });
+    }
+    while(!open_.empty())
+    {
+      const Open_facet f = open_.back();
+      open_.pop_back();
+      if(hole_.size() > 2 * most_cells || !add_hole_cell(f))
+      {
+        hole_.clear();
+        return false;
+      }
+    }
+    return true;
+  }
+
+  bool add_hole_cell(const Open_facet& f)
+  {
+    const int n = static_cast<int>(hole_.size());
+    hole_.emplace_back();
+    if(!find_apex(f.facet, hole_.back().sphere))
+      return false;
+    const Quadruple q = hole_.back().sphere.vertices;
+    hole_.back().cell.vertices = q;
+    hole_.back().cell.label = complex_.label_of_vertices(q);
+    glue(n, 0, f.owner, f.index);
+    for(int i = 1; i < 4; ++i)
+    {
+      const Triple& o = facet_indices(i);
+      const Triple g = {{ q[o[0]], q[o[2]], q[o[1]] }}, key = sorted(g);
+      const auto other = std::find_if(open_.begin(), open_.end(), [&key](const Open_facet& e)
+                                      { return e.key[0] == key[0] && e.key[1] == key[1] && e.key[2] == key[2]; });
+      if(other == open_.end())
+        open_.push_back({ key, g, n, i });
+      else
+      {
+        glue(n, i, other->owner, other->index);
+        *other = open_.back();
+        open_.pop_back();
+      }
+    }
+    return true;
+  }
+
+  void glue(int n, int i, int owner, int index)
+  {
+    hole_[n].beyond[i] = owner;
+    if(owner >= 0)
+      hole_[owner].beyond[index] = n;
+    else
+      hole_of_star_[~owner] = n;
+  }
+
+  // The cell on a facet in whose sphere no neighbor lies.
+  bool find_apex(const Triple& f, Sphere& best)
+  {
+    const bool is_infinite = *std::min_element(f.begin(), f.end()) < 0;
+    bool is_found = false;
+    for(int d : link_)
+    {
+      if(d == f[0] || d == f[1] || d == f[2])
+        continue;
+      const Quadruple q = {{ d, f[0], f[1], f[2] }};
+      if(is_found ? !is_in_conflict(best, complex_.sites[d], d) || (!is_infinite && !is_positive(q))
+                  : is_infinite ? are_collinear(q) : !is_positive(q))
+        continue;
+      best = sphere(q);
+      is_found = true;
+    }
+    if(!is_found && !is_infinite && has_infinite_)
+    {
+      best = sphere({{ -1, f[0], f[1], f[2] }});
+      is_found = true;
+    }
+    return is_found;
+  }
+
+  // The finite three of four vertices.
+  bool are_collinear(const Quadruple& q) const
+  {
+    std::array<Exact_traits::Point_3, 3> p;
+    int n = 0;
+    for(int v : q)
+      if(v >= 0)
+        p[n++] = complex_.point(v).point();
+    return CGAL::collinear(p[0], p[1], p[2]);
+  }
+
+  Sphere sphere(const Quadruple& q) const
+  {
+    Sphere result;
+    result.vertices = q;
+    result.infinite = static_cast<int>(std::find(q.begin(), q.end(), -1) - q.begin());
+    if(result.infinite == 4)
+    {
+      const std::array<Site, 4> s = sites(q);
+      const Cell_products t(s[0], s[1], s[2], s[3]);
+      result.products = t;
+      result.squared_length = (std::max)({ t.aa, t.bb, t.cc, std::abs(s[0].weight), std::abs(s[1].weight), std::abs(s[2].weight),
+                                           std::abs(s[3].weight) });
+      return result;
+    }
+    const Triple& o = facet_indices(result.infinite);
+    const Eigen::Vector3d origin = position(site(q[o[0]]));
+    const Eigen::Vector3d a = position(site(q[o[1]])) - origin, b = position(site(q[o[2]])) - origin, normal = a.cross(b);
+    result.products = Cell_sphere{ 0, normal[0], normal[1], normal[2] };
+    result.squared_length = (std::max)(a.squaredNorm(), b.squaredNorm());
+    return result;
+  }
+
+  Weighted_point point(int v) const { return v == vertex_ ? point_ : complex_.point(v); }
+
+  static const Weighted_point& exact_point(const Weighted_point& p) { return p; }
+  Weighted_point exact_point(int v) const { return complex_.point(v); }
+
+  // Whether a site would destroy the cell. The point, or its number, is for the case that floating-point numbers do not tell.
+  template <class Point>
+  bool is_in_conflict(const Sphere& s, const Site& q, const Point& p) const
+  {
+    double value, bound;
+    if(s.infinite == 4)
+    {
+      const Site& origin = site(s.vertices[0]);
+      const double x = q.x - origin.x, y = q.y - origin.y, z = q.z - origin.z;
+      const double r = x * x + y * y + z * z + std::abs(q.weight) + std::abs(origin.weight), l = s.squared_length;
+      value = -s.products.power(origin, q);
+      bound = filter * l * (std::sqrt(l) * r + l * std::sqrt(r));
+    }
+    else
+    {
+      const Eigen::Vector3d way = position(site(s.vertices[facet_indices(s.infinite)[0]])) - position(q);
+      value = way.dot(Eigen::Vector3d(s.products.nx, s.products.ny, s.products.nz));
+      bound = filter * s.squared_length * way.norm();
+    }
+    return value > bound || (!(value < -bound) && is_exactly_in_conflict(s, exact_point(p)));
+  }
+
+  bool is_exactly_in_conflict(const Sphere& s, const Weighted_point& p) const
+  {
+    const Quadruple& v = s.vertices;
+    if(s.infinite == 4)
+      return triangulation().side_of_oriented_power_sphere(point(v[0]), point(v[1]), point(v[2]), point(v[3]), p, true)
+             == ON_POSITIVE_SIDE;
+    const Triple& o = facet_indices(s.infinite);
+    const Weighted_point a = point(v[o[0]]), b = point(v[o[1]]), c = point(v[o[2]]);
+    const Orientation side = CGAL::orientation(p.point(), a.point(), b.point(), c.point());
+    return side == POSITIVE
+           || (side == COPLANAR && triangulation().side_of_bounded_power_circle(a, b, c, p, true) == ON_BOUNDED_SIDE);
+  }
+
+  // An infinite cell is.
+  bool is_positive(const Quadruple& q) const
+  {
+    if(*std::min_element(q.begin(), q.end()) < 0)
+      return true;
+    const std::array<Site, 4> s = sites(q);
+    const Cell_products t(s[0], s[1], s[2], s[3]);
+    const double bound = filter * t.cubed_length();
+    return t.determinant > bound
+           || (!(t.determinant < -bound) && CGAL::orientation(point(q[0]).point(), point(q[1]).point(), point(q[2]).point(),
+                                                              point(q[3]).point()) == POSITIVE);
+  }
+
+  // The number of a cell of the triangulation, or ~n if it is number n of the star.
+  int local(Cell_handle c)
+  {
+    if(!is_new_ && c->has_vertex(complex_.working.vertex(vertex_)))
+      return ~static_cast<int>(std::find_if(star_.begin(), star_.end(), [c](const Cell& s) { return s.handle == c; }) - star_.begin());
+    for(std::size_t n = 0; n < outer_.size(); ++n)
+      if(outer_[n].cell.handle == c)
+        return static_cast<int>(n);
+    const Cell cell = known_cell(c);
+    outer_.push_back({ cell, sphere(cell.vertices) });
+    return static_cast<int>(outer_.size()) - 1;
+  }
+
+  // Whether a cell outside of the hole is in conflict; if so, its neighbors are to be visited.
+  bool visit(int n)
+  {
+    Outer_cell& c = outer_[n];
+    if(c.searched == search_)
+      return c.is_in_conflict;
+    c.searched = search_;
+    c.is_in_conflict = is_in_conflict(c.sphere, site_, point_);
+    if(c.is_in_conflict)
+      queue_.push_back(n);
+    return c.is_in_conflict;
+  }
+
+  void visit_neighbors_of_hole_cell(int n)
+  {
+    for(int i = 0; i < 4; ++i)
+    {
+      const int b = hole_[n].beyond[i];
+      if(b >= 0 ? !hole_[b].is_in_conflict : !visit(beyond_star(~b)))
+        create(hole_[n].cell.vertices, i);
+    }
+  }
+
+  void visit_neighbors(int n)
+  {
+    for(int i = 0; i < 4; ++i)
+    {
+      if(outer_[n].beyond[i] == unknown)
+      {
+        const int b = local(outer_[n].cell.handle->neighbor(i));
+        outer_[n].beyond[i] = b;
+      }
+      const int b = outer_[n].beyond[i];
+      if(b >= 0 ? !visit(b) : !hole_[hole_of_star_[~b]].is_in_conflict)
+        create(outer_[n].cell.vertices, i);
+    }
+  }
+
+  // The cell across from the vertex.
+  int beyond_star(int n)
+  {
+    const Cell& c = star_[n];
+    return local(c.handle->neighbor(static_cast<int>(std::find(c.vertices.begin(), c.vertices.end(), vertex_) - c.vertices.begin())));
+  }
+
+  // The cell that is near a new vertex, or one beside it, is to be in conflict.
+  void visit_near()
+  {
+    outer_[0].sphere = sphere(outer_[0].cell.vertices);
+    if(!visit(0))
+      for(int i = 0; i < 4 && queue_.empty(); ++i)
+        visit(local(outer_[0].cell.handle->neighbor(i)));
+  }
+
+  void create(Quadruple q, int i)
+  {
+    q[i] = vertex_;
+    created_.emplace_back();
+    created_.back().vertices = q;
+    created_.back().label = complex_.label_of_vertices(q);
+  }
+
+  void list_cells()
+  {
+    old_cells_.clear();
+    new_cells_.clear();
+    for(Cell& c : star_)
+      old_cells_.push_back(&c);
+    for(int n : queue_)
+      old_cells_.push_back(&outer_[n].cell);
+    for(Hole_cell& h : hole_)
+      if(!h.is_in_conflict)
+        new_cells_.push_back(&h.cell);
+    for(Cell& c : created_)
+      new_cells_.push_back(&c);
+  }
+
+  bool goes(Cell_handle c) const
+  { return std::any_of(old_cells_.begin(), old_cells_.end(), [c](const Cell* o) { return o->handle == c; }); }
+
+  const Editable_complex_3& complex_;
+  int vertex_ = -1;
+  bool is_new_ = false, is_filled_ = false, has_infinite_ = false;
+  Site site_ = { 0, 0, 0, 0 };
+  Weighted_point point_;                        // there
+  std::vector<Cell_handle> handles_;
+  std::vector<std::pair<Quadruple, Cell_handle> > keys_;
+  std::vector<Cell> star_, created_;
+  std::vector<int> link_, hole_of_star_;        // finite neighbors; of the star, which cells of the hole are at its outer facets
+  std::vector<Hole_cell> hole_;
+  std::vector<Open_facet> open_;
+  std::vector<Outer_cell> outer_;               // of the triangulation, around the star, as far as they have been looked at
+  std::vector<int> queue_;                      // those in conflict
+  std::size_t search_ = 0;
+  std::vector<Cell*> old_cells_, new_cells_;
+};
+
+} // namespace internal
+} // namespace Global_odt_mesh_3
+} // namespace CGAL
+
+#endif // CGAL_GLOBAL_ODT_MESH_3_INTERNAL_COMPLEX_VERTEX_CAVITY_3_H

@@ -1,0 +1,397 @@
+// Copyright (c) 2026 The Global ODT Mesh authors.
+// All rights reserved.
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later OR LicenseRef-Commercial
+//
+// Author(s)     : The Global ODT Mesh authors
+
+#ifndef CGAL_GLOBAL_ODT_MESH_3_INTERNAL_COMPLEX_VERTEX_TRIAL_3_H
+#define CGAL_GLOBAL_ODT_MESH_3_INTERNAL_COMPLEX_VERTEX_TRIAL_3_H
+
+#include <CGAL/license/Global_odt_mesh_3.h>
+
+#include <CGAL/Global_odt_mesh_3/internal/complex/Editable_complex_3.h>
+#include <CGAL/Global_odt_mesh_3/internal/complex/Facet_exchange_3.h>
+#include <CGAL/Global_odt_mesh_3/internal/complex/Vertex_cavity_3.h>
+#include <CGAL/Global_odt_mesh_3/internal/complex/Working_triangulation_3.h>
+#include <CGAL/Global_odt_mesh_3/internal/geometry/Angle_deficit_3.h>
+#include <CGAL/Global_odt_mesh_3/internal/geometry/Cell_geometry_3.h>
+#include <CGAL/Global_odt_mesh_3/internal/geometry/Facet_geometry_3.h>
+#include <CGAL/Global_odt_mesh_3/internal/geometry/Site.h>
+#include <CGAL/Global_odt_mesh_3/internal/geometry/Sliver_steps.h>
+#include <CGAL/Global_odt_mesh_3/internal/geometry/Vertex_places.h>
+#include <CGAL/Global_odt_mesh_3/internal/geometry/Vertex_tuples.h>
+#include <CGAL/Global_odt_mesh_3/internal/interface/Domain_view_3.h>
+#include <CGAL/Global_odt_mesh_3/internal/surface/Exchangeable_boundary_3.h>
+
+#include <Eigen/Core>
+#include <Eigen/Geometry>
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <iterator>
+#include <limits>
+#include <optional>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Global_odt_mesh_3 {
+namespace internal {
+
+// What moving, inserting, or removing one vertex of a complex does to the angles of the cells, with the facets on surfaces that
+// it exchanges. A vertex is tried in some places, and then accepted in the last of them; until then, nothing is changed.
+//
+// Vertices of the interior move, and those of dimension 2 that one surface goes around, also if it bends sharply
+// there or does not separate subdomains, or through which a line goes where several meet. Without features, such lines
+// are known only as well as the surfaces on either side: their vertices move on the one that they are from.
+class Vertex_trial_3
+{
+public:
+  typedef Vertex_cavity_3::Cell Cell;
+
+  explicit Vertex_trial_3(Editable_complex_3& complex)
+    : complex_(complex)
+    , cavity_(complex)
+    , exchange_(complex, cavity_)
+    , goal_(Sliver_steps::angles[0], 0)
+  {}
+
+  // The cells refer to each other.
+  Vertex_trial_3(const Vertex_trial_3&) = delete;
+  Vertex_trial_3& operator=(const Vertex_trial_3&) = delete;
+
+  void set_goal(const Sliver_goal& goal) { goal_ = goal; }
+
+  // Those of a cell or an edge that may move, in order of their numbers: those of the interior come first, as that needs fewer
+  // questions to the domain.
+  template <class Vertices>
+  std::vector<int> movable_vertices(const Vertices& vertices) const
+  {
+    std::vector<int> result;
+    std::copy_if(vertices.begin(), vertices.end(), std::back_inserter(result), [this](int v) { return is_movable(v); });
+    std::sort(result.begin(), result.end());
+    result.erase(std::unique(result.begin(), result.end()), result.end());
+    return result;
+  }
+
+  // Those opposite to a cell in its neighbors that may move.
+  std::vector<int> movable_vertices_beyond(Cell_handle c) const
+  {
+    std::array<int, 4> beyond;
+    for(int i = 0; i < 4; ++i)
+      beyond[i] = Working_triangulation_3::number(complex_.triangulation().mirror_vertex(c, i));
+    return movable_vertices(beyond);
+  }
+
+  // Begins with a vertex that may move; false if it has too many neighbors.
+  bool start(int v)
+  {
+    leaves_ = false;
+    change_ = Vertex_change();
+    from_ = complex_.sites[v];
+    if(!cavity_.start(v))
+      return false;
+    for(Cell& c : cavity_.star())
+      if(is_inside(c.label))
+        lack(c);
+    measure_neighborhood();
+    return true;
+  }
+
+  // Begins with a vertex that has been added to the complex, on a patch or inside, near a cell.
+  void start_new(int v, int patch, Cell_handle near)
+  {
+    leaves_ = false;
+    change_ = Vertex_change{ v, true, patch };
+    cavity_.start_new(v, near);
+  }
+
+  const Site& from() const { return from_; }
+
+  // Over which it makes sense to move the vertex.
+  double mean_edge_length() const { return mean_edge_; }
+
+  // Appends shares of the step of Gauss and Newton toward what the cells around the vertex lack, as far as those promise
+  // something; `farthest` is over the mean edge.
+  template <class Shares>
+  void find_steps(double farthest, const Shares& shares, std::vector<Promising_step>& steps)
+  {
+    const int v = cavity_.vertex();
+    Angle_step_3 angle_step(goal_.wanted(), normal_);
+    for(const Cell& c : cavity_.star())
+      if(is_inside(c.label))
+        angle_step.add(cavity_.sites(c.vertices), static_cast<int>(std::find(c.vertices.begin(), c.vertices.end(), v) - c.vertices.begin()));
+    const Eigen::Vector3d step = angle_step.displacement(farthest * mean_edge_);
+    double before = 0;
+    for(const Cell& c : cavity_.star())
+      before += c.lack.deficit;
+    for(double share : shares)
+    {
+      const Site s = site_at(position(from_) + share * step, from_.weight);
+      const double change = deficit_of_star(s, before) - before;
+      if(change < 0)
+        steps.push_back({ v, s, change });
+    }
+  }
+
+  // In the sphere around a cell.
+  std::optional<Site> place_in_sphere(const Quadruple& q, double share) const
+  {
+    return internal::place_in_sphere({{ complex_.sites[q[0]], complex_.sites[q[1]], complex_.sites[q[2]], complex_.sites[q[3]] }},
+                                     from_, normal_, share);
+  }
+
+  // Makes a displacement one that may be tried: on a surface, it is projected after it has
+  // become tangential. False if there is no such place nearby.
+  bool place(Site& s) const
+  {
+    constexpr double farthest_projection = 1;         // over the shortest edge
+    const int v = cavity_.vertex();
+    if(complex_.numbering.is_interior(v))
+      return true;
+    if(normal_.isZero())                              // no facet around it is on its own surface
+      return false;
+    Eigen::Vector3d p = position(s) - normal_.dot(position(s) - position(from_)) * normal_;
+    if(!complex_.domain.project(p, normal_, farthest_projection * shortest_edge_, own_patch(v)))
+      return false;
+    s = site_at(p, s.weight);
+    return true;
+  }
+
+  // The change of the sum of the deficits with the vertex there, or infinity if it may not be there,
+  // if a cell is worse than all that go, or if the change would not be less than `most`.
+  double move(const Site& s, double most)
+  {
+    return cavity_.find_cells(s) && (!cavity_.is_new() || has_room(0)) ? change(most) : infinity;
+  }
+
+  // Whether a new vertex may be where its site is, so far from others, whatever becomes of angles.
+  bool fits(double least_distance)
+  {
+    return cavity_.find_cells(complex_.sites[cavity_.vertex()]) && has_room(least_distance) && is_permitted();
+  }
+
+  // The change if the vertex were removed.
+  double leave(double most)
+  {
+    prepare_to_leave();
+    return cavity_.find_cells_without() ? change(most) : infinity;
+  }
+
+  // Whether it may be removed, whatever becomes of angles.
+  bool may_leave()
+  {
+    prepare_to_leave();
+    return cavity_.find_cells_without() && is_permitted();
+  }
+
+  // The cells that go and those that come, as tried last.
+  const Vertex_cavity_3& cavity() const { return cavity_; }
+
+  // The sum of the deficits of the new cells.
+  double deficit_after() const { return after_.deficit; }
+
+  // The vertex stays where move() or fits() has put it, or out if leave() or may_leave() have been called, and that is permitted.
+  void accept()
+  {
+    const int v = cavity_.vertex();
+    exchange_.apply(complex_);
+    if(cavity_.is_new())
+      complex_.working.create_vertex(v, cavity_.site(v));
+    else if(!leaves_)
+      complex_.working.set_site(v, cavity_.site(v));
+    complex_.sites[v] = cavity_.site(v);
+    cavity_.replace(complex_.working);
+    if(leaves_)
+      complex_.working.remove_without_cells(v);
+  }
+
+private:
+  typedef Exchangeable_boundary_3::Vertex_change Vertex_change;
+
+  static constexpr double infinity = (std::numeric_limits<double>::infinity)();
+
+  // Labels that are not known yet count for outside.
+  static bool is_inside(int label) { return label >= 0 && label != Domain_view_3::outside; }
+
+  // Whatever becomes of angles.
+  bool is_permitted() { return label_cells(infinity) && exchange_.is_permitted(change_); }
+
+  void prepare_to_leave()
+  {
+    leaves_ = true;
+    change_ = Vertex_change{ cavity_.vertex(), false, own_patch(cavity_.vertex()) };
+  }
+
+  // Not one that has been inserted into the snapshot, nor one without which there are no cells.
+  bool is_movable(int v) const
+  {
+    if(v < 0 || v >= static_cast<int>(complex_.snapshot.sites.size()) || !complex_.working.keeps_dimension_without(v))
+      return false;
+    if(!complex_.numbering.is_on_boundary(v) || !complex_.boundary_moves)
+      return complex_.numbering.is_interior(v);
+    return complex_.numbering.dimensions[v] == 2 && complex_.sites[v].weight == 0 && complex_.boundary.has_room_to_move(v);
+  }
+
+  // The one that the vertex has been on from the beginning, if any.
+  int own_patch(int v) const
+  { return complex_.numbering.is_on_boundary(v) ? complex_.numbering.input_patch(v) : int(Boundary_facet::no_patch); }
+
+  // Lengths of edges, and the direction of the surface on the patch of the vertex. Sums are rounded the same way whatever the order
+  // of facets.
+  void measure_neighborhood()
+  {
+    const int v = cavity_.vertex();
+    const auto distance = [&](int w) { return (position(complex_.sites[w]) - position(from_)).norm(); };
+    mean_edge_ = 0;
+    for(int w : cavity_.link())
+      mean_edge_ += distance(w) / double(cavity_.link().size());
+    shortest_edge_ = infinity;
+    normal_.setZero();
+    std::vector<Exchangeable_boundary_3::Facet> around;
+    for(int n : complex_.boundary.around(v))
+      around.push_back(complex_.boundary.facet(n));
+    std::sort(around.begin(), around.end(), [](const auto& a, const auto& b) { return a.vertices < b.vertices; });
+    for(const Exchangeable_boundary_3::Facet& facet : around)
+    {
+      const Triple& t = facet.vertices;
+      const Eigen::Vector3d origin = position(complex_.sites[t[0]]);
+      const Eigen::Vector3d area = (position(complex_.sites[t[1]]) - origin).cross(position(complex_.sites[t[2]]) - origin);
+      if(facet.patch == own_patch(v))
+        normal_ += area.dot(normal_) < 0 ? Eigen::Vector3d(-area) : area;
+      for(int w : t)
+        if(w != v)
+          shortest_edge_ = (std::min)(shortest_edge_, distance(w));
+    }
+    normal_.normalize();
+  }
+
+  // Whether a new vertex would be so far from its neighbors, and in no protecting ball of theirs.
+  bool has_room(double least_distance) const
+  {
+    const int vertex = cavity_.vertex();
+    const Eigen::Vector3d p = position(cavity_.site(vertex));
+    const auto is_far = [&](int v)
+    {
+      return v < 0 || v == vertex || squared_distance(complex_.sites[v], p) > (std::max)(least_distance * least_distance, complex_.sites[v].weight);
+    };
+    const std::vector<Cell*>& cells = cavity_.new_cells();
+    return std::all_of(cells.begin(), cells.end(), [&](const Cell* c)
+                       { return std::all_of(c->vertices.begin(), c->vertices.end(), is_far); });
+  }
+
+  const Cell_lack& lack(Cell& c) const
+  {
+    if(!c.is_measured)
+      c.lack = lack(c.vertices, cavity_.sites(c.vertices));
+    c.is_measured = true;
+    return c.lack;
+  }
+
+  Cell_lack lack(const Quadruple& q, const std::array<Site, 4>& s) const
+  {
+    Cell_lack result = goal_.lack(s);
+    result.deficit += complex_.size_bound.deficit(q.data(), s);
+    return result;
+  }
+
+  // Of the sum of the deficits, by the cells that have been found.
+  double change(double most)
+  {
+    return label_cells(most) && after_.is_not_worse_than(before_, goal_.steps()) && exchange_.is_permitted(change_)
+           ? after_.deficit - before_.deficit : infinity;
+  }
+
+  // Asks the domain about the new cells, those of unknown subdomain with the largest deficits first, which are the most likely
+  // to decide; false as soon as one does not fit or the change is not less than `most`.
+  bool label_cells(double most)
+  {
+    before_ = after_ = Sliver_count();
+    for(Cell* c : cavity_.old_cells())
+      if(is_inside(c->label))
+        before_.add(lack(*c), goal_.steps());
+    order_.clear();
+    const std::vector<Cell*>& cells = cavity_.new_cells();
+    for(std::size_t n = 0; n < cells.size(); ++n)
+    {
+      Cell& c = *cells[n];
+      if(c.label == Editable_complex_3::mixed)
+        return false;
+      if(is_inside(c.label))
+        after_.add(lack(c), goal_.steps());
+      if(!(after_.deficit - before_.deficit < most))
+        return false;
+      if(*std::min_element(c.vertices.begin(), c.vertices.end()) >= 0)
+        order_.emplace_back(c.label == Editable_complex_3::unknown ? -lack(c).deficit : 0., n);
+    }
+    std::sort(order_.begin(), order_.end());
+    for(const auto& o : order_)
+    {
+      Cell& c = *cells[o.second];
+      const bool was_unknown = c.label == Editable_complex_3::unknown;
+      if(!ask(c))
+        return false;
+      if(was_unknown && is_inside(c.label))
+        after_.add(c.lack, goal_.steps());
+      if(!(after_.deficit - before_.deficit < most))
+        return false;
+    }
+    return true;
+  }
+
+  // Asks the domain for the subdomain in which the dual point lies; false if that does not fit.
+  bool ask(Cell& c) const
+  {
+    if(c.is_asked)
+      return c.fits;
+    const auto point = [&](int i) { return weighted_point(cavity_.site(c.vertices[i])); };
+    c.dual = coordinates(complex_.triangulation().geom_traits().construct_weighted_circumcenter_3_object()(point(0), point(1), point(2),
+                                                                                                            point(3)));
+    const int label = complex_.domain.label(c.dual);
+    c.fits = c.label == Editable_complex_3::unknown || c.label == label;
+    c.label = label;
+    c.is_asked = true;
+    return c.fits;
+  }
+
+  // Infinite if a cell is turned over, or where it would not be less than `most`.
+  double deficit_of_star(const Site& to, double most) const
+  {
+    double sum = 0;
+    for(const Cell& c : cavity_.star())
+    {
+      if(!is_inside(c.label))
+        continue;
+      std::array<Site, 4> s = cavity_.sites(c.vertices);
+      s[std::find(c.vertices.begin(), c.vertices.end(), cavity_.vertex()) - c.vertices.begin()] = to;
+      if(!(Cell_products(s[0], s[1], s[2], s[3]).determinant > 0))
+        return infinity;
+      sum += lack(c.vertices, s).deficit;
+      if(!(sum < most))
+        return infinity;
+    }
+    return sum;
+  }
+
+  Editable_complex_3& complex_;
+  Vertex_cavity_3 cavity_;
+  Facet_exchange_3 exchange_;
+  Sliver_goal goal_;
+  bool leaves_ = false;                         // whether the vertex is to be removed
+  Vertex_change change_;                        // what becomes of the number of vertices
+  Site from_ = { 0, 0, 0, 0 };
+  double mean_edge_ = 0, shortest_edge_ = 0;    // of all, and on the boundary
+  Eigen::Vector3d normal_ = Eigen::Vector3d::Zero();            // zero if there is no facet of the patch
+  std::vector<std::pair<double, std::size_t> > order_;          // of new cells, by what they may lack
+  Sliver_count before_, after_;
+};
+
+} // namespace internal
+} // namespace Global_odt_mesh_3
+} // namespace CGAL
+
+#endif // CGAL_GLOBAL_ODT_MESH_3_INTERNAL_COMPLEX_VERTEX_TRIAL_3_H

@@ -1,0 +1,339 @@
+// Copyright (c) 2026 The Global ODT Mesh authors.
+// All rights reserved.
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later OR LicenseRef-Commercial
+//
+// Author(s)     : The Global ODT Mesh authors
+
+#ifndef CGAL_GLOBAL_ODT_MESH_3_INTERNAL_SLIVERS_SLIVER_REMOVAL_3_H
+#define CGAL_GLOBAL_ODT_MESH_3_INTERNAL_SLIVERS_SLIVER_REMOVAL_3_H
+
+#include <CGAL/license/Global_odt_mesh_3.h>
+
+#include <CGAL/Global_odt_mesh_3/internal/complex/Editable_complex_3.h>
+#include <CGAL/Global_odt_mesh_3/internal/complex/Vertex_cavity_3.h>
+#include <CGAL/Global_odt_mesh_3/internal/complex/Vertex_trial_3.h>
+#include <CGAL/Global_odt_mesh_3/internal/geometry/Random_source.h>
+#include <CGAL/Global_odt_mesh_3/internal/geometry/Site.h>
+#include <CGAL/Global_odt_mesh_3/internal/geometry/Sliver_steps.h>
+#include <CGAL/Global_odt_mesh_3/internal/geometry/Vertex_places.h>
+#include <CGAL/Global_odt_mesh_3/internal/geometry/Vertex_tuples.h>
+#include <CGAL/Global_odt_mesh_3/internal/interface/Domain_view_3.h>
+#include <CGAL/Global_odt_mesh_3/internal/parallel/Chunked_loops.h>
+
+#include <Eigen/Core>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <deque>
+#include <iterator>
+#include <optional>
+#include <vector>
+
+namespace CGAL {
+namespace Global_odt_mesh_3 {
+namespace internal {
+
+struct Sliver_removal_parameters
+{
+  std::size_t tries_per_vertex = 16;
+  double farthest = 0.35, nearest = 0.12;   // the longest tries, over the mean incident edge length, near ones first
+  int scales = 3;                           // of these, the longest for as many failures as there are at least
+  double ratio_of_scales = 1 / 4.;
+  std::array<double, 3> shares_of_step = {{ 1, 0.5, 0.25 }};
+  std::size_t most_steps = 3;               // tried for a cell
+  std::array<double, 3> shares_of_radius = {{ 0.005, 0.05, 0.2 }};   // by how much a vertex enters a circumsphere
+  int fewest_failures = 3, most_failures = 16;      // for the same cell: more where few cells are left
+  double share_of_failures = 0.2;                   // of the tries
+  std::size_t tries_of_failure = 70;
+  int most_passes = 30;                     // with each bound
+  int most_failures_of_worst = 120;         // for the cell with the smallest angle, which should rise by so many degrees:
+  double rise_of_worst = 2;
+  std::size_t tries_of_start = 4;                 // to look at another vertex takes as long as so many tries
+};
+
+// Removes the cells with small dihedral angles by trials of single vertices, by bounds that rise step by step. No trial is
+// accepted that makes the smallest angle around it smaller, or more cells fall below one of the steps before; so that a higher
+// bound never leads to less.
+//
+// A cell is helped by steps that promise more in first order; then by the vertices opposite
+// to it in its neighbors, whose way into its circumsphere makes it go; then by random positions of its vertices and of
+// these. A cell that nothing helps is left alone until it gives way to another.
+//
+// Proposals are made for several cells at once, by threads if these may ask the domain, and then accepted one after the other.
+class Sliver_removal_3
+{
+public:
+  // From cells below the step on.
+  Sliver_removal_3(Editable_complex_3& complex, int step, unsigned int seed,
+                   const Sliver_removal_parameters& parameters = Sliver_removal_parameters())
+    : complex_(complex)
+    , step_(step)
+    , seed_(seed)
+    , parameters_(parameters)
+    , trial_(complex)
+    , slivers_(complex.slivers(Sliver_steps::angles[step]))
+  {
+    for(int n = 0; n < chunks_of_batch; ++n)
+      trials_.emplace_back(complex);
+  }
+
+  // Those that are left.
+  std::size_t number_of_slivers() const
+  {
+    return std::count_if(slivers_.begin(), slivers_.end(), [this](const Sliver_3& s) { return complex_.has(s); });
+  }
+
+  std::size_t number_of_moves() const { return number_of_moves_; }
+  // Of places, with what it costs to look at vertices.
+  std::size_t number_of_tries() const { return number_of_tries_; }
+
+  // Until there are none, nothing improves them any more, the tries are used up, or `may_go_on()`, asked now and then, says no.
+  template <class Predicate>
+  void climb(std::size_t most_tries, const Predicate& may_go_on)
+  {
+    most_tries += number_of_tries_;
+    for(int step = 0; step <= step_ && make_passes(step, most_tries, may_go_on); ++step) {}
+  }
+
+  // Raises the smallest angle as far as the step, as long as the worst cell can be made better and there are tries.
+  // No more cells than before are below the steps before.
+  template <class Predicate>
+  void raise_smallest_angle(std::size_t most_tries, const Predicate& may_go_on)
+  {
+    most_tries += number_of_tries_;
+    const auto is_better = [](const Sliver_3& a, const Sliver_3& b) { return b < a; };
+    std::make_heap(slivers_.begin(), slivers_.end(), is_better);
+    for(int failures = 0; !slivers_.empty() && failures < parameters_.most_failures_of_worst; )
+    {
+      const Sliver_3 worst = slivers_.front();
+      if(!complex_.has(worst))
+      {
+        std::pop_heap(slivers_.begin(), slivers_.end(), is_better);
+        slivers_.pop_back();
+        continue;
+      }
+      if(number_of_tries_ >= most_tries || !may_go_on())
+        return;
+      set_goal(Sliver_goal((std::min)(worst.angle + parameters_.rise_of_worst, Sliver_steps::angles[step_]), step_));
+      const Proposal proposal = propose(trial_, worst, failures);
+      number_of_tries_ += proposal.tries;
+      failures = accept(proposal) ? 0 : failures + 1;
+      if(failures == 0)
+        std::make_heap(slivers_.begin(), slivers_.end(), is_better);
+    }
+  }
+
+private:
+  typedef Random_numbers<Split_mix_engine> Random;
+
+  // A place for a vertex, if there is one, where it helps.
+  struct Proposal
+  {
+    double change = -least_improvement;
+    int vertex = -1;
+    Site site = { 0, 0, 0, 0 };
+    std::size_t tries = 0;
+  };
+
+  static constexpr double least_improvement = 1e-6;     // square degrees
+  static constexpr int cells_of_batch = 32, chunks_of_batch = 8;
+
+  void set_goal(const Sliver_goal& goal)
+  {
+    trial_.set_goal(goal);
+    for(Vertex_trial_3& trial : trials_)
+      trial.set_goal(goal);
+  }
+
+  // False if it is to come to an end.
+  template <class Predicate>
+  bool make_passes(int step, std::size_t most_tries, const Predicate& may_go_on)
+  {
+    set_goal(Sliver_goal(Sliver_steps::angles[step], step));
+    const double share = parameters_.share_of_failures * double(most_tries - (std::min)(number_of_tries_, most_tries));
+    bool goes_on = true;
+    for(int pass = 0; pass < parameters_.most_passes && goes_on; ++pass)
+    {
+      const std::vector<Sliver_3> slivers = slivers_to_try(step, share);
+      goes_on = !slivers.empty();
+      for(std::size_t begin = 0; begin < slivers.size(); begin += cells_of_batch)
+      {
+        if(number_of_tries_ >= most_tries || !may_go_on())
+          return false;
+        improve(slivers, begin, (std::min)(begin + cells_of_batch, slivers.size()));
+      }
+    }
+    return true;
+  }
+
+  // Those below the step that have not failed too often, the worst first.
+  std::vector<Sliver_3> slivers_to_try(int step, double tries)
+  {
+    slivers_.erase(std::remove_if(slivers_.begin(), slivers_.end(), [this](const Sliver_3& s) { return !complex_.has(s); }),
+                   slivers_.end());
+    std::sort(slivers_.begin(), slivers_.end());
+    const auto end = std::find_if(slivers_.begin(), slivers_.end(), [step](const Sliver_3& s) { return s.angle >= Sliver_steps::angles[step]; });
+    std::vector<Sliver_3> result(slivers_.begin(), end);
+    const int most_failures = failures_for_each(result.size(), tries);
+    result.erase(std::remove_if(result.begin(), result.end(), [=](const Sliver_3& s) { return s.cell->failures() >= most_failures; }),
+                 result.end());
+    return result;
+  }
+
+  // How often each of some cells may fail before the tries are used up.
+  int failures_for_each(std::size_t number_of_slivers, double tries) const
+  {
+    const double failures = tries / double(parameters_.tries_of_failure * (std::max)(number_of_slivers, std::size_t(1)));
+    return static_cast<int>((std::min)((std::max)(failures, double(parameters_.fewest_failures)),
+                                       double(parameters_.most_failures)));
+  }
+
+  // Some of the slivers, as far as they are still there.
+  void improve(const std::vector<Sliver_3>& slivers, std::size_t begin, std::size_t end)
+  {
+    std::vector<Sliver_3> batch;
+    std::copy_if(slivers.begin() + begin, slivers.begin() + end, std::back_inserter(batch),
+                 [this](const Sliver_3& s) { return complex_.has(s); });
+    std::vector<Proposal> proposals(batch.size());
+    const Chunks chunks(static_cast<int>(batch.size()), 1, chunks_of_batch);
+    complex_.domain.threads().for_each_chunk(chunks.number(), [&](int k)
+    {
+      for(int n = chunks.begin(k); n < chunks.end(k); ++n)
+        proposals[n] = propose(trials_[k], batch[n], batch[n].cell->failures());
+    });
+    for(std::size_t n = 0; n < batch.size(); ++n)
+    {
+      number_of_tries_ += proposals[n].tries;
+      if(complex_.has(batch[n]) && !accept(proposals[n]))
+        batch[n].cell->add_failure();
+    }
+  }
+
+  // Whether the vertex has been moved: other ones may have been since it was proposed.
+  bool accept(const Proposal& p)
+  {
+    if(p.vertex < 0 || !trial_.start(p.vertex) || !(trial_.move(p.site, -least_improvement) < -least_improvement))
+      return false;
+    trial_.accept();
+    ++number_of_moves_;
+    for(const Vertex_cavity_3::Cell* c : trial_.cavity().new_cells())
+      if(c->label != Domain_view_3::outside)
+        complex_.add_sliver(c->handle, Sliver_steps::angles[step_], slivers_);
+    return true;
+  }
+
+  Proposal propose(Vertex_trial_3& trial, const Sliver_3& s, int failures) const
+  {
+    Proposal best;
+    if(failures == 0)
+    {
+      if(!find_step(trial, s, best))
+        enter_sphere(trial, s, best);
+      return best;
+    }
+    const std::vector<int> vertices = failures % 2 == 0 ? trial.movable_vertices_beyond(s.cell) : trial.movable_vertices(s.vertices);
+    std::uint64_t seed = seed_;
+    for(int v : s.vertices)
+      seed = Split_mix_engine(seed, v)();
+    Random random(Split_mix_engine(seed, failures));
+    const double scale = scale_of_tries(failures);
+    for(int v : vertices)
+    {
+      const auto random_place = [&](std::size_t n) -> std::optional<Site>
+      {
+        const double farthest = scale * (2 * n < parameters_.tries_per_vertex ? parameters_.nearest : parameters_.farthest);
+        const Eigen::Vector3d d = trial.mean_edge_length() * random.uniform() * farthest * random.direction();
+        return site_at(position(trial.from()) + d, trial.from().weight);
+      };
+      if(try_places(trial, v, parameters_.tries_per_vertex, random_place, best))
+        return best;
+    }
+    return best;
+  }
+
+  // Of the places, over the longest: after the first failures, two with each scale.
+  double scale_of_tries(int failures) const
+  {
+    const int n = (std::max)(failures - parameters_.fewest_failures, 0) / 2;
+    return std::pow(parameters_.ratio_of_scales, n % parameters_.scales);
+  }
+
+  // The first step that makes deficits less of those that promise most.
+  bool find_step(Vertex_trial_3& trial, const Sliver_3& s, Proposal& best) const
+  {
+    std::vector<Promising_step> steps;
+    for(int v : trial.movable_vertices(s.vertices))
+      if(trial.start(v))
+        trial.find_steps(parameters_.farthest, parameters_.shares_of_step, steps);
+    std::sort(steps.begin(), steps.end(), [](const Promising_step& a, const Promising_step& b) { return a.change < b.change; });
+    steps.resize((std::min)(steps.size(), parameters_.most_steps));
+    for(const Promising_step& step : steps)
+    {
+      Site to = step.site;
+      best.tries += parameters_.tries_of_start + 1;
+      if(!trial.start(step.vertex) || !trial.place(to) || !(trial.move(to, best.change) < best.change))
+        continue;
+      best.vertex = step.vertex;
+      best.site = to;
+      return true;
+    }
+    return false;
+  }
+
+  // A vertex in the circumsphere.
+  void enter_sphere(Vertex_trial_3& trial, const Sliver_3& s, Proposal& best) const
+  {
+    const auto& shares = parameters_.shares_of_radius;
+    const Quadruple q = complex_.numbers(s.cell);
+    for(int v : trial.movable_vertices_beyond(s.cell))
+      if(try_places(trial, v, shares.size(), [&](std::size_t n) { return trial.place_in_sphere(q, shares[n]); }, best))
+        return;
+  }
+
+  // The best place of those that are tried, or the first without deficit; whether one of these was found. `place(n)` gives one
+  // or none.
+  template <class Place>
+  bool try_places(Vertex_trial_3& trial, int v, std::size_t number, const Place& place, Proposal& best) const
+  {
+    best.tries += parameters_.tries_of_start;
+    if(!trial.start(v))
+      return false;
+    for(std::size_t n = 0; n < number; ++n)
+    {
+      std::optional<Site> s = place(n);
+      ++best.tries;
+      if(!s || !trial.place(*s))
+        continue;
+      const double change = trial.move(*s, best.change);
+      if(!(change < best.change))
+        continue;
+      best.change = change;
+      best.vertex = v;
+      best.site = *s;
+      if(trial.deficit_after() == 0)
+        return true;
+    }
+    return false;
+  }
+
+  Editable_complex_3& complex_;
+  int step_;
+  unsigned int seed_;
+  Sliver_removal_parameters parameters_;
+  Vertex_trial_3 trial_;
+  std::deque<Vertex_trial_3> trials_;         // of the chunks of a batch
+  std::vector<Sliver_3> slivers_;             // cells below the step, and such as have been
+  std::size_t number_of_moves_ = 0, number_of_tries_ = 0;
+};
+
+} // namespace internal
+} // namespace Global_odt_mesh_3
+} // namespace CGAL
+
+#endif // CGAL_GLOBAL_ODT_MESH_3_INTERNAL_SLIVERS_SLIVER_REMOVAL_3_H
