@@ -61,7 +61,6 @@ Moving_triangulation_3 load_triangulation_3(const Triangulation& tr)
   }
   mesh.topology.renumber_vertices(place);
   mesh.topology.compact();
-  mesh.surface_heights.assign(constrained_facets.size(), (std::numeric_limits<double>::max)());
   return mesh;
 }
 

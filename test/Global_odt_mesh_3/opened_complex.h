@@ -29,14 +29,14 @@ struct Opened_complex
   Complex_updater_3 complex;
   Moving_triangulation_3 mesh;
 
-  Opened_complex(const C3t3& from, const Domain& of, Boundary_motion motion)
+  Opened_complex(const C3t3& from, const Domain& of, bool boundary_moves)
     : c3t3(from)
     , domain(of)
     , input(c3t3, domain)
     , bounds(domain)
-    , complex(domain, bounds, motion)
+    , complex(domain, bounds, boundary_moves)
   {
-    complex.start(Snapshot_reader_3(input).read(mesh, motion != Boundary_motion::NONE));
+    complex.start(Snapshot_reader_3(input).read(mesh, boundary_moves));
   }
 
   // To be called once.

@@ -120,9 +120,6 @@ struct Flips_taken_back
   Indexed_triangulation_3& t;
   std::size_t most, number = 0;
 
-  bool permits_2_3(Half_facet) const { return true; }
-  bool permits_3_2(const Edge_ring_3&) const { return true; }
-
   std::array<int, 3> flip_2_3(Half_facet s)
   {
     if(++number > most)
@@ -278,6 +275,118 @@ static void second_direction(std::mt19937& random)
                 "the second direction is not that of the current point");
 }
 
+// All that flips may change, slots that they have added apart.
+struct Snapshot
+{
+  std::vector<int> vertices, neighbors, incident_cells, constrained_slots;
+  std::vector<Site> sites;
+  int number_of_cells;
+
+  explicit Snapshot(const Moving_triangulation_3& mesh)
+    : Snapshot(mesh, mesh.topology.number_of_half_facets())
+  {}
+
+  Snapshot(const Moving_triangulation_3& mesh, int number_of_half_facets)
+    : sites(mesh.sites)
+    , number_of_cells(mesh.topology.number_of_cells())
+  {
+    const Indexed_triangulation_3& t = mesh.topology;
+    for(int s = 0; s < number_of_half_facets; ++s)
+    {
+      vertices.push_back(t.vertex(Half_facet(s)));
+      neighbors.push_back(t.is_alive(Half_facet(s).cell()) ? t.neighbor(Half_facet(s)).id() : 0);
+    }
+    for(std::size_t v = 0; v < mesh.sites.size(); ++v)
+      incident_cells.push_back(t.incident_cell(static_cast<int>(v)));
+    for(int w = 0; w < t.number_of_constrained_facets(); ++w)
+      for(int side : { 0, 1 })
+        constrained_slots.push_back(t.constrained_half_facet(w, side).id());
+  }
+
+  bool describes(const Moving_triangulation_3& mesh) const
+  {
+    const Snapshot now(mesh, static_cast<int>(vertices.size()));
+    for(int s = static_cast<int>(vertices.size()); s < mesh.topology.number_of_half_facets(); ++s)
+      if(mesh.topology.is_alive(Half_facet(s).cell()))
+        return false;
+    return now.vertices == vertices && now.neighbors == neighbors && now.incident_cells == incident_cells
+           && now.constrained_slots == constrained_slots && now.number_of_cells == number_of_cells
+           && std::equal(now.sites.begin(), now.sites.end(), sites.begin(), sites.end(), [](const Site& a, const Site& b)
+                         { return a.x == b.x && a.y == b.y && a.z == b.z && a.weight == b.weight; });
+  }
+};
+
+// Whether some cell has all of these vertices.
+static bool has_cell_with(const Indexed_triangulation_3& t, const std::vector<int>& vertices)
+{
+  std::vector<Half_facet> star;
+  t.star(vertices[0], star);
+  return std::any_of(star.begin(), star.end(), [&](Half_facet s)
+  {
+    return std::all_of(vertices.begin(), vertices.end(), [&](int v) { return t.has_vertex(s.cell(), v); });
+  });
+}
+
+// Flips of either kind, without regard to where the vertices are; how many of each.
+static std::array<int, 2> flip_at_random(Indexed_triangulation_3& t, int attempts, std::mt19937& random)
+{
+  std::array<int, 2> number = {{ 0, 0 }};
+  for(int n = 0; n < attempts; ++n)
+  {
+    const Half_facet s(std::uniform_int_distribution<int>(0, t.number_of_half_facets() - 1)(random));
+    if(!t.is_alive(s.cell()) || t.neighbor(s).is_side())
+      continue;
+    if(const std::optional<Edge_ring_3> ring = ring_of_degree_3(t, s.cell(), s.index(), (s.index() + 1) % 4))
+    {
+      if(has_cell_with(t, { t.vertex((*ring)[0]), t.vertex((*ring)[1]), t.vertex((*ring)[2]) }))
+        continue;
+      flip_3_2(t, *ring);
+      ++number[1];
+    }
+    else if(!has_cell_with(t, { t.vertex(s), t.vertex(t.neighbor(s)) }))
+    {
+      flip_2_3(t, s);
+      ++number[0];
+    }
+  }
+  return number;
+}
+
+// However many flips a trial makes, undone it has never been; ended it stays.
+static void undone_flips(std::mt19937& random)
+{
+  Moving_triangulation_3 mesh = random_cube(3, 60, 0, false, random);
+  Indexed_triangulation_3& t = mesh.topology;
+  std::array<int, 2> number = {{ 0, 0 }};
+  for(int n = 0; n < 100; ++n)
+  {
+    const Snapshot before(mesh);
+    t.begin_trial();
+    const std::array<int, 2> made = flip_at_random(t, 1 + n, random);
+    for(int k : { 0, 1 })
+      number[k] += made[k];
+    check::that(t.is_valid(), "not valid after flips");
+    check::that(made[0] + made[1] == 0 || !before.describes(mesh), "flips change nothing");
+    if(n % 5 == 4)
+    {
+      // What has ended is not undone by the next trial.
+      t.end_trial();
+      const Snapshot ended(mesh);
+      t.begin_trial();
+      t.undo_trial();
+      check::that(ended.describes(mesh), "an empty trial changes something");
+    }
+    else
+    {
+      t.undo_trial();
+      check::that(before.describes(mesh) && t.is_valid(), "flips are not undone");
+    }
+  }
+  check::that(number[0] > 500 && number[1] > 100, "only ", number[0], " and ", number[1], " flips");
+  t.compact();
+  check::that(t.is_valid(), "not valid after compaction");
+}
+
 int main()
 {
   const unsigned int seed = 9;
@@ -290,6 +399,7 @@ int main()
   rejected_trials(random);
   second_direction(random);
   endless_flips(random);
+  undone_flips(random);
   minimization(0, random);
   minimization(1000, random);
   return check::result();

@@ -4,7 +4,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 // Blocks of a mesh: together they are the mesh, what is their own is as there, and a search in them leads to a valid mesh
-// of as low an energy, the same for any number of threads. So is the removal of slivers.
+// of as low an energy, the same for any number of threads.
 
 #include "check.h"
 #include "load_triangulation_3.h"
@@ -20,8 +20,6 @@
 #include <CGAL/Global_odt_mesh_3/internal/density/Polynomial_density_quadrature_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/geometry/Vertex_tuples.h>
 #include <CGAL/Global_odt_mesh_3/internal/optimization/Odt_objective_3.h>
-#include <CGAL/Global_odt_mesh_3/internal/slivers/Sliver_improvement_3.h>
-#include <CGAL/Global_odt_mesh_3/internal/slivers/Sliver_removal_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/surface/Surface_cvt_objective_3.h>
 #include <CGAL/Regular_triangulation_3.h>
 #include <CGAL/tags.h>
@@ -424,50 +422,6 @@ struct Motion_in_planes
   std::atomic<long> settled = 0;
 };
 
-// Threads share what the removal of slivers does with all cells, and the parts of the mesh; an exception in one of these
-// is heard of.
-static void slivers(const Moving_triangulation_3& input)
-{
-  check::that(input.topology.number_of_cells() > 30000, "too few cells for threads to share");
-  const bool surfaces_move = input.number_of_surface_vertices() > 0;
-  const auto removed = [&](const Thread_policy& threads, const Thread_policy& threads_at_surfaces, int vertices_of_part,
-                           long most = (std::numeric_limits<long>::max)())
-  {
-    Moving_triangulation_3 mesh = input;
-    Sliver_removal_parameters parameters;
-    parameters.most_tries = 100000;
-    parameters.vertices_of_part = vertices_of_part;
-    Motion_in_planes motion(input, most);
-    Sliver_removal_3 removal(mesh, 15, 1, &motion, parameters, threads, threads_at_surfaces);
-    removal.run();
-    check::that(removal.number_of_moves() > 100, "only ", removal.number_of_moves(), " moves");
-    check::that((removal.number_of_surface_moves() > 0) == surfaces_move, removal.number_of_surface_moves(), " moves on surfaces");
-    check::that(mesh.topology.is_valid(), "parts are joined to what is no triangulation");
-    return coordinates(mesh);
-  };
-  const Thread_policy one;
-  std::vector<std::vector<double> > expected;
-  for(int vertices_of_part : { 800, 3000, 1000000 })
-  {
-    expected.push_back(removed(one, one, vertices_of_part));
-    for(std::size_t threads : { 1, 2, 3, 8 })
-    {
-      tbb::global_control control(tbb::global_control::max_allowed_parallelism, threads);
-      check::that(removed(on_threads(), one, vertices_of_part) == expected.back(), threads, " threads remove other slivers than one");
-      check::that(removed(on_threads(), on_threads(), vertices_of_part) == expected.back(), threads,
-                  " threads at surfaces remove other slivers than one");
-    }
-  }
-  check::that(expected[0] != expected[1] && expected[1] != expected[2], "parts are not what they should be");
-  for(const Thread_policy& threads : { one, on_threads() })
-  {
-    bool has_thrown = false;
-    try { removed(on_threads(), threads, 800, 5); }
-    catch(const std::runtime_error&) { has_thrown = true; }
-    check::that(has_thrown == surfaces_move, "the exception of the motion is lost");
-  }
-}
-
 // A density that throws in a block is heard of, and a search that is stopped leaves a valid mesh.
 static void ends_before(const Moving_triangulation_3& input)
 {
@@ -509,8 +463,6 @@ int main()
     same_for_all_threads(*mesh, mesh == &halves);
   }
   surface_terms(sphere);
-  slivers(sphere);
-  slivers(halves);
   ends_before(halves);
   return check::result();
 }

@@ -3,35 +3,45 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// The removal of slivers: the deficit of angles is what it says, trials leave no trace or an
-// exact regular triangulation, and in the end no cell that could be helped is a sliver.
+// Trials of vertices and the removal of slivers: the deficit of angles is what it says, trials leave no trace, the triangulation is
+// regular whatever moves, comes, or goes, and in the end no cell that could be helped is a sliver.
 
 #include "check.h"
-#include "random_cube_triangulation.h"
+#include "mesh_contract.h"
+#include "mesh_domains.h"
+#include "opened_complex.h"
 
-#include <CGAL/Global_odt_mesh_3/internal/blocks/Mesh_partition_3.h>
+#include <CGAL/Global_odt_mesh_3/internal/complex/Candidate_checks_3.h>
+#include <CGAL/Global_odt_mesh_3/internal/complex/Complex_snapshot_3.h>
+#include <CGAL/Global_odt_mesh_3/internal/complex/Complex_updater_3.h>
+#include <CGAL/Global_odt_mesh_3/internal/complex/Editable_complex_3.h>
+#include <CGAL/Global_odt_mesh_3/internal/complex/Vertex_cavity_3.h>
+#include <CGAL/Global_odt_mesh_3/internal/complex/Vertex_trial_3.h>
+#include <CGAL/Global_odt_mesh_3/internal/complex/Working_triangulation_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/geometry/Angle_deficit_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/geometry/Cell_geometry_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/geometry/Random_source.h>
+#include <CGAL/Global_odt_mesh_3/internal/geometry/Sliver_steps.h>
 #include <CGAL/Global_odt_mesh_3/internal/geometry/Vertex_tuples.h>
-#include <CGAL/Global_odt_mesh_3/internal/optimization/Limited_memory_bfgs.h>
-#include <CGAL/Global_odt_mesh_3/internal/optimization/Odt_objective_3.h>
-#include <CGAL/Global_odt_mesh_3/internal/slivers/Indexed_relocation_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/slivers/Sliver_removal_3.h>
-#include <CGAL/Global_odt_mesh_3/internal/triangulation/Flips_3.h>
-#include <CGAL/Global_odt_mesh_3/internal/triangulation/Indexed_triangulation_3.h>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <iostream>
 #include <limits>
-#include <optional>
 #include <random>
 #include <set>
+#include <sstream>
+#include <string>
+#include <utility>
 #include <vector>
 
 using namespace CGAL::Global_odt_mesh_3::internal;
+using domains::Labeled_c3t3;
+using domains::Labeled_domain;
+using domains::Polyhedral_c3t3;
+using domains::Polyhedral_domain;
 
 typedef std::array<Site, 4> Tetrahedron;
 
@@ -43,29 +53,6 @@ static double deficit(const Tetrahedron& t, double bound)
 static double determinant(const Tetrahedron& t)
 {
   return (position(t[1]) - position(t[0])).cross(position(t[2]) - position(t[0])).dot(position(t[3]) - position(t[0]));
-}
-
-static Tetrahedron cell(const Moving_triangulation_3& mesh, int c)
-{
-  const int* const v = mesh.topology.vertices(c);
-  return {{ mesh.sites[v[0]], mesh.sites[v[1]], mesh.sites[v[2]], mesh.sites[v[3]] }};
-}
-
-static double sum_of_deficits(const Moving_triangulation_3& mesh, double bound)
-{
-  double sum = 0;
-  for(int c = 0; c < mesh.topology.number_of_cell_slots(); ++c)
-    if(mesh.topology.is_alive(c))
-      sum += deficit(cell(mesh, c), bound);
-  return sum;
-}
-
-static int number_of_cells(const Moving_triangulation_3& mesh)
-{
-  int number = 0;
-  for(int c = 0; c < mesh.topology.number_of_cell_slots(); ++c)
-    number += mesh.topology.is_alive(c);
-  return number;
 }
 
 // The deficit is the sum of the squares of what the six angles lack, a function of the shape of
@@ -170,546 +157,305 @@ static void angle_gradients(std::mt19937& random)
   check::that(largest_error < 1e-5 && largest_sum < 1e-8, "gradients of angles are wrong");
 }
 
-// All that flips may change, slots that they have added apart.
-struct Snapshot
+// The cells with their subdomains and the boundary facets, named by vertices, and the positions.
+struct Contents
 {
-  std::vector<int> vertices, neighbors, incident_cells, constrained_slots;
-  std::vector<Site> sites;
-  int number_of_cells;
+  std::set<std::pair<std::array<int, 4>, int> > cells;
+  std::set<std::pair<std::array<int, 3>, std::array<int, 3> > > facets;
+  std::vector<double> coordinates;
 
-  explicit Snapshot(const Moving_triangulation_3& mesh)
-    : Snapshot(mesh, mesh.topology.number_of_half_facets())
-  {}
-
-  Snapshot(const Moving_triangulation_3& mesh, int number_of_half_facets)
-    : sites(mesh.sites)
-    , number_of_cells(mesh.topology.number_of_cells())
+  explicit Contents(const Editable_complex_3& complex)
   {
-    const Indexed_triangulation_3& t = mesh.topology;
-    for(int s = 0; s < number_of_half_facets; ++s)
-    {
-      vertices.push_back(t.vertex(Half_facet(s)));
-      neighbors.push_back(t.is_alive(Half_facet(s).cell()) ? t.neighbor(Half_facet(s)).id() : 0);
-    }
-    for(std::size_t v = 0; v < mesh.sites.size(); ++v)
-      incident_cells.push_back(t.incident_cell(static_cast<int>(v)));
-    for(int w = 0; w < t.number_of_constrained_facets(); ++w)
-      for(int side : { 0, 1 })
-        constrained_slots.push_back(t.constrained_half_facet(w, side).id());
+    for(auto c : complex.triangulation().all_cell_handles())
+      cells.insert({ sorted(complex.numbers(c)), c->label() });
+    for(const Exchangeable_boundary_3::Facet& f : complex.boundary.facets())
+      facets.insert({ f.vertices, {{ f.labels[0], f.labels[1], f.patch }} });
+    for(const Site& s : complex.sites)
+      coordinates.insert(coordinates.end(), { s.x, s.y, s.z, s.weight });
   }
 
-  bool describes(const Moving_triangulation_3& mesh) const
+  bool operator==(const Contents& o) const
   {
-    const Snapshot now(mesh, static_cast<int>(vertices.size()));
-    for(int s = static_cast<int>(vertices.size()); s < mesh.topology.number_of_half_facets(); ++s)
-      if(mesh.topology.is_alive(Half_facet(s).cell()))
-        return false;
-    return now.vertices == vertices && now.neighbors == neighbors && now.incident_cells == incident_cells
-           && now.constrained_slots == constrained_slots && now.number_of_cells == number_of_cells
-           && std::equal(now.sites.begin(), now.sites.end(), sites.begin(), sites.end(), [](const Site& a, const Site& b)
-                         { return a.x == b.x && a.y == b.y && a.z == b.z && a.weight == b.weight; });
+    return cells == o.cells && facets == o.facets && coordinates == o.coordinates;
   }
 };
 
-// Whether some cell has all of these vertices.
-static bool has_cell_with(const Indexed_triangulation_3& t, const std::vector<int>& vertices)
+// The cells of a triangulation, by sorted vertices.
+static std::set<Quadruple> cells_of(const Working_triangulation_3& working)
 {
-  std::vector<Half_facet> star;
-  t.star(vertices[0], star);
-  return std::any_of(star.begin(), star.end(), [&](Half_facet s)
-  {
-    return std::all_of(vertices.begin(), vertices.end(), [&](int v) { return t.has_vertex(s.cell(), v); });
-  });
+  std::set<Quadruple> cells;
+  for(auto c : working.triangulation().all_cell_handles())
+    cells.insert(sorted(Working_triangulation_3::numbers(c)));
+  return cells;
 }
 
-// Flips of either kind, without regard to where the vertices are; how many of each.
-static std::array<int, 2> flip_at_random(Indexed_triangulation_3& t, int attempts, std::mt19937& random)
+// Vertices move, come, and go at random, and the triangulation is always that of its sites, also where these are on lines, planes,
+// and spheres together: those of a lattice, or half as far apart, and some with weights.
+static void cavities(const Labeled_c3t3& c3t3, const Labeled_domain& domain, bool is_lattice, unsigned int seed)
 {
-  std::array<int, 2> number = {{ 0, 0 }};
-  for(int n = 0; n < attempts; ++n)
+  Opened_complex<Labeled_c3t3, Labeled_domain> setting(c3t3, domain, true);
+  Editable_complex_3 complex = setting.complex.edit();
+  Random_source random(seed);
+  const int number = static_cast<int>(complex.sites.size()), side = 1 + static_cast<int>(std::cbrt(number));
+  const auto random_site = [&]
   {
-    const Half_facet s(std::uniform_int_distribution<int>(0, t.number_of_half_facets() - 1)(random));
-    if(!t.is_alive(s.cell()) || t.neighbor(s).is_side())
-      continue;
-    if(const std::optional<Edge_ring_3> ring = ring_of_degree_3(t, s.cell(), s.index(), (s.index() + 1) % 4))
-    {
-      if(has_cell_with(t, { t.vertex((*ring)[0]), t.vertex((*ring)[1]), t.vertex((*ring)[2]) }))
-        continue;
-      flip_3_2(t, *ring);
-      ++number[1];
-    }
-    else if(!has_cell_with(t, { t.vertex(s), t.vertex(t.neighbor(s)) }))
-    {
-      flip_2_3(t, s);
-      ++number[0];
-    }
+    const auto x = [&] { return is_lattice ? std::floor(2 * side * random.uniform()) / 2 : side * random.uniform(); };
+    return Site{ x(), x(), x(), 0 };
+  };
+  for(int v = 0; v < number; ++v)
+  {
+    complex.sites[v] = is_lattice ? Site{ double(v % side), double(v / side % side), double(v / side / side), 0 } : random_site();
+    complex.sites[v].weight = v % 10 != 0 ? 0 : is_lattice ? 0.1 : 1e-6;
   }
-  return number;
-}
-
-// However many flips a trial makes, undone it has never been; ended it stays.
-static void undone_flips(std::mt19937& random)
-{
-  Moving_triangulation_3 mesh = random_cube(3, 60, 0, false, random);
-  Indexed_triangulation_3& t = mesh.topology;
-  std::array<int, 2> number = {{ 0, 0 }};
-  for(int n = 0; n < 100; ++n)
+  Working_triangulation_3& working = complex.working;
+  working.build(complex.sites);
+  check::that(working.is_complete(), "some vertices are hidden from the beginning");
+  Vertex_cavity_3 cavity(complex);
+  std::array<int, 3> done = {}, refused = {};
+  for(int n = 0; n < 600; ++n)
   {
-    const Snapshot before(mesh);
-    t.begin_trial();
-    const std::array<int, 2> made = flip_at_random(t, 1 + n, random);
-    for(int k : { 0, 1 })
-      number[k] += made[k];
-    check::that(t.is_valid(), "not valid after flips");
-    check::that(made[0] + made[1] == 0 || !before.describes(mesh), "flips change nothing");
-    if(n % 5 == 4)
+    const int v = static_cast<int>(random.uniform() * number), what = working.is_visible(v) ? n % 2 : 2;
+    Site to = random_site();
+    if(what == 0)
+      to = site_at(position(complex.sites[v]) + (position(to) - position(complex.sites[v])).array().round().max(-1).min(1).matrix()
+                     * (is_lattice ? 1 : 0.3 * random.uniform()), 0);
+    bool is_found;
+    if(what == 2)
     {
-      // What has ended is not undone by the next trial.
-      t.end_trial();
-      const Snapshot ended(mesh);
-      t.begin_trial();
-      t.undo_trial();
-      check::that(ended.describes(mesh), "an empty trial changes something");
+      complex.sites[v] = to;
+      cavity.start_new(v, working.triangulation().locate(weighted_point(to)));
+      is_found = cavity.find_cells(to);
     }
+    else if(complex.sites[v].weight != 0)
+      continue;
     else
-    {
-      t.undo_trial();
-      check::that(before.describes(mesh) && t.is_valid(), "flips are not undone");
-    }
+      is_found = cavity.start(v) && (what == 1 ? cavity.find_cells_without() : cavity.find_cells(to));
+    ++(is_found ? done : refused)[what];
+    if(!is_found)
+      continue;
+    if(what == 2)
+      working.create_vertex(v, to);
+    else if(what == 0)
+      working.set_site(v, to);
+    complex.sites[v] = what == 1 ? complex.sites[v] : to;
+    cavity.replace(working);
+    if(what == 1)
+      working.remove_without_cells(v);
+    if(n % 20 != 0)
+      continue;
+    Working_triangulation_3 anew;
+    std::vector<int> visible;
+    for(int w = 0; w < number; ++w)
+      if(working.is_visible(w))
+        visible.push_back(w);
+    anew.clear(number);
+    anew.insert(visible, complex.sites);
+    check::that(working.triangulation().is_valid() && cells_of(working) == cells_of(anew), "seed ", seed, ", change ", n,
+                ": not the regular triangulation");
   }
-  check::that(number[0] > 500 && number[1] > 100, "only ", number[0], " and ", number[1], " flips");
-  t.compact();
-  check::that(t.is_valid(), "not valid after compaction");
+  std::cout << (is_lattice ? "lattice" : "random sites") << ", seed " << seed << ": " << done[0] << " moves, " << done[1]
+            << " removals, " << done[2] << " insertions; refused " << refused[0] << ", " << refused[1] << ", " << refused[2]
+            << std::endl;
+  check::that(done[0] > 50 && done[1] > 50 && done[2] > 50 && refused[1] == 0, "the test is too weak");
 }
 
-// Cells whose dual point a vertex of the interior holds beyond the surface.
-static int cells_beyond_surfaces(const Moving_triangulation_3& mesh)
+// A trial leaves everything as it was; what it has said before, it says again.
+template <class C3t3, class Domain>
+void trials(const std::string& name, const C3t3& c3t3, const Domain& domain, bool moves_surfaces)
 {
-  int number = 0;
-  for(int c = 0; c < mesh.topology.number_of_cell_slots(); ++c)
-    for(int i = 0; i < 4 && mesh.topology.is_alive(c); ++i)
+  Opened_complex<C3t3, Domain> setting(c3t3, domain, true);
+  Editable_complex_3 complex = setting.complex.edit();
+  Vertex_trial_3 trial(complex);
+  const int step = Sliver_steps::last(40);
+  trial.set_goal(Sliver_goal(Sliver_steps::angles[step], step));
+  const Contents before(complex);
+  Random_source random(5);
+  int tried = 0, on_surface = 0, permitted = 0, refused = 0, other = 0;
+  for(const Sliver_3& sliver : complex.slivers(Sliver_steps::angles[step]))
+    for(int v : trial.movable_vertices(sliver.vertices))
     {
-      const int* const v = mesh.topology.vertices(c);
-      number += v[i] < mesh.number_of_interior_vertices && mesh.is_beyond_surface(Half_facet(c, i));
-    }
-  return number;
-}
-
-// A vertex that is moved on trial takes the triangulation along: rejected, everything is as
-// before, bit by bit; accepted, it is the regular triangulation, and the deficits have changed by
-// what the trial has said.
-static void vertex_trials(bool weighted, bool has_surface, std::mt19937& random)
-{
-  const double bound = 30;
-  Moving_triangulation_3 mesh = random_cube(4, 200, 0, weighted, random);
-  if(has_surface)
-    std::fill(mesh.surface_heights.begin(), mesh.surface_heights.end(), 0.);
-  Indexed_relocation_3 trial(mesh, bound);
-  std::vector<double> edge_length;
-  mesh.mean_edge_lengths(edge_length);
-  std::uniform_real_distribution<double> u(-1, 1);
-  int accepted = 0, rejected = 0, impossible = 0, held_back = 0, beyond = cells_beyond_surfaces(mesh);
-  double sum = sum_of_deficits(mesh, bound);
-  for(int n = 0; n < 400; ++n)
-  {
-    const int v = std::uniform_int_distribution<int>(0, mesh.number_of_movable_vertices - 1)(random);
-    const double reach = edge_length[v] * (n % 3 == 0 ? 0.8 : 0.2);
-    Site s = mesh.sites[v];
-    s = { s.x + reach * u(random), s.y + reach * u(random), s.z + reach * u(random), s.weight };
-    const Snapshot before(mesh);
-    const double change = trial.move(v, s);
-    check::that(mesh.topology.is_valid(), "not valid during a trial");
-    if(change == (std::numeric_limits<double>::infinity)() || n % 2 == 0)
-    {
-      trial.reject();
-      check::that(before.describes(mesh) && mesh.topology.is_valid(), "a rejected trial leaves a trace");
-      if(change != (std::numeric_limits<double>::infinity)())
+      if(tried == 400 || !trial.start(v))
+        break;
+      ++tried;
+      on_surface += complex.numbering.is_on_boundary(v);
+      for(int n = 0; n < 4; ++n)
       {
-        // A second time, it is the same trial.
-        check::that(trial.move(v, s) == change, "a rejected trial is not repeated");
-        trial.reject();
-        ++rejected;
+        const Site from = trial.from();
+        Site s = site_at(position(from) + 0.3 * trial.mean_edge_length() * random.uniform() * random.direction(), from.weight);
+        const double most = (std::numeric_limits<double>::infinity)(), change = trial.move_near(s, most);
+        ++(std::isfinite(change) ? permitted : refused);
+        const double again = std::isfinite(change) ? trial.move(s, most) : change;
+        other += again != change && !(std::abs(again - change) <= 1e-9 * (1 + std::abs(change)));
+      }
+      if(tried % 50 == 0)
+        check::that(Contents(complex) == before, name, ": a trial leaves a trace");
+    }
+  std::cout << name << ": " << tried << " vertices tried, " << on_surface << " of surfaces, " << permitted
+            << " places permitted, " << refused << " refused" << std::endl;
+  check::that(Contents(complex) == before, name, ": trials leave a trace");
+  check::that(other == 0, name, ": ", other, " trials end otherwise a second time");
+  check::that(tried > 50 && permitted > 0 && refused > 0 && (on_surface > 0) == moves_surfaces, name, ": the test is too weak");
+}
+
+// Slivers are removed, and what comes out is a mesh as good as the one before in all other respects.
+template <class C3t3, class Domain>
+void removal(const std::string& name, const C3t3& c3t3, const Domain& domain, bool boundary_moves, int step,
+             double most_left)
+{
+  const double bound = Sliver_steps::angles[step];
+  const Mesh_contract<C3t3, Domain> contract(c3t3, domain, name);
+  std::vector<C3t3> results;
+  for(int run = 0; run < 2; ++run)
+  {
+    Opened_complex<C3t3, Domain> setting(c3t3, domain, boundary_moves);
+    Editable_complex_3 complex = setting.complex.edit();
+    Sliver_removal_3 removal(complex, step, 1);
+    const std::size_t before = removal.number_of_slivers();
+    removal.climb(1000000, [] { return true; });
+    const std::size_t after = complex.slivers(bound).size();
+    check::that(after == removal.number_of_slivers(), name, ": not all slivers are known");
+    std::cout << name << ": " << before << " -> " << after << " cells below " << bound << " degrees by "
+              << removal.number_of_moves() << " moves, " << removal.number_of_tries() << " tries" << std::endl;
+    check::that(before > 5 && removal.number_of_moves() > 0, name, ": there was nothing to do");
+    check::that(double(after) <= most_left * double(before), name, ": ", after, " of ", before, " slivers remain");
+    check::that(complex.triangulation().is_valid(), name, ": the triangulation is not regular");
+    const Contents reached(complex);
+    check::that(setting.complex.adopt(complex), name, ": the complex does not adopt the trials");
+    const Editable_complex_3 next = setting.complex.edit();
+    check::that(Contents(next) == reached, name, ": the complex is not what trials have led to");
+    check::that(setting.complex.adopt(next), name, ": the complex does not adopt trials that move nothing");
+    results.push_back(setting.write());
+  }
+  if(boundary_moves)
+    contract.check_moved(results[0], 1e-2);
+  else
+    contract.check(results[0]);
+  typedef Mesh_contract<C3t3, Domain> Contract;
+  check::that(Contract::points(results[0]) == Contract::points(results[1]), name, ": not deterministic");
+}
+
+// The smallest angle rises far beyond that of the input, and no step gets more cells below it.
+template <class C3t3, class Domain>
+void smallest_angle(const std::string& name, const C3t3& c3t3, const Domain& domain, double wanted)
+{
+  Opened_complex<C3t3, Domain> setting(c3t3, domain, true);
+  Editable_complex_3 complex = setting.complex.edit();
+  const int step = Sliver_steps::last(35);
+  std::vector<std::size_t> before;
+  for(int s = 0; s < step; ++s)
+    before.push_back(complex.slivers(Sliver_steps::angles[s]).size());
+  Sliver_removal_3 removal(complex, step, 1);
+  removal.raise_smallest_angle(1000000, [] { return true; });
+  const std::vector<Sliver_3> left = complex.slivers(Sliver_steps::angles[step]);
+  const double smallest = left.empty() ? Sliver_steps::angles[step] : left.front().angle;
+  std::cout << name << ": smallest angle " << smallest << " after " << removal.number_of_tries() << " tries" << std::endl;
+  check::that(smallest >= wanted, name, ": smallest angle ", smallest);
+  for(int s = 0; s < step; ++s)
+  {
+    const std::size_t after = complex.slivers(Sliver_steps::angles[s]).size();
+    check::that(after <= before[s], name, ": ", after, " cells below ", Sliver_steps::angles[s], ", before ", before[s]);
+  }
+}
+
+// Where three subdomains meet, vertices move, and the edges on that line remain edges between the same vertices.
+static void junction_moves()
+{
+  const Labeled_domain domain = domains::labeled([](const domains::Point_3& p)
+    { return domains::squared(p) >= 1 ? 0 : p.x() > 0.01 ? 1 : p.y() > 0.02 ? 2 : 3; });
+  const Labeled_c3t3 c3t3 = domains::mesh(domain, 0.25);
+  Opened_complex<Labeled_c3t3, Labeled_domain> setting(c3t3, domain, true);
+  Editable_complex_3 complex = setting.complex.edit();
+  Vertex_trial_3 trial(complex);
+  const double bound = 50;
+  trial.set_goal(Sliver_goal(bound, 0));
+  Random_source random(3);
+  const auto is_on_junction = [&complex](int v)
+  {
+    std::set<std::array<int, 2> > labels;
+    for(int n : complex.boundary.around(v))
+      labels.insert(complex.boundary.facet(n).labels);
+    return labels.size() == 3;
+  };
+  int moved = 0, tried = 0;
+  for(const Sliver_3& sliver : complex.slivers(bound))
+    for(int v : trial.movable_vertices(sliver.vertices))
+    {
+      if(!is_on_junction(v) || !trial.start(v))
         continue;
-      }
-      ++impossible;
-      if(has_surface)
-      {
-        std::vector<double> heights(mesh.surface_heights.size(), (std::numeric_limits<double>::max)());
-        heights.swap(mesh.surface_heights);
-        held_back += trial.move(v, s) != (std::numeric_limits<double>::infinity)();
-        trial.reject();
-        heights.swap(mesh.surface_heights);
-      }
-      continue;
+      ++tried;
+      const Site from = trial.from();
+      Site s = site_at(position(from) + 0.1 * trial.mean_edge_length() * random.uniform() * random.direction(), from.weight);
+      if(!std::isfinite(trial.move_near(s, (std::numeric_limits<double>::infinity)())) || !trial.accept())
+        continue;
+      ++moved;
+      check::that(is_on_junction(v), "a vertex leaves the line where three subdomains meet");
     }
-    trial.accept();
-    ++accepted;
-    const double sum_before = sum;
-    sum = sum_of_deficits(mesh, bound);
-    check::that(std::abs(change - (sum - sum_before)) <= 1e-9 * sum, "the deficits change by ", sum - sum_before,
-                ", the trial said ", change);
-    double kept = 0;
-    for(int c = 0; c < mesh.topology.number_of_cell_slots(); ++c)
-      kept += trial.deficit(c);
-    check::that(std::abs(kept - sum) <= 1e-9 * sum, "the deficits add up to ", sum, ", those kept to ", kept);
-    check::that(mesh.topology.is_valid() && (has_surface || mesh.is_regular()),
-                "an accepted trial leaves no regular triangulation");
-    const int beyond_before = beyond;
-    beyond = cells_beyond_surfaces(mesh);
-    check::that(beyond <= beyond_before, "an accepted trial pushes a dual point through the surface");
-    if(n % 5 == 0)
-      check::that(difference_to_exact(mesh) == 0, "an accepted trial leaves another triangulation than CGAL's: ",
-                  difference_to_exact(mesh), " cells");
-  }
-  std::cout << "trials" << (weighted ? " with weights" : "") << (has_surface ? " below a surface" : "") << ": " << accepted
-            << " accepted, " << rejected << " rejected, " << impossible << " impossible" << std::endl;
-  check::that(accepted > 50 && rejected > 50 && impossible > 20, "not all kinds of trials made");
-  check::that(!has_surface || held_back > 0, "the surface holds nothing back");
-  check::that(difference_to_exact(mesh) == 0, "the triangulation is not CGAL's in the end");
+  std::cout << "junction: " << moved << " of " << tried << " moves" << std::endl;
+  check::that(moved > 0 && setting.complex.adopt(complex), "no vertex where three subdomains meet moves");
+  Mesh_contract<Labeled_c3t3, Labeled_domain>(c3t3, domain, "junction").check_moved(setting.write(), 1e-2);
 }
 
-// Trials in a part of the mesh leave all cells that are not of the part as they are, and what they know is known to the whole.
-static void trials_in_parts(std::mt19937& random)
+// Nothing is done without tries or time, and the tries are no more than wanted, but for the last cells.
+template <class C3t3, class Domain>
+void limits(const C3t3& c3t3, const Domain& domain)
 {
-  const double bound = 30;
-  Moving_triangulation_3 mesh = random_cube(4, 600, 0, false, random);
-  const Mesh_parts_3 parts(mesh, 2, Random_source(1), Thread_policy());
-  const auto cells_outside = [&]
-  {
-    std::set<std::array<int, 4> > outside;
-    for(int c = 0; c < mesh.topology.number_of_cell_slots(); ++c)
-      if(mesh.topology.is_alive(c) && parts.part(mesh.topology.cell(c)) != 0)
-        outside.insert(sorted(mesh.topology.cell(c)));
-    return outside;
-  };
-  const std::set<std::array<int, 4> > outside = cells_outside();
-  const int cells = mesh.topology.number_of_cells();
-  Indexed_relocation_3 whole(mesh, bound);
-  std::vector<Indexed_triangulation_3> topologies = mesh.topology.split(2, 20);
-  whole.make_room();
-  check::that(mesh.topology.number_of_cell_slots() >= cells + 40 && number_of_cells(mesh) == cells && mesh.topology.is_valid(),
-              "a split alters the whole");
-  Indexed_relocation_3 trial(whole, topologies[0], parts, 0, true);
-  std::vector<double> edge_length;
-  mesh.mean_edge_lengths(edge_length);
-  std::uniform_real_distribution<double> u(-1, 1);
-  int accepted = 0, refused = 0;
-  for(int n = 0; n < 1000; ++n)
-  {
-    const int v = std::uniform_int_distribution<int>(0, mesh.number_of_movable_vertices - 1)(random);
-    const std::size_t refusals = trial.number_of_refusals();
-    if(!trial.may_move(v))
-      continue;
-    Site s = mesh.sites[v];
-    const double reach = 0.4 * edge_length[v];
-    s = { s.x + reach * u(random), s.y + reach * u(random), s.z + reach * u(random), s.weight };
-    const double change = trial.move(v, s);
-    const bool is_refused = trial.number_of_refusals() > refusals;
-    check::that(!is_refused || !std::isfinite(change), "a trial goes beyond its part");
-    refused += is_refused;
-    accepted += std::isfinite(change);
-    std::isfinite(change) ? trial.accept() : trial.reject();
-  }
-  std::cout << "trials in a part: " << accepted << " accepted, " << refused << " refused" << std::endl;
-  check::that(accepted > 50 && refused > 5, "not all kinds of trials made in a part");
-  check::that(cells_outside() == outside, "trials in a part alter cells outside of it");
-  mesh.topology.join(topologies);
-  whole.join(trial);
-  check::that(mesh.topology.is_valid() && mesh.topology.number_of_cells() == number_of_cells(mesh), "parts do not join");
-  for(int c = 0; c < mesh.topology.number_of_cell_slots(); ++c)
-    check::that(whole.deficit(c) == (mesh.topology.is_alive(c) ? deficit(cell(mesh, c), bound) : 0),
-                "the whole does not know a deficit of a part");
+  Opened_complex<C3t3, Domain> setting(c3t3, domain, true);
+  Editable_complex_3 complex = setting.complex.edit();
+  const Contents before(complex);
+  const int step = Sliver_steps::last(30);
+  Sliver_removal_3 without_tries(complex, step, 1), without_time(complex, step, 1);
+  without_tries.climb(0, [] { return true; });
+  without_time.climb(1000000, [] { return false; });
+  check::that(without_tries.number_of_moves() == 0 && without_time.number_of_moves() == 0 && Contents(complex) == before,
+              "something is done without tries or without time");
+  Sliver_removal_3 few(complex, Sliver_steps::number - 1, 1);
+  few.climb(2000, [] { return true; });
+  const Sliver_removal_parameters p;
+  const std::size_t most_for_a_cell = 4 * (p.tries_of_start + p.tries_per_vertex);
+  check::that(few.number_of_tries() <= 2000 + 32 * most_for_a_cell, few.number_of_tries(), " tries");
 }
 
-// What has been accepted since a mark is taken back as a whole, or stays.
-static void marked_trials(std::mt19937& random)
+// What facets may be is decided by the first mesh, also if a later one is worse.
+static void bounds_stay(const Polyhedral_c3t3& c3t3, const Polyhedral_domain& domain)
 {
-  const double bound = 30;
-  Moving_triangulation_3 mesh = random_cube(4, 200, 0, false, random);
-  Indexed_relocation_3 trial(mesh, bound);
-  std::vector<double> edge_length;
-  mesh.mean_edge_lengths(edge_length);
-  std::uniform_real_distribution<double> u(-1, 1);
-  const auto kept = [&]
+  Opened_complex<Polyhedral_c3t3, Polyhedral_domain> setting(c3t3, domain, true);
+  Complex_snapshot_3 worse = setting.complex.snapshot();
+  for(Site& s : worse.sites)
+    s.z *= 0.1;
+  Facet_bounds_3 of_worse(setting.domain);
+  of_worse.measure(worse);
+  const double angle = setting.bounds.smallest_angle();
+  setting.bounds.measure(worse);
+  int far = 0;
+  for(const Boundary_facet& f : worse.boundary.complex().facets())
   {
-    double sum = 0;
-    for(int c = 0; c < mesh.topology.number_of_cell_slots(); ++c)
-      sum += trial.deficit(c);
-    return sum;
-  };
-  for(int n = 0; n < 40; ++n)
-  {
-    const Snapshot before(mesh);
-    const double sum_before = kept();
-    double change = 0;
-    int accepted = 0;
-    trial.set_mark();
-    for(int m = 0; m < 12; ++m)
+    const Eigen::Vector3d c = centroid(f.vertices, worse.sites);
+    far += !setting.bounds.is_close(c);
+    check::that(of_worse.is_close(c), "the bounds are not those of the first mesh");
+  }
+  check::that(far > 0 && setting.bounds.smallest_angle() == angle && of_worse.smallest_angle() < angle,
+              "a later mesh makes bounds wider");
+}
+
+// A box with a wavy surface inside that does not separate subdomains.
+static void make_box_with_surface(domains::Polyhedron& box, domains::Polyhedron& surface)
+{
+  std::istringstream("OFF\n8 12 0\n-1 -1 -1\n1 -1 -1\n1 1 -1\n-1 1 -1\n-1 -1 1\n1 -1 1\n1 1 1\n-1 1 1\n"
+                     "3 0 2 1\n3 0 3 2\n3 4 5 6\n3 4 6 7\n3 0 1 5\n3 0 5 4\n3 1 2 6\n3 1 6 5\n3 2 3 7\n3 2 7 6\n"
+                     "3 3 0 4\n3 3 4 7\n") >> box;
+  const int n = 20;
+  std::ostringstream off;
+  off << "OFF\n" << (n + 1) * (n + 1) << " " << 2 * n * n << " 0\n";
+  for(int i = 0; i <= n; ++i)
+    for(int j = 0; j <= n; ++j)
+      off << 1.2 * i / n - 0.6 << " " << 1.2 * j / n - 0.6 << " " << 0.05 * std::sin(6. * i / n) << "\n";
+  for(int i = 0; i < n; ++i)
+    for(int j = 0; j < n; ++j)
     {
-      const int v = std::uniform_int_distribution<int>(0, mesh.number_of_movable_vertices - 1)(random);
-      Site s = mesh.sites[v];
-      const double reach = 0.2 * edge_length[v];
-      s = { s.x + reach * u(random), s.y + reach * u(random), s.z + reach * u(random), s.weight };
-      const double c = trial.move(v, s);
-      if(std::isfinite(c) && m % 3 != 0)
-      {
-        trial.accept();
-        change += c;
-        ++accepted;
-      }
-      else
-      {
-        const Snapshot now(mesh);
-        trial.reject();
-        check::that(!now.describes(mesh) && mesh.topology.is_valid(), "a rejected trial after a mark leaves a trace");
-      }
+      const int v = (n + 1) * i + j;
+      off << "3 " << v << " " << v + n + 1 << " " << v + n + 2 << "\n3 " << v << " " << v + n + 2 << " " << v + 1 << "\n";
     }
-    check::that(accepted > 0 && !trial.cells_since_mark().empty(), "nothing is accepted after a mark");
-    check::that(std::abs(kept() - sum_before - change) <= 1e-9 * sum_before, "deficits after a mark are not those kept");
-    if(n % 2 == 0)
-    {
-      trial.reject_since_mark();
-      check::that(before.describes(mesh) && mesh.topology.is_valid(), "trials since a mark leave a trace");
-      check::that(kept() == sum_before, "deficits since a mark are not taken back");
-    }
-    else
-    {
-      const Snapshot now(mesh);
-      trial.accept_since_mark();
-      check::that(now.describes(mesh) && std::abs(sum_of_deficits(mesh, bound) - kept()) <= 1e-9 * sum_before,
-                  "accepting what there is changes it");
-    }
-    check::that(trial.cells_since_mark().empty(), "cells are remembered without a mark");
-  }
-  check::that(difference_to_exact(mesh) == 0, "the triangulation after marked trials is not CGAL's");
-}
-
-// Displacing all vertices of a cell at once leads to less deficit than single vertices do.
-static void joint_tries(const Moving_triangulation_3& cube)
-{
-  const double bound = 38;
-  std::array<double, 2> sum = {};
-  for(unsigned int seed : { 5, 6, 7, 8 })
-    for(bool joint_tries : { false, true })
-    {
-      Moving_triangulation_3 mesh = cube;
-      Sliver_removal_parameters parameters;
-      if(!joint_tries)
-        parameters.most_joint_tries = 0;
-      Sliver_removal_3(mesh, bound, seed, nullptr, parameters).run();
-      sum[joint_tries] += sum_of_deficits(mesh, bound);
-      check::that(mesh.topology.is_valid() && mesh.is_regular() && difference_to_exact(mesh) <= 4,
-                  "the triangulation after joint tries is not CGAL's");
-    }
-  std::cout << "sum of deficits without joint tries " << sum[0] << ", with them " << sum[1] << std::endl;
-  check::that(sum[1] < 0.9 * sum[0], "joint tries improve little");
-}
-
-static Moving_triangulation_3 minimized_cube(int grid)
-{
-  std::mt19937 random(5);
-  Moving_triangulation_3 mesh = random_cube(grid, 700, 0, false, random);
-  Odt_objective_3 f(mesh);
-  Limited_memory_bfgs minimizer;
-  for(int n = 0; n < 300 && minimizer.iterate(f) == Limited_memory_bfgs::STEP_TAKEN; ++n)
-    ;
-  return mesh;
-}
-
-// Cells with an angle below the bound that have a vertex with a number below this.
-static int slivers(const Moving_triangulation_3& mesh, double bound, int vertices)
-{
-  int number = 0;
-  for(int c = 0; c < mesh.topology.number_of_cell_slots(); ++c)
-    if(mesh.topology.is_alive(c))
-    {
-      const int* const v = mesh.topology.vertices(c);
-      number += *std::min_element(v, v + 4) < vertices && deficit(cell(mesh, c), bound) > 0;
-    }
-  return number;
-}
-
-static double energy(Moving_triangulation_3 mesh) { return Odt_objective_3(mesh).value(); }
-
-static bool is_same(const Site& a, const Site& b) { return a.x == b.x && a.y == b.y && a.z == b.z && a.weight == b.weight; }
-
-static bool has_same_sites(const Moving_triangulation_3& a, const Moving_triangulation_3& b)
-{
-  return std::equal(a.sites.begin(), a.sites.end(), b.sites.begin(), b.sites.end(), is_same);
-}
-
-// Every cell that could be helped has been, which costs no more energy than this, relatively; where
-// vertices go depends on the seed alone, if there are so many slivers that some need random positions.
-static void removal(const Moving_triangulation_3& cube, int least_slivers, double most_rise)
-{
-  const double bound = 20;
-  const auto removed = [&](unsigned int seed)
-  {
-    Moving_triangulation_3 mesh = cube;
-    Sliver_removal_3 removal(mesh, bound, seed);
-    removal.run();
-    const int before = slivers(cube, bound, cube.number_of_movable_vertices);
-    const int after = slivers(mesh, bound, mesh.number_of_movable_vertices);
-    const double rise = energy(mesh) / energy(cube) - 1;
-    std::cout << "removal, seed " << seed << ": " << before << " -> " << after << " slivers by " << removal.number_of_moves()
-              << " moves, E rises by " << 100 * rise << " %" << std::endl;
-    check::that(before >= least_slivers, "only ", before, " slivers to remove");
-    check::that(after == 0, after, " slivers remain");
-    check::that(rise < most_rise, "the energy rises by ", 100 * rise, " %");
-    check::that(removal.number_of_moves() > 0 && removal.number_of_surface_moves() == 0, "moves are miscounted");
-    check::that(mesh.topology.is_valid() && mesh.is_regular() && difference_to_exact(mesh) <= 4,
-                "the triangulation without slivers is not CGAL's");
-    int fixed_moved = 0, untouched = 0;
-    for(int v = 0; v < static_cast<int>(mesh.sites.size()); ++v)
-    {
-      fixed_moved += v >= mesh.number_of_movable_vertices && !is_same(mesh.sites[v], cube.sites[v]);
-      untouched += v < mesh.number_of_movable_vertices && is_same(mesh.sites[v], cube.sites[v]);
-    }
-    check::that(fixed_moved == 0, fixed_moved, " vertices moved that may not");
-    check::that(untouched > mesh.number_of_movable_vertices / 3, "only ", untouched, " vertices are left alone");
-    return mesh;
-  };
-  const Moving_triangulation_3 first = removed(1);
-  check::that(has_same_sites(removed(1), first), "the same seed leads elsewhere");
-  check::that(least_slivers < 100 || !has_same_sites(removed(2), first), "another seed leads to the same mesh");
-}
-
-static void mean_edges(const Moving_triangulation_3& cube)
-{
-  std::vector<double> length;
-  cube.mean_edge_lengths(length);
-  for(int v = 0; v < cube.number_of_movable_vertices; ++v)
-    check::that(std::abs(cube.mean_edge_length(v) - length[v]) <= 1e-12 * length[v], "the mean edge of ", v,
-                " is another one than among all");
-}
-
-// A third of the vertices inside and half of those on the surface stay; the others on the surface
-// keep their z, which they lose on approach.
-struct Motion_in_layers
-  : public Vertex_motion_3
-{
-  explicit Motion_in_layers(const Moving_triangulation_3& from) : from(from) {}
-
-  bool is_inside(int v) const { return v < from.number_of_interior_vertices; }
-
-  bool approach(int v, Site&) override
-  {
-    approached += !is_inside(v);
-    return is_inside(v) ? v % 3 != 0 : v % 2 == 0;
-  }
-
-  bool settle(int v, Site& s) override
-  {
-    check::that(!is_inside(v), "a vertex of the interior is asked to settle");
-    ++settled;
-    s.z = from.sites[v].z;
-    return true;
-  }
-
-  const Moving_triangulation_3& from;
-  std::size_t approached = 0, settled = 0;
-};
-
-// Vertices move as they are told; without a word, those on a surface stay.
-static void removal_at_surface(Moving_triangulation_3 cube)
-{
-  const double bound = 20;
-  cube.number_of_interior_vertices -= 300;
-  for(bool moves : { false, true })
-  {
-    Moving_triangulation_3 mesh = cube;
-    Motion_in_layers motion(cube);
-    Sliver_removal_3 removal(mesh, bound, 3, moves ? &motion : nullptr);
-    removal.run();
-    std::size_t moved = 0, against_rule = 0;
-    for(int v = 0; v < mesh.number_of_interior_vertices; ++v)
-      against_rule += moves && v % 3 == 0 && !is_same(mesh.sites[v], cube.sites[v]);
-    for(int v = mesh.number_of_interior_vertices; v < mesh.number_of_movable_vertices; ++v)
-    {
-      const bool has_moved = !is_same(mesh.sites[v], cube.sites[v]);
-      moved += has_moved;
-      against_rule += has_moved && (!moves || v % 2 != 0 || mesh.sites[v].z != cube.sites[v].z);
-    }
-    check::that(against_rule == 0, against_rule, " vertices move where they may not");
-    check::that((moved > 0) == moves && (motion.settled > 0) == moves, moved, " vertices move on the surface");
-    check::that(moved <= removal.number_of_surface_moves() && removal.number_of_surface_moves() < removal.number_of_moves(),
-                "moves on the surface are miscounted");
-    check::that(!moves || 2 * motion.settled < motion.approached, "every place is settled, not the promising ones alone");
-    std::cout << "at a surface: " << slivers(cube, bound, mesh.number_of_interior_vertices) << " -> "
-              << slivers(mesh, bound, mesh.number_of_interior_vertices) << " slivers of interior vertices" << std::endl;
-    check::that(slivers(mesh, bound, mesh.number_of_interior_vertices) <= slivers(cube, bound, mesh.number_of_interior_vertices) / 3,
-                "slivers of interior vertices remain");
-  }
-}
-
-// A mesh that is treated in parts first ends with as few slivers and as regular as one that is treated as a whole, also
-// if its parts are so small that hardly a vertex may move, or have no room for more cells.
-static void removal_in_parts(const Moving_triangulation_3& cube)
-{
-  const double bound = 30;
-  const auto removed = [&](int vertices_of_part, int free_cells)
-  {
-    Moving_triangulation_3 mesh = cube;
-    Sliver_removal_parameters parameters;
-    parameters.vertices_of_part = vertices_of_part;
-    parameters.free_cells_of_part = free_cells;
-    Sliver_removal_3 removal(mesh, bound, 1, nullptr, parameters);
-    removal.run();
-    // The squares of the grid have two diagonals.
-    check::that(mesh.topology.is_valid() && mesh.is_regular() && difference_to_exact(mesh) <= 16,
-                "the triangulation after a removal in parts is not CGAL's");
-    check::that(mesh.topology.number_of_cells() == number_of_cells(mesh), "cells are lost, or counted twice");
-    std::cout << "parts of " << vertices_of_part << " vertices: " << removal.number_of_moves() << " moves, sum of deficits "
-              << sum_of_deficits(mesh, bound) << std::endl;
-    return mesh;
-  };
-  const Moving_triangulation_3 whole = removed(1000000, 0);
-  for(int vertices : { 100, 300, 600 })
-    for(int free_cells : { 0, 100 })
-    {
-      const Moving_triangulation_3 mesh = removed(vertices, free_cells);
-      check::that(!has_same_sites(mesh, whole) || vertices == 100, "nothing is done in parts of ", vertices);
-      check::that(sum_of_deficits(mesh, bound) < 1.3 * sum_of_deficits(whole, bound) + 100, "parts of ", vertices,
-                  " leave more slivers");
-    }
-}
-
-// Where nothing may move or the bound is beyond reach, it comes to an end nonetheless.
-static void removal_in_vain(const Moving_triangulation_3& cube)
-{
-  {
-    Moving_triangulation_3 fixed = cube;
-    fixed.number_of_interior_vertices = fixed.number_of_movable_vertices = 0;
-    Sliver_removal_3 removal(fixed, 20, 4);
-    removal.run();
-    check::that(removal.number_of_moves() == 0 && has_same_sites(fixed, cube), "vertices move though none may");
-    check::that(slivers(fixed, 20, static_cast<int>(fixed.sites.size())) > 0, "there were no slivers");
-  }
-  {
-    Moving_triangulation_3 mesh = cube;
-    Sliver_removal_3 removal(mesh, 20, 4);
-    removal.run();
-    check::that(removal.number_of_tries() < 20 * static_cast<std::size_t>(cube.topology.number_of_cells()),
-                "tries with a bound within reach are as many as with one that is not");
-  }
-  // No triangulation has such angles throughout; the tries are in proportion to the cells all the same.
-  for(double bound : { 50., 60., 70., 80. })
-  {
-    Moving_triangulation_3 mesh = cube;
-    Sliver_removal_parameters parameters;
-    parameters.most_tries = 20 * static_cast<std::size_t>(cube.topology.number_of_cells());
-    Sliver_removal_3 removal(mesh, bound, 4, nullptr, parameters);
-    removal.run();
-    const double before = sum_of_deficits(cube, bound), after = sum_of_deficits(mesh, bound);
-    std::cout << "bound " << bound << ", out of reach: sum of deficits " << before << " -> " << after << " by "
-              << removal.number_of_moves() << " moves of " << removal.number_of_tries() << " tries" << std::endl;
-    check::that(after < before, "the deficits do not fall");
-    // The last cell, or joint displacement of a cell, is not broken off.
-    const std::size_t for_a_cell = 8 * (parameters.tries_per_vertex + 1);
-    check::that(removal.number_of_tries() <= parameters.most_tries + for_a_cell, "bound ", bound, ": ", removal.number_of_tries(), " tries");
-    check::that(mesh.topology.is_valid() && mesh.is_regular() && difference_to_exact(mesh) <= 4,
-                "the triangulation after many moves is not CGAL's");
-  }
+  std::istringstream(off.str()) >> surface;
 }
 
 int main()
@@ -719,20 +465,41 @@ int main()
   std::mt19937 random(seed);
   angle_deficit(random);
   angle_gradients(random);
-  undone_flips(random);
-  vertex_trials(false, false, random);
-  vertex_trials(true, false, random);
-  vertex_trials(false, true, random);
-  trials_in_parts(random);
-  marked_trials(random);
-  // The grid on the surface is coarse for the vertices inside, which makes slivers, or fits them.
-  const Moving_triangulation_3 cube = minimized_cube(6);
-  mean_edges(cube);
-  removal(cube, 100, 0.025);
-  removal(minimized_cube(8), 5, 0.005);
-  removal_at_surface(cube);
-  removal_in_vain(cube);
-  removal_in_parts(minimized_cube(10));
-  joint_tries(minimized_cube(8));
+  {
+    const Labeled_domain domain = domains::sphere();
+    const Labeled_c3t3 c3t3 = domains::mesh(domain, 0.2);
+    for(unsigned int seed = 0; seed < 3; ++seed)
+      for(bool is_lattice : { false, true })
+        cavities(c3t3, domain, is_lattice, seed);
+    trials("sphere", c3t3, domain, true);
+    removal("sphere", c3t3, domain, true, 1, 0);
+    removal("sphere with its surface fixed", c3t3, domain, false, 0, 0.2);
+    limits(c3t3, domain);
+    smallest_angle("sphere", c3t3, domain, 25);
+  }
+  junction_moves();
+  {
+    const Labeled_domain domain = domains::three_subdomains();
+    const Labeled_c3t3 c3t3 = domains::mesh(domain, 0.2);
+    trials("three subdomains", c3t3, domain, true);
+    removal("three subdomains", c3t3, domain, true, 1, 0.1);
+  }
+  {
+    Polyhedral_domain domain(domains::notched_box());
+    domain.detect_features();
+    const Polyhedral_c3t3 c3t3 = domains::mesh(domain, 0.3, true);
+    trials("box with features", c3t3, domain, true);
+    removal("box with features", c3t3, domain, true, 0, 0.1);
+    bounds_stay(c3t3, domain);
+  }
+  {
+    domains::Polyhedron box, surface;
+    make_box_with_surface(box, surface);
+    Polyhedral_domain domain(surface, box);
+    domain.detect_features();
+    const Polyhedral_c3t3 c3t3 = domains::mesh(domain, 0.2, true);
+    trials("box with a surface inside", c3t3, domain, true);
+    removal("box with a surface inside", c3t3, domain, true, 0, 0.1);
+  }
   return check::result();
 }

@@ -118,8 +118,6 @@ public:
 
 private:
   static constexpr double least_gain_of_round = 2e-4;     // of the energy, relatively
-  static constexpr std::size_t iterations_for_a_check = 26, cells_in_iteration_for_a_try = 180;     // of like cost
-  static constexpr std::size_t fewest_tries = 20000, fewest_tries_for_a_cell = 2;          // what slivers need as a rule
 
   Stage_clock::In_stage during(Stage_clock::Stage stage) const { return Stage_clock::In_stage(threads_.clock(), stage); }
 
@@ -200,21 +198,11 @@ private:
     Circumradius_bound_3 size_bound;
     if(largest_cells_)
       size_bound = largest_cells_->bound(mesh_, local_size());
-    Sliver_stage_3 stage(complex_, size_bound, parameters_.sliver_bound, parameters_.random_seed, most_tries_for_slivers());
+    Sliver_stage_3 stage(complex_, size_bound, parameters_.sliver_bound, parameters_.random_seed);
     stage.run([this] { return control_.has_time(); }, [this] { return control_.may_go_on(); });
     if(!control_.goes_on())
       code_ = control_.code();
     return true;
-  }
-
-  // Tries of single vertices, for a share of what the stages before have taken; after few iterations, for what
-  // slivers need as a rule.
-  std::size_t most_tries_for_slivers() const
-  {
-    const int iterations = plan_->optimizes() ? control_.number_of_iterations() : plan_->number_of_iterations();
-    const std::size_t work = iterations + iterations_for_a_check * complex_.number_of_checks();
-    const std::size_t cells = mesh_.topology.number_of_cells();
-    return (std::max)(work * cells / cells_in_iteration_for_a_try, fewest_tries + fewest_tries_for_a_cell * cells);
   }
 
   Mesh_view_3& input_;

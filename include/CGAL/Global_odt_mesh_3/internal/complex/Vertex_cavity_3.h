@@ -288,7 +288,7 @@ private:
   {
     const int n = static_cast<int>(hole_.size());
     hole_.emplace_back();
-    if(!find_apex(f.facet, hole_.back().sphere))
+    if(!find_apex(f, hole_.back().sphere))
       return false;
     const Quadruple q = hole_.back().sphere.vertices;
     hole_.back().cell.vertices = q;
@@ -322,17 +322,17 @@ private:
   }
 
   // The cell on a facet in whose sphere no neighbor lies.
-  bool find_apex(const Triple& f, Sphere& best)
+  bool find_apex(const Open_facet& open, Sphere& best) const
   {
-    const bool is_infinite = *std::min_element(f.begin(), f.end()) < 0;
+    const Triple& f = open.facet;
+    const bool is_infinite = open.key[0] < 0;
     bool is_found = false;
     for(int d : link_)
     {
-      if(d == f[0] || d == f[1] || d == f[2])
+      if(d == f[0] || d == f[1] || d == f[2] || (is_found && !is_in_conflict(best, complex_.sites[d], d)))
         continue;
       const Quadruple q = {{ d, f[0], f[1], f[2] }};
-      if(is_found ? !is_in_conflict(best, complex_.sites[d], d) || (!is_infinite && !is_positive(q))
-                  : is_infinite ? are_collinear(q) : !is_positive(q))
+      if(!(is_infinite ? continues_hull(open, d) : is_positive(q)))
         continue;
       best = sphere(q);
       is_found = true;
@@ -345,15 +345,15 @@ private:
     return is_found;
   }
 
-  // The finite three of four vertices.
-  bool are_collinear(const Quadruple& q) const
+  // Of a vertex and the edge of an infinite facet: whether they are no part of the hull that is known already, if that is flat.
+  bool continues_hull(const Open_facet& open, int d) const
   {
-    std::array<Exact_traits::Point_3, 3> p;
-    int n = 0;
-    for(int v : q)
-      if(v >= 0)
-        p[n++] = complex_.point(v).point();
-    return CGAL::collinear(p[0], p[1], p[2]);
+    const bool is_of_star = open.owner < 0;
+    const Quadruple q = {{ open.key[1], open.key[2], is_of_star ? vertex_ : hole_[open.owner].cell.vertices[open.index], d }};
+    const auto p = [&](int i) { return complex_.point(q[i]).point(); };
+    // What is known lies beyond the edge, as seen from the vertex in the hole, or is a cell of the hole.
+    return CGAL::orientation(p(0), p(1), p(2), p(3)) != COPLANAR
+           || CGAL::coplanar_orientation(p(0), p(1), p(2), p(3)) == (is_of_star ? POSITIVE : NEGATIVE);
   }
 
   Sphere sphere(const Quadruple& q) const
@@ -408,6 +408,9 @@ private:
   bool is_exactly_in_conflict(const Sphere& s, const Weighted_point& p) const
   {
     const Quadruple& v = s.vertices;
+    // Perturbation knows no order of points at one place. That no cell with both is positive is seen later.
+    if(std::any_of(v.begin(), v.end(), [&](int w) { return w >= 0 && point(w).point() == p.point(); }))
+      return false;
     if(s.infinite == 4)
       return triangulation().side_of_oriented_power_sphere(point(v[0]), point(v[1]), point(v[2]), point(v[3]), p, true)
              == ON_POSITIVE_SIDE;

@@ -113,18 +113,14 @@ public:
   bool insert(const New_vertex_3& vertex, double least_distance, Cell_handle start)
   {
     begin(vertex, start);
-    const bool fits = trial_.fits(least_distance);
-    end(fits);
-    return fits;
+    return end(trial_.fits(least_distance));
   }
 
   // Whether the vertex, which may move, may be removed, whatever that does to angles, and has been.
   bool remove(int v)
   {
     measure_volumes();
-    const bool is_permitted = trial_.start(v) && trial_.may_leave() && keeps_volumes(v);
-    end_removal(is_permitted);
-    return is_permitted;
+    return end_removal(trial_.start(v) && trial_.may_leave() && keeps_volumes(v));
   }
 
   // The change of the sum of the deficits if the vertex were there, or infinity if it may not be inserted there, if an angle
@@ -133,20 +129,15 @@ public:
   {
     begin(vertex, start);
     const double change = trial_.move(complex().sites.back(), most);
-    end(stays && change < most);
-    return change;
+    return end(stays && change < most) || !stays ? change : infinity;
   }
 
   // The same if the vertex, which may move, were removed.
   double remove_for_angles(int v, double most, bool leaves)
   {
     measure_volumes();
-    if(!trial_.start(v))
-      return (std::numeric_limits<double>::infinity)();
-    const double change = trial_.leave(most);
-    const bool is_permitted = change < most && keeps_volumes(v);
-    end_removal(leaves && is_permitted);
-    return is_permitted ? change : (std::numeric_limits<double>::infinity)();
+    const double change = trial_.start(v) ? trial_.leave(most) : infinity;
+    return change < most && keeps_volumes(v) && (!leaves || end_removal(true)) ? change : infinity;
   }
 
   // Of the last vertex that has been inserted.
@@ -205,6 +196,7 @@ public:
   }
 
 private:
+  static constexpr double infinity = (std::numeric_limits<double>::infinity)();
   // Without a bound, a layer of a segmented head lost 4 % of its volume.
   static constexpr double usual_most_of_volume = 0.003, most_of_volume_ever = 0.3;
 
@@ -259,22 +251,23 @@ private:
     trial_.start_new(v, vertex.dimension == 2 ? vertex.place : int(Boundary_facet::no_patch), start);
   }
 
-  void end(bool is_accepted)
+  // Whether the vertex is accepted, which is up to the domain, too.
+  bool end(bool is_permitted)
   {
-    if(is_accepted)
-      trial_.accept();
-    else
+    const bool is_accepted = is_permitted && trial_.accept();
+    if(!is_accepted)
       remove_last();
+    return is_accepted;
   }
 
-  void end_removal(bool is_accepted)
+  bool end_removal(bool is_permitted)
   {
-    if(!is_accepted)
-      return;
+    if(!is_permitted || !trial_.accept())
+      return false;
     for(const auto& c : changes_of_volume())
       change_of_volume_[c.first] += c.second;
-    trial_.accept();
     ++number_of_removed_;
+    return true;
   }
 
   int add(const New_vertex_3& vertex)

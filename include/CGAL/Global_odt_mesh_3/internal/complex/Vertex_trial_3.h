@@ -145,28 +145,28 @@ public:
                                      from_, normal_, share);
   }
 
-  // Makes a displacement one that may be tried: on a surface, it is projected after it has
-  // become tangential. False if there is no such place nearby.
-  bool place(Site& s) const
+  // The change of the sum of the deficits with the vertex there, or infinity if it may not be there, if a cell is worse than all
+  // that go, or if the change would not be less than `most`. Of cells off the boundary, the domain is not asked.
+  double move(const Site& s, double most)
+  { return cavity_.find_cells(s) && (!cavity_.is_new() || has_room(0)) ? change(most) : infinity; }
+
+  // The same near a site, which becomes the one that is meant: on a surface, it becomes tangential and, where that promises less,
+  // is projected.
+  double move_near(Site& s, double most)
   {
     constexpr double farthest_projection = 1;         // over the shortest edge
     const int v = cavity_.vertex();
     if(complex_.numbering.is_interior(v))
-      return true;
+      return move(s, most);
     if(normal_.isZero())                              // no facet around it is on its own surface
-      return false;
+      return infinity;
     Eigen::Vector3d p = position(s) - normal_.dot(position(s) - position(from_)) * normal_;
-    if(!complex_.domain.project(p, normal_, farthest_projection * shortest_edge_, own_patch(v)))
-      return false;
     s = site_at(p, s.weight);
-    return true;
-  }
-
-  // The change of the sum of the deficits with the vertex there, or infinity if it may not be there,
-  // if a cell is worse than all that go, or if the change would not be less than `most`.
-  double move(const Site& s, double most)
-  {
-    return cavity_.find_cells(s) && (!cavity_.is_new() || has_room(0)) ? change(most) : infinity;
+    if(!cavity_.find_cells(s) || !promises(most)
+       || !complex_.domain.project(p, normal_, farthest_projection * shortest_edge_, own_patch(v)))
+      return infinity;
+    s = site_at(p, s.weight);
+    return move(s, most);
   }
 
   // Whether a new vertex may be where its site is, so far from others, whatever becomes of angles.
@@ -195,10 +195,13 @@ public:
   // The sum of the deficits of the new cells.
   double deficit_after() const { return after_.deficit; }
 
-  // The vertex stays where move() or fits() has put it, or out if leave() or may_leave() have been called, and that is permitted.
-  void accept()
+  // The vertex stays where move() or fits() has put it, or out if leave() or may_leave() have been called, if that is permitted.
+  // False if the domain does not agree.
+  bool accept()
   {
     const int v = cavity_.vertex();
+    if(!ask_all())
+      return false;
     exchange_.apply(complex_);
     if(cavity_.is_new())
       complex_.working.create_vertex(v, cavity_.site(v));
@@ -208,6 +211,7 @@ public:
     cavity_.replace(complex_.working);
     if(leaves_)
       complex_.working.remove_without_cells(v);
+    return true;
   }
 
 private:
@@ -219,7 +223,7 @@ private:
   static bool is_inside(int label) { return label >= 0 && label != Domain_view_3::outside; }
 
   // Whatever becomes of angles.
-  bool is_permitted() { return label_cells(infinity) && exchange_.is_permitted(change_); }
+  bool is_permitted() { return promises(infinity) && ask_all() && exchange_.is_permitted(change_); }
 
   void prepare_to_leave()
   {
@@ -302,36 +306,51 @@ private:
   // Of the sum of the deficits, by the cells that have been found.
   double change(double most)
   {
-    return label_cells(most) && after_.is_not_worse_than(before_, goal_.steps()) && exchange_.is_permitted(change_)
+    return promises(most) && ask_in_doubt(most) && after_.is_not_worse_than(before_, goal_.steps())
+           && (!complex_.snapshot.has_unseparating_facets || ask_all()) && exchange_.is_permitted(change_)
            ? after_.deficit - before_.deficit : infinity;
   }
 
-  // Asks the domain about the new cells, those of unknown subdomain with the largest deficits first, which are the most likely
-  // to decide; false as soon as one does not fit or the change is not less than `most`.
-  bool label_cells(double most)
+  // Whether the change is less than `most` if cells of which only the domain knows the subdomain are where that is seen from
+  // their vertices or, if it is not, outside.
+  bool promises(double most)
   {
     before_ = after_ = Sliver_count();
+    double guessed = 0;
+    doubts_.clear();
     for(Cell* c : cavity_.old_cells())
       if(is_inside(c->label))
         before_.add(lack(*c), goal_.steps());
-    order_.clear();
     const std::vector<Cell*>& cells = cavity_.new_cells();
     for(std::size_t n = 0; n < cells.size(); ++n)
     {
       Cell& c = *cells[n];
       if(c.label == Editable_complex_3::mixed)
         return false;
-      if(is_inside(c.label))
+      if(c.label == Editable_complex_3::unknown)
+      {
+        doubts_.emplace_back(-lack(c).deficit, n);
+        if(c.lack.deficit > 0 && is_inside(guess(c)))
+          guessed += c.lack.deficit;
+      }
+      else if(is_inside(c.label))
         after_.add(lack(c), goal_.steps());
-      if(!(after_.deficit - before_.deficit < most))
+      if(c.label != Editable_complex_3::unknown && is_at_boundary(c))
+        doubts_.emplace_back(0., n);
+      if(!(after_.deficit + guessed - before_.deficit < most))
         return false;
-      if(*std::min_element(c.vertices.begin(), c.vertices.end()) >= 0)
-        order_.emplace_back(c.label == Editable_complex_3::unknown ? -lack(c).deficit : 0., n);
     }
-    std::sort(order_.begin(), order_.end());
-    for(const auto& o : order_)
+    return true;
+  }
+
+  // Asks about these, those first that lack most, which are the most likely to decide, and then about the others at the boundary;
+  // false as soon as the change is not less, or one does not fit.
+  bool ask_in_doubt(double most)
+  {
+    std::sort(doubts_.begin(), doubts_.end());
+    for(const auto& d : doubts_)
     {
-      Cell& c = *cells[o.second];
+      Cell& c = *cavity_.new_cells()[d.second];
       const bool was_unknown = c.label == Editable_complex_3::unknown;
       if(!ask(c))
         return false;
@@ -343,10 +362,34 @@ private:
     return true;
   }
 
+  // The label of the dual point as the surfaces at the vertices tell, one of them if they do not agree.
+  int guess(const Cell& c) const
+  {
+    constexpr double margin = 0.1;
+    const std::array<Site, 4> s = cavity_.sites(c.vertices);
+    const Cell_products t(s[0], s[1], s[2], s[3]);
+    const Eigen::Vector3d dual = position(s[0]) + Eigen::Vector3d(t.nx, t.ny, t.nz) / (2 * t.determinant);
+    for(int i = 0; i < 4; ++i)
+    {
+      const int label = complex_.snapshot.boundary.label_toward(c.vertices[i], dual - position(s[i]), margin);
+      if(label != Boundary_geometry_3::no_label)
+        return label;
+    }
+    return Boundary_geometry_3::no_label;
+  }
+
+  bool is_at_boundary(const Cell& c) const
+  {
+    return std::any_of(c.vertices.begin(), c.vertices.end(), [this](int v) { return v >= 0 && complex_.numbering.is_on_boundary(v); });
+  }
+
+  bool ask_all() const
+  { return std::all_of(cavity_.new_cells().begin(), cavity_.new_cells().end(), [this](Cell* c) { return ask(*c); }); }
+
   // Asks the domain for the subdomain in which the dual point lies; false if that does not fit.
   bool ask(Cell& c) const
   {
-    if(c.is_asked)
+    if(c.is_asked || *std::min_element(c.vertices.begin(), c.vertices.end()) < 0)
       return c.fits;
     const auto point = [&](int i) { return weighted_point(cavity_.site(c.vertices[i])); };
     c.dual = coordinates(complex_.triangulation().geom_traits().construct_weighted_circumcenter_3_object()(point(0), point(1), point(2),
@@ -386,7 +429,7 @@ private:
   Site from_ = { 0, 0, 0, 0 };
   double mean_edge_ = 0, shortest_edge_ = 0;    // of all, and on the boundary
   Eigen::Vector3d normal_ = Eigen::Vector3d::Zero();            // zero if there is no facet of the patch
-  std::vector<std::pair<double, std::size_t> > order_;          // of new cells, by what they may lack
+  std::vector<std::pair<double, std::size_t> > doubts_;         // new cells, by what they may lack
   Sliver_count before_, after_;
 };
 

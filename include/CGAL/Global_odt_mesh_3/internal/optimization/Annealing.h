@@ -113,7 +113,7 @@ public:
     const bool is_taken = f.evaluate(trial_);
     if(is_taken)
     {
-      f.accept();
+      f.keep();
       loop.run([&](Eigen::Index n, Eigen::Index l)
       {
         velocity_.segment(n, l) = f.point().segment(n, l) - start_.segment(n, l);
@@ -209,7 +209,7 @@ public:
     {
       if(f.evaluate(start_ + perturbation_))
       {
-        f.accept();
+        f.keep();
         return;
       }
       f.reject();

@@ -34,8 +34,8 @@ namespace internal {
 // held by a zero gradient, those on surfaces by its tangential part.
 //
 // evaluate() leads from the current point to a trial, of which value(), point(), gradient() and
-// diagonal() are then, unless it is not feasible. accept() makes it the current point, or
-// reject() goes back, with all four.
+// diagonal() are then, unless it is not feasible. Either accept() or keep() makes it the current
+// point, or reject() goes back, with all four.
 class Odt_objective_3
 {
 public:
@@ -53,7 +53,7 @@ public:
     mesh_.keep();
     is_feasible_ = mesh_.evaluate();
     gather();
-    accept();
+    keep();
   }
 
   // The same without evaluation, for a mesh of which gradient(v) is known. The value is not.
@@ -67,7 +67,7 @@ public:
       for(int v = 0; v < mesh_.number_of_movable_vertices; ++v)
         f(v, gradient(v));
     });
-    accept();
+    keep();
   }
 
   // Whether the triangulation could be made regular where it was.
@@ -101,7 +101,17 @@ public:
     return std::isfinite(value());
   }
 
+  // Vertices that are stopped again and again, at a constrained facet, are frozen.
   void accept()
+  {
+    for(int v : mesh_.stopped_vertices())
+      if(++stops_[v] == most_stops)
+        freeze(v);
+    keep();
+  }
+
+  // The same without that.
+  void keep()
   {
     mesh_.keep();
     is_on_trial_ = false;
@@ -143,6 +153,8 @@ public:
 
 private:
 
+  static constexpr int most_stops = 3;
+
   struct Without_evaluation {};
 
   Odt_objective_3(Moving_triangulation_3& mesh, std::vector<Tangential_motion> motions, Term term, Without_evaluation)
@@ -150,6 +162,7 @@ private:
     , motions_(std::move(motions))
     , term_(std::move(term))
     , frozen_(mesh.number_of_movable_vertices, false)
+    , stops_(mesh.number_of_movable_vertices, 0)
     , current_(mesh.number_of_movable_vertices)
     , other_(mesh.number_of_movable_vertices)
   {
@@ -204,6 +217,7 @@ private:
   std::vector<Tangential_motion> motions_;
   Term term_;
   std::vector<char> frozen_;
+  std::vector<int> stops_;
   int number_of_frozen_vertices_ = 0;
   Evaluation current_, other_;    // that of the current point is the other one on trial
   bool is_on_trial_ = false;
@@ -215,12 +229,13 @@ struct Odt_objective_3::State
   Moving_triangulation_3 mesh;
   Evaluation evaluation;
   std::vector<char> frozen;
+  std::vector<int> stops;
   int number_of_frozen_vertices;
 };
 
 inline Odt_objective_3::State Odt_objective_3::state() const
 {
-  return { mesh_, current_, frozen_, number_of_frozen_vertices_ };
+  return { mesh_, current_, frozen_, stops_, number_of_frozen_vertices_ };
 }
 
 inline void Odt_objective_3::go_back(const State& s)
@@ -228,8 +243,9 @@ inline void Odt_objective_3::go_back(const State& s)
   mesh_.go_back(s.mesh);
   current_ = s.evaluation;
   frozen_ = s.frozen;
+  stops_ = s.stops;
   number_of_frozen_vertices_ = s.number_of_frozen_vertices;
-  accept();
+  keep();
 }
 
 } // namespace internal

@@ -41,18 +41,18 @@ namespace internal {
 
 struct Sliver_removal_parameters
 {
-  std::size_t tries_per_vertex = 16;
+  std::size_t tries_per_vertex = 32;
   double farthest = 0.35, nearest = 0.12;   // the longest tries, over the mean incident edge length, near ones first
   int scales = 3;                           // of these, the longest for as many failures as there are at least
   double ratio_of_scales = 1 / 4.;
   std::array<double, 3> shares_of_step = {{ 1, 0.5, 0.25 }};
   std::size_t most_steps = 3;               // tried for a cell
   std::array<double, 3> shares_of_radius = {{ 0.005, 0.05, 0.2 }};   // by how much a vertex enters a circumsphere
-  int fewest_failures = 3, most_failures = 16;      // for the same cell: more where few cells are left
+  int fewest_failures = 2, most_failures = 8;      // for the same cell: more where few cells are left
   double share_of_failures = 0.2;                   // of the tries
-  std::size_t tries_of_failure = 70;
+  std::size_t tries_of_failure = 150;
   int most_passes = 30;                     // with each bound
-  int most_failures_of_worst = 120;         // for the cell with the smallest angle, which should rise by so many degrees:
+  int most_failures_of_worst = 40;         // for the cell with the smallest angle, which should rise by so many degrees:
   double rise_of_worst = 2;
   std::size_t tries_of_start = 4;                 // to look at another vertex takes as long as so many tries
 };
@@ -218,9 +218,9 @@ private:
   // Whether the vertex has been moved: other ones may have been since it was proposed.
   bool accept(const Proposal& p)
   {
-    if(p.vertex < 0 || !trial_.start(p.vertex) || !(trial_.move(p.site, -least_improvement) < -least_improvement))
+    if(p.vertex < 0 || !trial_.start(p.vertex) || !(trial_.move(p.site, -least_improvement) < -least_improvement)
+       || !trial_.accept())
       return false;
-    trial_.accept();
     ++number_of_moves_;
     for(const Vertex_cavity_3::Cell* c : trial_.cavity().new_cells())
       if(c->label != Domain_view_3::outside)
@@ -277,7 +277,7 @@ private:
     {
       Site to = step.site;
       best.tries += parameters_.tries_of_start + 1;
-      if(!trial.start(step.vertex) || !trial.place(to) || !(trial.move(to, best.change) < best.change))
+      if(!trial.start(step.vertex) || !(trial.move_near(to, best.change) < best.change))
         continue;
       best.vertex = step.vertex;
       best.site = to;
@@ -308,9 +308,7 @@ private:
     {
       std::optional<Site> s = place(n);
       ++best.tries;
-      if(!s || !trial.place(*s))
-        continue;
-      const double change = trial.move(*s, best.change);
+      const double change = s ? trial.move_near(*s, best.change) : 0.;
       if(!(change < best.change))
         continue;
       best.change = change;

@@ -20,8 +20,6 @@
 
 #include <algorithm>
 #include <cstddef>
-#include <cstdio>
-#include <cstdlib>
 
 namespace CGAL {
 namespace Global_odt_mesh_3 {
@@ -33,13 +31,11 @@ class Sliver_stage_3
 {
 public:
   // `bound` is the dihedral angle, in degrees, that cells should exceed, or 0 for as much as can be had. The complex is regular.
-  Sliver_stage_3(Complex_updater_3& complex, const Circumradius_bound_3& size_bound, double bound, unsigned int seed,
-                 std::size_t most_tries)
+  Sliver_stage_3(Complex_updater_3& complex, const Circumradius_bound_3& size_bound, double bound, unsigned int seed)
     : complex_(complex)
     , size_bound_(size_bound)
     , bound_(bound)
     , seed_(seed)
-    , most_tries_(most_tries)
   {}
 
   // As far as there is time for, and `may_go_on()` permits.
@@ -53,9 +49,9 @@ public:
 
 private:
   static constexpr int first_step = 1;
-  static constexpr std::size_t tries_for_a_sliver = 120;            // of the first step
-  // What pays, so that all tries are in proportion to the cells that there are to remove.
-  static constexpr std::size_t tries_for_a_removed_cell = 100;
+  // All tries are in proportion to the cells, and to those that there are to remove in the first step.
+  static constexpr std::size_t fewest_tries = 10000, tries_for_two_cells = 5, tries_for_a_sliver = 80;
+  static constexpr std::size_t tries_for_a_removed_cell = 100;      // what pays
   static constexpr double share_of_climb = 0.8;         // of the tries; the others are for the worst cells
   // Above the angle, no step is taken if no bound is given, and cells are left below the one before or more of them
   // below this.
@@ -80,13 +76,11 @@ private:
     if(!is_worthwhile(step, before, complex))
       return false;
     if(step == first_step)
-      most_tries_ += tries_for_a_sliver * before;
+      most_tries_ = fewest_tries + tries_for_two_cells * complex.working.cells().size() / 2 + tries_for_a_sliver * before;
     const std::size_t left = most_tries_ - (std::min)(number_of_tries_, most_tries_);
     removal.climb(std::size_t(share_of_climb * double(left)), has_time);
-    if(std::getenv("DBG")) std::fprintf(stderr, "climb tries %zu left slivers %zu\n", removal.number_of_tries(), removal.number_of_slivers());
     removal.raise_smallest_angle(left - (std::min)(removal.number_of_tries(), left), has_time);
     number_of_tries_ += removal.number_of_tries();
-    if(std::getenv("DBG")) std::fprintf(stderr, "step %d before %zu moves %zu tries %zu left %zu\n", step, before, removal.number_of_moves(), removal.number_of_tries(), left);
     const std::size_t after = removal.number_of_slivers();
     if(!complex_.adopt(complex))
       return false;
@@ -101,7 +95,7 @@ private:
   Circumradius_bound_3 size_bound_;
   double bound_;
   unsigned int seed_;
-  std::size_t most_tries_, number_of_tries_ = 0;
+  std::size_t most_tries_ = 0, number_of_tries_ = 0;
 };
 
 } // namespace internal

@@ -132,6 +132,7 @@ public:
     ++statistics_.evaluations;
     kept_sites_.prepare_changes(sites);
     asked_for_sites_.clear();
+    stopped_.clear();
     choice_.update(sites, number_of_movable_vertices, threads_);
     pass();
     const std::size_t number_of_inverted_cells = inverted_.size();
@@ -152,6 +153,9 @@ public:
     pass();
     return inverted_.empty() && irregular_.empty();
   }
+
+  // The vertices that the last evaluation did not let go anywhere.
+  const std::vector<int>& stopped_vertices() const { return stopped_; }
 
 private:
   typedef Position_control_3<Moving_triangulation_3> Position_control;
@@ -229,6 +233,8 @@ private:
   const std::vector<int>& stuck_cells() const { return stuck_; }
   const Site& kept_site(int v) const { return kept_sites_[v]; }
 
+  void add_stopped(int v) { stopped_.push_back(v); }
+
   const Site& site_asked_for(int v) const
   {
     const auto asked_for = asked_for_sites_.find(v);
@@ -284,7 +290,7 @@ private:
   Energy_choice_3 choice_;
   Fused_pass_3::Gradient gradient_;   // the last part is what repairs add
   double energy_ = 0, kept_energy_ = 0, energy_of_pass_ = 0;
-  std::vector<int> inverted_, stuck_;
+  std::vector<int> inverted_, stuck_, stopped_;
   std::vector<Half_facet> irregular_, star_;
   Kept_sites kept_sites_;
   std::map<int, Site> asked_for_sites_;   // of vertices that repairs have moved

@@ -65,8 +65,12 @@ public:
       std::map<int, Site> sites;
       for(const auto& t : times)
         sites.emplace(t.first, on_the_way(t.first, mesh_.site_asked_for(t.first), part_of_step(t.second)));
-      if(mesh_.untangle_anew(sites))
-        return true;
+      if(!mesh_.untangle_anew(sites))
+        continue;
+      for(const auto& t : times)
+        if(t.second == parameters_.times_to_standstill)
+          mesh_.add_stopped(t.first);
+      return true;
     }
     return false;
   }
