@@ -84,20 +84,13 @@ public:
     return !domain_.tells_distances() || domain_.distance_to_surface(point) <= farthest_centroid_;
   }
 
-  // Whether these vertices may be those of a boundary facet.
-  bool permit(Complex_candidate_3& candidate, const Triple& facet) const
-  {
-    return has_good_angles(facet, candidate.sites) && is_faithful(candidate, facet);
-  }
-
   // Sends back vertices of facets that have become too thin.
   void check_angles(const Complex_candidate_3& candidate, Defect_report_3& report) const
   {
     for(std::size_t n = 0; n < candidate.old_facets.size(); ++n)
     {
       const std::array<int, 3>& t = candidate.boundary_complex->facets()[n].vertices;
-      if(!has_good_angles(t, candidate.sites) && !(candidate.old_facets[n] >= 0 && candidate.are_reverted(t))
-         && candidate.exempt_facets.count(sorted(t)) == 0)
+      if(!has_good_angles(t, candidate.sites) && !(candidate.old_facets[n] >= 0 && candidate.are_reverted(t)))
         report.send_back_around(t);
     }
   }
@@ -128,19 +121,13 @@ public:
     });
     for(int n : in_question)
       candidate.known_distances.emplace(vertices(n), distances[n]);
-    candidate.far_facets.clear();
     for(int n = 0; n < number; ++n)
     {
       if(candidate.centers[n].is_faithful)
         continue;
       candidate.centers[n].is_faithful = distances[n] <= farthest_centroid_;
-      if(candidate.centers[n].is_faithful)
-        continue;
-      const Triple& t = candidate.boundary_complex->facets()[n].vertices;
-      if(candidate.exempt_facets.count(sorted(t)) > 0)
-        candidate.far_facets.insert(sorted(t));
-      else
-        report.send_back(t);
+      if(!candidate.centers[n].is_faithful)
+        report.send_back(candidate.boundary_complex->facets()[n].vertices);
     }
     return report;
   }
@@ -149,17 +136,6 @@ private:
   bool has_good_angles(const Triple& facet, const std::vector<Site>& sites) const
   {
     return smallest_angle_of_facet(facet, sites) >= smallest_angle_;
-  }
-
-  bool is_faithful(Complex_candidate_3& candidate, const Triple& facet) const
-  {
-    if(!domain_.tells_distances())
-      return true;
-    const Triple t = sorted(facet);
-    const auto known = candidate.known_distances.find(t);
-    if(known != candidate.known_distances.end())
-      return known->second <= farthest_centroid_;
-    return candidate.known_distances.emplace(t, distance(t, candidate.sites)).first->second <= farthest_centroid_;
   }
 
   double distance(const Triple& facet, const std::vector<Site>& sites) const

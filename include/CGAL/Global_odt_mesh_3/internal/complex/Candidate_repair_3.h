@@ -30,7 +30,7 @@ namespace CGAL {
 namespace Global_odt_mesh_3 {
 namespace internal {
 
-// Moves the vertices of a candidate at which something is wrong toward where they were, and those that are to be pushed.
+// Moves the vertices of a candidate at which something is wrong toward where they were.
 class Candidate_repair_3
 {
 public:
@@ -47,8 +47,6 @@ public:
       if(candidate_.is_reverted(v))
         candidate_.revert_to_input(v);
     const std::set<int> offending = offending_vertices(report, attempt);
-    for(const auto& p : report.pushes())
-      push(p.first, p.second, offending.count(p.first) > 0);
     const bool rebuilds = !candidate_.working.is_worth_moving(offending.size());
     for(int v : offending)
     {
@@ -60,12 +58,9 @@ public:
     }
     if(rebuilds)
       rebuild_();
-    else
-      for(const auto& p : report.pushes())
-        candidate_.move(p.first);
-    const auto has_moved = [&](int v) { return offending.count(v) > 0 || report.pushes().count(v) > 0; };
-    clear_facets(candidate_.known_centers, has_moved);
-    clear_facets(candidate_.known_distances, has_moved);
+    const auto has_moved = [&](int v) { return offending.count(v) > 0; };
+    for(auto it = candidate_.known_distances.begin(); it != candidate_.known_distances.end(); )
+      it = std::any_of(it->first.begin(), it->first.end(), has_moved) ? candidate_.known_distances.erase(it) : std::next(it);
     candidate_.measure();
   }
 
@@ -83,14 +78,6 @@ private:
     return std::set<int>(region.vertices().begin(), region.vertices().end());
   }
 
-  void push(int v, const Eigen::Vector3d& by, bool goes_back)
-  {
-    ++candidate_.pushed_vertices[v];
-    Site& s = candidate_.sites[v];
-    if(!goes_back)
-      s = site_at(position(s) + by, s.weight);
-  }
-
   void send_back(int v, int attempt)
   {
     const bool on_surface = !candidate_.numbering.is_interior(v);
@@ -101,13 +88,6 @@ private:
     s = is_halfway ? site_at((position(s) + position(home)) / 2, home.weight) : home;
     if(on_surface && is_halfway && !put_on_surface(candidate_, domain_, v))
       s = home;
-  }
-
-  template <class Answers, class Predicate>
-  static void clear_facets(Answers& answers, const Predicate& has_moved)
-  {
-    for(auto it = answers.begin(); it != answers.end(); )
-      it = std::any_of(it->first.begin(), it->first.end(), has_moved) ? answers.erase(it) : std::next(it);
   }
 
   Complex_candidate_3& candidate_;

@@ -83,8 +83,6 @@ private:
     int label = no_subdomain, label_of_dual = no_subdomain;
   };
 
-  // The sine between the direction to a dual point and the tangential planes that is clear enough.
-  static constexpr double clear_margin = 0.5;
   // Six times the volume, over the cube of the longest edge at a vertex, of a cell whose dual point is sure to nine digits.
   static constexpr double certain_volume = 1e-6;
   static constexpr int no_subdomain = Complex_snapshot_3::no_subdomain;
@@ -138,11 +136,7 @@ private:
     const bool is_boundary_cell = found.label == no_subdomain;
     if(is_boundary_cell)
       found.label_of_dual = known_label_of_dual(q);
-    if(found.label_of_dual == no_subdomain && !candidate_.is_final && (!is_boundary_cell || candidate_.boundary_moves()))
-      found.label_of_dual = label_seen_from_boundary(q);
-    // What the vertices see is not enough to send any of them back.
-    const bool is_enough = is_boundary_cell ? found.label_of_dual != no_subdomain : found.label_of_dual == found.label;
-    if(!is_enough)
+    if(found.label_of_dual == no_subdomain)
       found.label_of_dual = domain_.label(coordinates(candidate_.triangulation().dual(c)));
     return found;
   }
@@ -160,20 +154,16 @@ private:
     return true;
   }
 
+  // Its vertices have come too close to the boundary.
   void label_or_report(Cell_handle c, const Findings& found, Defect_report_3& report)
   {
     const Quadruple q = candidate_.numbers(c);
     c->set_label(found.label);
-    if(found.has_several_labels)
-    {
-      report.send_back(q);
-      return;
-    }
     // What was wrong in the input may stay so.
-    if(candidate_.numbering.is_input_cell(q, candidate_.sites))
+    if(!found.has_several_labels && candidate_.numbering.is_input_cell(q, candidate_.sites))
       c->set_flag(IS_SETTLED);
     else
-      report_cell_beyond_surface(candidate_, q, found.label, report);
+      report.send_back(q);
   }
 
   // Those among the cells with these numbers.
@@ -218,25 +208,6 @@ private:
   {
     const std::vector<Site>& sites = candidate_.sites;
     return Cell_products(sites[q[0]], sites[q[1]], sites[q[2]], sites[q[3]]);
-  }
-
-  // The label of the dual point if all vertices on the boundary agree about it.
-  int label_seen_from_boundary(const Quadruple& q) const
-  {
-    const std::vector<Site>& sites = candidate_.sites;
-    const Cell_products t = products(q);
-    const Eigen::Vector3d dual = position(sites[q[0]]) + Eigen::Vector3d(t.nx, t.ny, t.nz) / (2 * t.determinant);
-    int label = no_subdomain;
-    for(int v : q)
-    {
-      if(!is_on_boundary(v))
-        continue;
-      const int l = candidate_.measured_boundary.label_toward(v, dual - position(sites[v]), clear_margin);
-      if(l == no_subdomain || (label != no_subdomain && l != label))
-        return no_subdomain;
-      label = l;
-    }
-    return label;
   }
 
   Complex_candidate_3& candidate_;

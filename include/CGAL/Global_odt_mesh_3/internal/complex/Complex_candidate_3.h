@@ -65,11 +65,9 @@ struct Complex_candidate_3
   std::vector<int> old_facets;                // the numbers that facets have in the snapshot, or -1
   std::vector<Surface_center> centers;
 
-  // What the domain has said of facets holds until their vertices move.
-  std::unordered_map<Triple, Surface_center, boost::hash<Triple> > known_centers;
+  // Of facets' centroids from the surface, until their vertices move.
   std::unordered_map<Triple, double, boost::hash<Triple> > known_distances;
-  std::set<Triple> exempt_facets, far_facets; // of flat boundary cells: all, and those too far from the surface
-  std::map<int, int> vertices_sent_back, pushed_vertices;     // and how often
+  std::map<int, int> vertices_sent_back;     // and how often
 
   Complex_candidate_3(const Complex_snapshot_3& from, Working_triangulation_3& triangulation, const std::vector<Site>& target,
                       bool is_last, const Thread_policy& policy)
@@ -113,7 +111,6 @@ struct Complex_candidate_3
   Quadruple numbers(Cell_handle c) const { return working.numbers(c); }
 
   int times_sent_back(int v) const { return times(vertices_sent_back, v); }
-  int times_pushed(int v) const { return times(pushed_vertices, v); }
 
   bool is_at_input(int v) const { return numbering.is_input_site(v, sites[v]); }
   bool is_reverted(int v) const { return same_place(sites[v], revert_sites[v]); }
@@ -150,7 +147,6 @@ struct Complex_candidate_3
     for_each_in_chunks(static_cast<int>(cells.size()), threads, [&cells](int n) { cells[n]->clear_flags(); });
     next.boundary = std::move(boundary);
     next.centers = std::move(centers);
-    next.far_facets = std::move(far_facets);
     next.number_facets();
     for(std::size_t n = 0; n < facets.size(); ++n)
       mark_facet(next.boundary.complex().facets()[n], facets[n], working);

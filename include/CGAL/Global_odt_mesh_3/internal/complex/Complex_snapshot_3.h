@@ -135,7 +135,6 @@ struct Complex_snapshot_3
   std::vector<Surface_center> centers;
   Tuple_table<Triple, int> facet_numbers;
   Tuple_table<Quadruple, int> boundary_cells;       // with all vertices on the boundary; labels
-  std::set<Triple> far_facets;                      // of flat boundary cells, farther from the surface than permitted
   bool has_unseparating_facets = false;
   bool has_labels_of_domain = false;                // also of the boundary cells
 

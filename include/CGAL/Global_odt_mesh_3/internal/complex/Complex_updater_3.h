@@ -20,7 +20,6 @@
 #include <CGAL/Global_odt_mesh_3/internal/complex/Complex_snapshot_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/complex/Defect_report_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/complex/Editable_complex_3.h>
-#include <CGAL/Global_odt_mesh_3/internal/complex/Flat_boundary_cells_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/complex/Snapshot_triangulation_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/complex/Surface_centers_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/complex/Surface_projection_3.h>
@@ -132,9 +131,6 @@ public:
     return true;
   }
 
-  // How often candidates have been checked.
-  std::size_t number_of_checks() const { return number_of_checks_; }
-
   // How often most of a candidate's cells were those of a mesh.
   std::size_t number_of_transfers() const { return number_of_transfers_; }
 
@@ -202,8 +198,6 @@ private:
   // Whether a candidate that trials have led to is valid.
   bool complete_trials(Complex_candidate_3& candidate)
   {
-    if(candidate.boundary_moves())
-      Flat_boundary_cells_3(candidate, domain_, bounds_).exempt();
     return topology_changes(candidate).empty() && Surface_centers_3(candidate, domain_).find_surface_centers().is_clean()
            && bounds_.check_distances(candidate).is_clean();
   }
@@ -211,15 +205,12 @@ private:
   // Completes the candidate, and reports all that is wrong with it. Facets that are too thin may be found good enough.
   Defect_report_3 check(Complex_candidate_3& candidate, bool wants_good_facets)
   {
-    ++number_of_checks_;
     if(!candidate.working.is_complete())
       return hidden_vertices(candidate);
     Defect_report_3 report = Cell_labels_3(candidate, domain_).label_cells();
     Boundary_extraction_3 extraction(candidate, domain_);
     extraction.find_boundary();
     report.add(candidate.boundary_moves() ? check_topology(candidate) : check_facets_stay(candidate));
-    if(candidate.boundary_moves())
-      Flat_boundary_cells_3(candidate, domain_, bounds_).exempt();
     report.add(Surface_centers_3(candidate, domain_).find_surface_centers());
     if(!candidate.boundary_moves())
       return report;
@@ -248,7 +239,7 @@ private:
   Complex_snapshot_3 snapshot_;
   Working_triangulation_3 triangulation_;
   bool is_of_snapshot_ = false;              // whether that is the triangulation of the snapshot, with its labels
-  std::size_t number_of_checks_ = 0, number_of_transfers_ = 0;
+  std::size_t number_of_transfers_ = 0;
 };
 
 } // namespace internal

@@ -108,7 +108,7 @@ private:
   {
     const int label = cavity_.old_cells().front()->label;
     const auto has_it = [label](const Cell* c) { return c->label == label; };
-    return !complex_.snapshot.has_unseparating_facets && complex_.snapshot.far_facets.empty()
+    return !complex_.snapshot.has_unseparating_facets
            && std::all_of(cavity_.old_cells().begin(), cavity_.old_cells().end(), has_it)
            && std::all_of(cavity_.new_cells().begin(), cavity_.new_cells().end(), has_it);
   }
@@ -194,8 +194,6 @@ private:
     {
       if(std::find(t.begin(), t.end(), cavity_.vertex()) != t.end())
         moved_.push_back(t);
-      else if(complex_.snapshot.far_facets.count(t) > 0)         // has to go along with its cell
-        return false;
       removed_.erase(old);
       return true;
     }

@@ -27,42 +27,6 @@ namespace CGAL {
 namespace Global_odt_mesh_3 {
 namespace internal {
 
-// The search for surface centers of a candidate: what the domain has said of a facet holds until its vertices move.
-class Candidate_center_search_3
-  : public Surface_center_search_3
-{
-public:
-  Candidate_center_search_3(Complex_candidate_3& candidate, const Domain_view_3& domain)
-    : Surface_center_search_3(candidate.sites, candidate.triangulation(), domain)
-    , candidate_(candidate)
-  {}
-
-  // Puts the center of a facet with these vertices, which is expected where it is, onto the surface; false if there is none.
-  bool find_center(const Facet& facet, const Triple& t, Surface_center& center)
-  {
-    search(facet, t, center);
-    remember(t, center);
-    return center.is_exact;
-  }
-
-  // The same in two steps, the first of which threads may do for several facets.
-  void remember(const Triple& t, const Surface_center& center) { candidate_.known_centers[t] = center; }
-
-  void search(const Facet& facet, const Triple& t, Surface_center& center) const
-  {
-    const auto known = candidate_.known_centers.find(t);
-    if(known == candidate_.known_centers.end() || (known->second.is_exact && !is_between_subdomains(facet, t, known->second)))
-      Surface_center_search_3::search(facet, t, center);
-    else if(known->second.is_exact)
-      center = known->second;
-    else
-      center.is_exact = false;
-  }
-
-private:
-  Complex_candidate_3& candidate_;
-};
-
 // Finds or, on the way, estimates the surface centers of a candidate: the points of the surface on the
 // dual lines of its boundary facets. Reports facets without a center.
 class Surface_centers_3
@@ -78,8 +42,8 @@ public:
     Defect_report_3 report(candidate_);
     candidate_.boundary = Boundary_geometry_3(candidate_.boundary_complex, candidate_.sites);
     candidate_.centers.resize(candidate_.facets.size());
-    Candidate_center_search_3 search(candidate_, domain_);
-    std::vector<char> is_searched(candidate_.facets.size(), false);
+    const Surface_center_search_3 search(candidate_.sites, candidate_.triangulation(), domain_);
+    std::vector<char> is_lost(candidate_.facets.size(), false);
     domain_.for_each(candidate_.facets.size(), [&](int n)
     {
       Surface_center& center = candidate_.centers[n];
@@ -88,23 +52,18 @@ public:
         return;
       const bool is_good = center.is_exact && (!candidate_.boundary_moves()
                                                || search.is_between_subdomains(candidate_.facets[n], vertices(n), center));
-      is_searched[n] = !is_good;
-      if(!is_searched[n])
+      if(is_good)
         return;
       // One that is not found anew stays as it was.
       const Surface_center known = center;
       search.search(candidate_.facets[n], vertices(n), center);
       if(!center.is_exact)
         center = known;
+      is_lost[n] = !center.is_exact;
     });
     for(std::size_t n = 0; n < candidate_.facets.size(); ++n)
-    {
-      if(!is_searched[n])
-        continue;
-      search.remember(vertices(n), candidate_.centers[n]);
-      if(!candidate_.centers[n].is_exact)
+      if(is_lost[n])
         report.send_back(vertices(n));
-    }
     return report;
   }
 

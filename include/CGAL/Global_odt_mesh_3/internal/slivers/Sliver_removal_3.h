@@ -43,8 +43,6 @@ struct Sliver_removal_parameters
 {
   std::size_t tries_per_vertex = 32;
   double farthest = 0.35, nearest = 0.12;   // the longest tries, over the mean incident edge length, near ones first
-  int scales = 3;                           // of these, the longest for as many failures as there are at least
-  double ratio_of_scales = 1 / 4.;
   std::array<double, 3> shares_of_step = {{ 1, 0.5, 0.25 }};
   std::size_t most_steps = 3;               // tried for a cell
   std::array<double, 3> shares_of_radius = {{ 0.005, 0.05, 0.2 }};   // by how much a vertex enters a circumsphere
@@ -242,12 +240,11 @@ private:
     for(int v : s.vertices)
       seed = Split_mix_engine(seed, v)();
     Random random(Split_mix_engine(seed, failures));
-    const double scale = scale_of_tries(failures);
     for(int v : vertices)
     {
       const auto random_place = [&](std::size_t n) -> std::optional<Site>
       {
-        const double farthest = scale * (2 * n < parameters_.tries_per_vertex ? parameters_.nearest : parameters_.farthest);
+        const double farthest = 2 * n < parameters_.tries_per_vertex ? parameters_.nearest : parameters_.farthest;
         const Eigen::Vector3d d = trial.mean_edge_length() * random.uniform() * farthest * random.direction();
         return site_at(position(trial.from()) + d, trial.from().weight);
       };
@@ -255,13 +252,6 @@ private:
         return best;
     }
     return best;
-  }
-
-  // Of the places, over the longest: after the first failures, two with each scale.
-  double scale_of_tries(int failures) const
-  {
-    const int n = (std::max)(failures - parameters_.fewest_failures, 0) / 2;
-    return std::pow(parameters_.ratio_of_scales, n % parameters_.scales);
   }
 
   // The first step that makes deficits less of those that promise most.
