@@ -6,7 +6,7 @@
 #ifndef GLOBAL_ODT_MESH_3_BENCHMARK_APPROXIMATE_NEWTON_H
 #define GLOBAL_ODT_MESH_3_BENCHMARK_APPROXIMATE_NEWTON_H
 
-#include <CGAL/Global_odt_mesh_3/internal/density/Density_3.h>
+#include <CGAL/Global_odt_mesh_3/internal/density/Field_density_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/density/Point_rule_quadrature_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/optimization/Odt_objective_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/triangulation/Moving_triangulation_3.h>

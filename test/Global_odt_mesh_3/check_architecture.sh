@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # Headers include only those of their own folder and of folders before it, so that data flows one way, and
-# stay short: no internal file has more than 400 lines after its license, and no function more than 40.
+# stay short: no internal file has more than 450 lines after its license, and no function more than 40.
 #
 #   check_architecture.sh "internal directory"
 set -euo pipefail
@@ -27,7 +27,7 @@ while IFS= read -r file; do
     fi
   done < <(sed -n 's|^#include <CGAL/Global_odt_mesh_3/internal/\(.*\)>|\1|p' "$file")
   lines=$(sed "1,/^$/d" "$file" | wc -l)
-  if [ "$lines" -gt 400 ]; then
+  if [ "$lines" -gt 450 ]; then
     echo "$file has $lines lines"
     status=1
   fi

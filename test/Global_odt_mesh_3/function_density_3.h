@@ -6,7 +6,7 @@
 #ifndef GLOBAL_ODT_MESH_3_TEST_FUNCTION_DENSITY_3_H
 #define GLOBAL_ODT_MESH_3_TEST_FUNCTION_DENSITY_3_H
 
-#include <CGAL/Global_odt_mesh_3/internal/density/Density_3.h>
+#include <CGAL/Global_odt_mesh_3/internal/density/Field_density_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/geometry/Site.h>
 
 #include <functional>

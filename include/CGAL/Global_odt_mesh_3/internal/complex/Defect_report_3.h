@@ -22,10 +22,53 @@
 #include <cstddef>
 #include <map>
 #include <set>
+#include <unordered_set>
+#include <utility>
+#include <vector>
 
 namespace CGAL {
 namespace Global_odt_mesh_3 {
 namespace internal {
+
+// Some vertices of a triangulation, by their numbers, then their neighbors, and so on, ring by ring.
+class Vertex_rings_3
+{
+public:
+  // Numbers below zero, of the infinite vertex, do not matter.
+  template <class Vertices>
+  Vertex_rings_3(const Working_triangulation_3& triangulation, const Vertices& vertices)
+    : triangulation_(triangulation)
+  {
+    for(int v : vertices)
+      if(v >= 0)
+        add(v);
+  }
+
+  // All vertices; those of the last ring are the last ones.
+  const std::vector<int>& vertices() const { return vertices_; }
+  std::size_t begin_of_last_ring() const { return begin_; }
+
+  // Adds the neighbors of those that have been added last.
+  void grow()
+  {
+    const std::size_t begin = std::exchange(begin_, vertices_.size());
+    for(std::size_t n = begin; n < begin_; ++n)
+      for(int w : triangulation_.neighbors(vertices_[n]))
+        add(w);
+  }
+
+private:
+  void add(int v)
+  {
+    if(known_.insert(v).second)
+      vertices_.push_back(v);
+  }
+
+  const Working_triangulation_3& triangulation_;
+  std::vector<int> vertices_;
+  std::size_t begin_ = 0;               // of the last ring
+  std::unordered_set<int> known_;
+};
 
 // What a check finds wrong with a candidate: the offending vertices, which are to go back toward where they were.
 class Defect_report_3

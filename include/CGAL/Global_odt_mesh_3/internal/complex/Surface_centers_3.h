@@ -11,21 +11,104 @@
 #define CGAL_GLOBAL_ODT_MESH_3_INTERNAL_COMPLEX_SURFACE_CENTERS_3_H
 
 #include <CGAL/license/Global_odt_mesh_3.h>
+#include <CGAL/license/Global_odt_mesh_3.h>
 
 #include <CGAL/Global_odt_mesh_3/internal/complex/Complex_candidate_3.h>
+#include <CGAL/Global_odt_mesh_3/internal/complex/Complex_snapshot_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/complex/Defect_report_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/complex/Exact_triangulation_3.h>
-#include <CGAL/Global_odt_mesh_3/internal/complex/Surface_center_search_3.h>
+#include <CGAL/Global_odt_mesh_3/internal/geometry/Facet_geometry_3.h>
+#include <CGAL/Global_odt_mesh_3/internal/geometry/Site.h>
+#include <CGAL/Global_odt_mesh_3/internal/geometry/Vertex_tuples.h>
 #include <CGAL/Global_odt_mesh_3/internal/interface/Domain_view_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/interface/Mesh_view_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/surface/Boundary_geometry_3.h>
 
+#include <Eigen/Core>
+
+#include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <vector>
 
 namespace CGAL {
 namespace Global_odt_mesh_3 {
 namespace internal {
+
+// Finds where the dual line of a facet meets the surface: on the dual segment if that joins two subdomains.
+class Surface_center_search_3
+{
+public:
+  typedef Complex_snapshot_3::Surface_center Surface_center;
+
+  // The triangulation is that of the sites.
+  Surface_center_search_3(const std::vector<Site>& sites, const Exact_triangulation_3& triangulation, const Domain_view_3& domain)
+    : sites_(sites)
+    , triangulation_(triangulation)
+    , domain_(domain)
+  {}
+
+  // Puts the center of a facet with these vertices, which is expected where it is, onto the surface, or finds it not exact.
+  void search(const Facet& facet, const Triple& t, Surface_center& center) const
+  {
+    center.is_exact = false;
+    const Eigen::Vector3d expected = center.point;
+    const Facet_dual_3 dual(t, sites_);
+    for(const auto& s : segments_to_search)
+      if(put_on_segment(expected + s[0] * dual.radius * dual.normal, dual.normal, s[1] * dual.radius, center))
+        break;
+    if(!center.is_exact || !is_between_subdomains(facet, t, center))
+      put_on_dual_segment(facet, dual, center);
+  }
+
+  // Whether a center is on the dual segment, unless that is infinite or joins no two subdomains.
+  bool is_between_subdomains(const Facet& facet, const Triple& t, const Surface_center& center) const
+  {
+    const Cell_handle c = facet.first, d = c->neighbor(facet.second);
+    if(is_infinite(c) || is_infinite(d) || c->label() == d->label())
+      return true;
+    const Facet_dual_3 dual(t, sites_);
+    const auto ends = std::minmax({ dual.height(dual_point(c)), dual.height(dual_point(d)) });
+    const double height = dual.height(center.point);
+    return ends.first <= height && height <= ends.second;
+  }
+
+private:
+  // The middle from where the surface is expected, and half the length, over the radius of the facet.
+  // Both ends of a segment across a thin part are outside, hence those to one side only.
+  static constexpr double segments_to_search[][2] = { { 0, 0.3 }, { 0, 1 }, { 0.15, 0.15 }, { -0.15, 0.15 },
+                                                      { 0.5, 0.5 }, { -0.5, 0.5 }, { 0, 3 } };
+
+  bool put_on_segment(Eigen::Vector3d middle, const Eigen::Vector3d& direction, double half_length, Surface_center& center) const
+  {
+    int patch;
+    if(!domain_.intersect(middle, direction, half_length, patch))
+      return false;
+    center.point = middle;
+    center.patch = patch;
+    center.source = Mesh_table_3::no_facet;
+    center.is_exact = true;
+    return true;
+  }
+
+  // Where the surface is far from the facet, it is crossed between the dual points of its cells.
+  void put_on_dual_segment(const Facet& facet, const Facet_dual_3& dual, Surface_center& center) const
+  {
+    const Cell_handle c = facet.first, d = c->neighbor(facet.second);
+    if(is_infinite(c) || is_infinite(d))
+      return;
+    const double from = dual.height(dual_point(c)), to = dual.height(dual_point(d));
+    put_on_segment(dual.point_at((from + to) / 2), dual.normal, std::abs(to - from) / 2, center);
+  }
+
+  bool is_infinite(Cell_handle c) const { return triangulation_.is_infinite(c); }
+
+  Eigen::Vector3d dual_point(Cell_handle c) const { return coordinates(triangulation_.dual(c)); }
+
+  const std::vector<Site>& sites_;
+  const Exact_triangulation_3& triangulation_;
+  const Domain_view_3& domain_;
+};
 
 // Finds or, on the way, estimates the surface centers of a candidate: the points of the surface on the
 // dual lines of its boundary facets. Reports facets without a center.

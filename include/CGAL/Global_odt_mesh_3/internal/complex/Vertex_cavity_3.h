@@ -14,8 +14,8 @@
 
 #include <CGAL/Global_odt_mesh_3/internal/complex/Editable_complex_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/complex/Exact_triangulation_3.h>
+#include <CGAL/Global_odt_mesh_3/internal/complex/Trial_predicates_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/complex/Working_triangulation_3.h>
-#include <CGAL/Global_odt_mesh_3/internal/geometry/Cell_geometry_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/geometry/Site.h>
 #include <CGAL/Global_odt_mesh_3/internal/geometry/Sliver_steps.h>
 #include <CGAL/Global_odt_mesh_3/internal/geometry/Vertex_tuples.h>
@@ -25,11 +25,9 @@
 #include <CGAL/enum.h>
 
 #include <Eigen/Core>
-#include <Eigen/Geometry>
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <cstddef>
 #include <limits>
 #include <utility>
@@ -46,6 +44,7 @@ namespace internal {
 // no vertex of the hole inside. At a place, the cells in conflict with it, in the hole and around, give way to those
 // between it and their walls. Signs that floating-point numbers do not tell are those of the triangulation.
 class Vertex_cavity_3
+  : private Trial_predicates_3
 {
 public:
   struct Cell
@@ -59,22 +58,16 @@ public:
     bool is_measured = false;
   };
 
-  explicit Vertex_cavity_3(const Editable_complex_3& complex) : complex_(complex) {}
+  explicit Vertex_cavity_3(const Editable_complex_3& complex)
+    : Trial_predicates_3(complex.sites, complex.triangulation())
+    , complex_(complex)
+  {}
 
-  int vertex() const { return vertex_; }
+  using Trial_predicates_3::vertex;
+  using Trial_predicates_3::site;
+  using Trial_predicates_3::sites;
+
   bool is_new() const { return is_new_; }
-
-  // Of any vertex, with the one in question at its place.
-  const Site& site(int v) const { return v == vertex_ ? site_ : complex_.sites[v]; }
-
-  template <std::size_t n>
-  std::array<Site, n> sites(const std::array<int, n>& vertices) const
-  {
-    std::array<Site, n> result;
-    for(std::size_t i = 0; i < n; ++i)
-      result[i] = site(vertices[i]);
-    return result;
-  }
 
   // The cells around the vertex, in an order that does not depend on the triangulation's, and its neighbors.
   std::vector<Cell>& star() { return star_; }
@@ -84,9 +77,8 @@ public:
   // Begins with a vertex of the triangulation; false if it has too many neighbors to be tried.
   bool start(int v)
   {
-    vertex_ = v;
+    set_vertex(v);
     is_new_ = is_filled_ = false;
-    site_ = complex_.sites[v];
     hole_.clear();
     outer_.clear();
     return find_star();
@@ -95,9 +87,8 @@ public:
   // Begins with one that is not there, near a cell.
   void start_new(int v, Cell_handle near)
   {
-    vertex_ = v;
+    set_vertex(v);
     is_new_ = is_filled_ = true;
-    site_ = complex_.sites[v];
     star_.clear();
     link_.clear();
     hole_.clear();
@@ -108,15 +99,14 @@ public:
   // Finds the cells for another place; false if the vertex would be hidden there or not be near.
   bool find_cells(const Site& s)
   {
-    site_ = s;
-    point_ = weighted_point(s);
+    move_vertex(s);
     created_.clear();
     queue_.clear();
     ++search_;
     if(!fill_hole())
       return false;
     for(Hole_cell& h : hole_)
-      h.is_in_conflict = is_in_conflict(h.sphere, site_, point_);
+      h.is_in_conflict = is_in_conflict(h.sphere);
     for(std::size_t n = 0; n < hole_.size(); ++n)
       if(hole_[n].is_in_conflict)
         visit_neighbors_of_hole_cell(static_cast<int>(n));
@@ -172,16 +162,6 @@ public:
 
 private:
   static constexpr std::size_t most_cells = 500;            // around a vertex, beyond which trials take too long
-  static constexpr double filter = 1e-13;                   // relative errors of what signs are told from
-
-  // The sphere of a positive cell or, if that is infinite, the plane of its finite facet.
-  struct Sphere
-  {
-    Quadruple vertices;
-    int infinite;                               // the index of that vertex, or 4
-    Cell_sphere products;                       // with the normal of the plane
-    double squared_length;                      // of its edges and weights
-  };
 
   struct Outer_cell
   {
@@ -211,8 +191,6 @@ private:
 
   static Triple facet_key(const Quadruple& q, int i) { return sorted(Triple{{ q[(i + 1) % 4], q[(i + 2) % 4], q[(i + 3) % 4] }}); }
 
-  const Exact_triangulation_3& triangulation() const { return complex_.triangulation(); }
-
   Cell known_cell(Cell_handle c) const
   {
     Cell cell;
@@ -224,7 +202,7 @@ private:
 
   bool find_star()
   {
-    const Vertex_handle v = complex_.working.vertex(vertex_);
+    const Vertex_handle v = complex_.working.vertex(vertex());
     std::vector<Cell_handle>& cells = handles_;
     cells.assign(1, v->cell());
     for(std::size_t n = 0; n < cells.size(); ++n)
@@ -249,7 +227,7 @@ private:
     }
     std::sort(link_.begin(), link_.end());
     link_.erase(std::unique(link_.begin(), link_.end()), link_.end());
-    link_.erase(std::find(link_.begin(), link_.end(), vertex_));
+    link_.erase(std::find(link_.begin(), link_.end(), vertex()));
     has_infinite_ = link_.front() < 0;
     if(has_infinite_)
       link_.erase(link_.begin());
@@ -267,7 +245,7 @@ private:
     for(std::size_t n = 0; n < star_.size(); ++n)
     {
       const Quadruple& q = star_[n].vertices;
-      const Triple& o = facet_indices(static_cast<int>(std::find(q.begin(), q.end(), vertex_) - q.begin()));
+      const Triple& o = facet_indices(static_cast<int>(std::find(q.begin(), q.end(), vertex()) - q.begin()));
       const Triple f = {{ q[o[0]], q[o[1]], q[o[2]] }};
       open_.push_back({ sorted(f), f, ~static_cast<int>(n), 0 });
     }
@@ -329,7 +307,7 @@ private:
     bool is_found = false;
     for(int d : link_)
     {
-      if(d == f[0] || d == f[1] || d == f[2] || (is_found && !is_in_conflict(best, complex_.sites[d], d)))
+      if(d == f[0] || d == f[1] || d == f[2] || (is_found && !is_in_conflict(best, d)))
         continue;
       const Quadruple q = {{ d, f[0], f[1], f[2] }};
       if(!(is_infinite ? continues_hull(open, d) : is_positive(q)))
@@ -349,95 +327,17 @@ private:
   bool continues_hull(const Open_facet& open, int d) const
   {
     const bool is_of_star = open.owner < 0;
-    const Quadruple q = {{ open.key[1], open.key[2], is_of_star ? vertex_ : hole_[open.owner].cell.vertices[open.index], d }};
+    const Quadruple q = {{ open.key[1], open.key[2], is_of_star ? vertex() : hole_[open.owner].cell.vertices[open.index], d }};
     const auto p = [&](int i) { return complex_.point(q[i]).point(); };
     // What is known lies beyond the edge, as seen from the vertex in the hole, or is a cell of the hole.
     return CGAL::orientation(p(0), p(1), p(2), p(3)) != COPLANAR
            || CGAL::coplanar_orientation(p(0), p(1), p(2), p(3)) == (is_of_star ? POSITIVE : NEGATIVE);
   }
 
-  Sphere sphere(const Quadruple& q) const
-  {
-    Sphere result;
-    result.vertices = q;
-    result.infinite = static_cast<int>(std::find(q.begin(), q.end(), -1) - q.begin());
-    if(result.infinite == 4)
-    {
-      const std::array<Site, 4> s = sites(q);
-      const Cell_products t(s[0], s[1], s[2], s[3]);
-      result.products = t;
-      result.squared_length = (std::max)({ t.aa, t.bb, t.cc, std::abs(s[0].weight), std::abs(s[1].weight), std::abs(s[2].weight),
-                                           std::abs(s[3].weight) });
-      return result;
-    }
-    const Triple& o = facet_indices(result.infinite);
-    const Eigen::Vector3d origin = position(site(q[o[0]]));
-    const Eigen::Vector3d a = position(site(q[o[1]])) - origin, b = position(site(q[o[2]])) - origin, normal = a.cross(b);
-    result.products = Cell_sphere{ 0, normal[0], normal[1], normal[2] };
-    result.squared_length = (std::max)(a.squaredNorm(), b.squaredNorm());
-    return result;
-  }
-
-  Weighted_point point(int v) const { return v == vertex_ ? point_ : complex_.point(v); }
-
-  static const Weighted_point& exact_point(const Weighted_point& p) { return p; }
-  Weighted_point exact_point(int v) const { return complex_.point(v); }
-
-  // Whether a site would destroy the cell. The point, or its number, is for the case that floating-point numbers do not tell.
-  template <class Point>
-  bool is_in_conflict(const Sphere& s, const Site& q, const Point& p) const
-  {
-    double value, bound;
-    if(s.infinite == 4)
-    {
-      const Site& origin = site(s.vertices[0]);
-      const double x = q.x - origin.x, y = q.y - origin.y, z = q.z - origin.z;
-      const double r = x * x + y * y + z * z + std::abs(q.weight) + std::abs(origin.weight), l = s.squared_length;
-      value = -s.products.power(origin, q);
-      bound = filter * l * (std::sqrt(l) * r + l * std::sqrt(r));
-    }
-    else
-    {
-      const Eigen::Vector3d way = position(site(s.vertices[facet_indices(s.infinite)[0]])) - position(q);
-      value = way.dot(Eigen::Vector3d(s.products.nx, s.products.ny, s.products.nz));
-      bound = filter * s.squared_length * way.norm();
-    }
-    return value > bound || (!(value < -bound) && is_exactly_in_conflict(s, exact_point(p)));
-  }
-
-  bool is_exactly_in_conflict(const Sphere& s, const Weighted_point& p) const
-  {
-    const Quadruple& v = s.vertices;
-    // Perturbation knows no order of points at one place. That no cell with both is positive is seen later.
-    if(std::any_of(v.begin(), v.end(), [&](int w) { return w >= 0 && point(w).point() == p.point(); }))
-      return false;
-    if(s.infinite == 4)
-      return triangulation().side_of_oriented_power_sphere(point(v[0]), point(v[1]), point(v[2]), point(v[3]), p, true)
-             == ON_POSITIVE_SIDE;
-    const Triple& o = facet_indices(s.infinite);
-    const Weighted_point a = point(v[o[0]]), b = point(v[o[1]]), c = point(v[o[2]]);
-    const Orientation side = CGAL::orientation(p.point(), a.point(), b.point(), c.point());
-    return side == POSITIVE
-           || (side == COPLANAR && triangulation().side_of_bounded_power_circle(a, b, c, p, true) == ON_BOUNDED_SIDE);
-  }
-
-  // An infinite cell is.
-  bool is_positive(const Quadruple& q) const
-  {
-    if(*std::min_element(q.begin(), q.end()) < 0)
-      return true;
-    const std::array<Site, 4> s = sites(q);
-    const Cell_products t(s[0], s[1], s[2], s[3]);
-    const double bound = filter * t.cubed_length();
-    return t.determinant > bound
-           || (!(t.determinant < -bound) && CGAL::orientation(point(q[0]).point(), point(q[1]).point(), point(q[2]).point(),
-                                                              point(q[3]).point()) == POSITIVE);
-  }
-
   // The number of a cell of the triangulation, or ~n if it is number n of the star.
   int local(Cell_handle c)
   {
-    if(!is_new_ && c->has_vertex(complex_.working.vertex(vertex_)))
+    if(!is_new_ && c->has_vertex(complex_.working.vertex(vertex())))
       return ~static_cast<int>(std::find_if(star_.begin(), star_.end(), [c](const Cell& s) { return s.handle == c; }) - star_.begin());
     for(std::size_t n = 0; n < outer_.size(); ++n)
       if(outer_[n].cell.handle == c)
@@ -454,7 +354,7 @@ private:
     if(c.searched == search_)
       return c.is_in_conflict;
     c.searched = search_;
-    c.is_in_conflict = is_in_conflict(c.sphere, site_, point_);
+    c.is_in_conflict = is_in_conflict(c.sphere);
     if(c.is_in_conflict)
       queue_.push_back(n);
     return c.is_in_conflict;
@@ -489,7 +389,7 @@ private:
   int beyond_star(int n)
   {
     const Cell& c = star_[n];
-    return local(c.handle->neighbor(static_cast<int>(std::find(c.vertices.begin(), c.vertices.end(), vertex_) - c.vertices.begin())));
+    return local(c.handle->neighbor(static_cast<int>(std::find(c.vertices.begin(), c.vertices.end(), vertex()) - c.vertices.begin())));
   }
 
   // The cell that is near a new vertex, or one beside it, is to be in conflict.
@@ -503,7 +403,7 @@ private:
 
   void create(Quadruple q, int i)
   {
-    q[i] = vertex_;
+    q[i] = vertex();
     created_.emplace_back();
     created_.back().vertices = q;
     created_.back().label = complex_.label_of_vertices(q);
@@ -528,10 +428,7 @@ private:
   { return std::any_of(old_cells_.begin(), old_cells_.end(), [c](const Cell* o) { return o->handle == c; }); }
 
   const Editable_complex_3& complex_;
-  int vertex_ = -1;
   bool is_new_ = false, is_filled_ = false, has_infinite_ = false;
-  Site site_ = { 0, 0, 0, 0 };
-  Weighted_point point_;                        // there
   std::vector<Cell_handle> handles_;
   std::vector<std::pair<Quadruple, Cell_handle> > keys_;
   std::vector<Cell> star_, created_;

@@ -11,6 +11,7 @@
 #define CGAL_GLOBAL_ODT_MESH_3_INTERNAL_COMPLEX_VERTEX_TRIAL_3_H
 
 #include <CGAL/license/Global_odt_mesh_3.h>
+#include <CGAL/license/Global_odt_mesh_3.h>
 
 #include <CGAL/Global_odt_mesh_3/internal/complex/Editable_complex_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/complex/Facet_exchange_3.h>
@@ -21,7 +22,6 @@
 #include <CGAL/Global_odt_mesh_3/internal/geometry/Facet_geometry_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/geometry/Site.h>
 #include <CGAL/Global_odt_mesh_3/internal/geometry/Sliver_steps.h>
-#include <CGAL/Global_odt_mesh_3/internal/geometry/Vertex_places.h>
 #include <CGAL/Global_odt_mesh_3/internal/geometry/Vertex_tuples.h>
 #include <CGAL/Global_odt_mesh_3/internal/interface/Domain_view_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/surface/Exchangeable_boundary_3.h>
@@ -31,6 +31,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstddef>
 #include <iterator>
 #include <limits>
@@ -41,6 +42,14 @@
 namespace CGAL {
 namespace Global_odt_mesh_3 {
 namespace internal {
+
+// A place for a vertex, and by how much the deficits of the angles around it change if its cells stay the same.
+struct Promising_step
+{
+  int vertex;
+  Site site;
+  double change;
+};
 
 // What moving, inserting, or removing one vertex of a complex does to the angles of the cells, with the facets on surfaces that
 // it exchanges. A vertex is tried in some places, and then accepted in the last of them; until then, nothing is changed.
@@ -138,11 +147,19 @@ public:
     }
   }
 
-  // In the sphere around a cell.
+  // On the way into the sphere around a cell, in the tangential plane on a surface, by so much of the radius; none if it is there.
   std::optional<Site> place_in_sphere(const Quadruple& q, double share) const
   {
-    return internal::place_in_sphere({{ complex_.sites[q[0]], complex_.sites[q[1]], complex_.sites[q[2]], complex_.sites[q[3]] }},
-                                     from_, normal_, share);
+    const std::array<Site, 4> cell = cavity_.sites(q);
+    const Cell_products t(cell[0], cell[1], cell[2], cell[3]);
+    const Eigen::Vector3d to_center = Eigen::Vector3d(t.nx, t.ny, t.nz) / (2 * t.determinant);
+    Eigen::Vector3d way = position(cell[0]) + to_center - position(from_);
+    const double height = normal_.dot(way);
+    way -= height * normal_;
+    const double radius = std::sqrt(to_center.squaredNorm() - cell[0].weight - height * height), length = way.norm();
+    if(!(radius > 0) || !std::isfinite(radius) || !(length > radius))
+      return std::nullopt;
+    return site_at(position(from_) + (1 - (1 - share) * radius / length) * way, from_.weight);
   }
 
   // The change of the sum of the deficits with the vertex there, or infinity if it may not be there, if a cell is worse than all

@@ -23,7 +23,6 @@
 #include <CGAL/Global_odt_mesh_3/internal/triangulation/Fused_pass_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/triangulation/Half_facet.h>
 #include <CGAL/Global_odt_mesh_3/internal/triangulation/Indexed_triangulation_3.h>
-#include <CGAL/Global_odt_mesh_3/internal/triangulation/Kept_sites.h>
 #include <CGAL/Global_odt_mesh_3/internal/triangulation/Position_control_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/triangulation/Untangling_flips_3.h>
 
@@ -80,11 +79,10 @@ public:
   // Frees the memory for gradients until the next evaluation.
   void release_gradient() { gradient_.resize(0, 0); }
 
-  // Remembers the state for restore(): positions, density, topology and energy. From then on, positions change by move()
-  // alone.
+  // Remembers the state for restore(): positions, density, topology and energy.
   void keep()
   {
-    kept_sites_.keep();
+    kept_sites_ = sites;
     kept_energy_ = energy_;
     choice_.keep();
     topology.begin_trial();
@@ -101,13 +99,13 @@ public:
   template <class Place>
   void move(const Place& place)
   {
-    kept_sites_.move(sites, number_of_movable_vertices, threads_, place);
+    for_each_in_chunks(number_of_movable_vertices, threads_, [&](int v) { place(v, sites[v]); });
   }
 
   // There is no gradient after that.
   void restore()
   {
-    kept_sites_.restore(sites);
+    sites = kept_sites_;
     energy_ = kept_energy_;
     choice_.restore();
     topology.undo_trial();
@@ -130,7 +128,6 @@ public:
   bool evaluate()
   {
     ++statistics_.evaluations;
-    kept_sites_.prepare_changes(sites);
     asked_for_sites_.clear();
     stopped_.clear();
     choice_.update(sites, number_of_movable_vertices, threads_);
@@ -292,7 +289,7 @@ private:
   double energy_ = 0, kept_energy_ = 0, energy_of_pass_ = 0;
   std::vector<int> inverted_, stuck_, stopped_;
   std::vector<Half_facet> irregular_, star_;
-  Kept_sites kept_sites_;
+  std::vector<Site> kept_sites_;
   std::map<int, Site> asked_for_sites_;   // of vertices that repairs have moved
   Statistics statistics_;
 };

@@ -1,0 +1,174 @@
+// Copyright (c) 2026 The Global ODT Mesh authors.
+// All rights reserved.
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later OR LicenseRef-Commercial
+//
+// Author(s)     : The Global ODT Mesh authors
+
+#ifndef CGAL_GLOBAL_ODT_MESH_3_INTERNAL_COMPLEX_TRIAL_PREDICATES_3_H
+#define CGAL_GLOBAL_ODT_MESH_3_INTERNAL_COMPLEX_TRIAL_PREDICATES_3_H
+
+#include <CGAL/license/Global_odt_mesh_3.h>
+
+#include <CGAL/Global_odt_mesh_3/internal/complex/Exact_triangulation_3.h>
+#include <CGAL/Global_odt_mesh_3/internal/geometry/Cell_geometry_3.h>
+#include <CGAL/Global_odt_mesh_3/internal/geometry/Site.h>
+#include <CGAL/Global_odt_mesh_3/internal/geometry/Vertex_tuples.h>
+#include <CGAL/Global_odt_mesh_3/internal/triangulation/Half_facet.h>
+
+#include <CGAL/Kernel/global_functions.h>
+#include <CGAL/enum.h>
+
+#include <Eigen/Core>
+#include <Eigen/Geometry>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <vector>
+
+namespace CGAL {
+namespace Global_odt_mesh_3 {
+namespace internal {
+
+// Predicates of cells of the exact triangulation, and of such as may come, with one vertex somewhere else than there: from
+// floating-point numbers where their signs are sure, or else as the triangulation says, with its perturbation.
+class Trial_predicates_3
+{
+public:
+  Trial_predicates_3(const std::vector<Site>& sites, const Exact_triangulation_3& triangulation)
+    : sites_(sites)
+    , triangulation_(triangulation)
+  {}
+
+  int vertex() const { return vertex_; }
+
+  // Of any vertex, with the one in question at its place.
+  const Site& site(int v) const { return v == vertex_ ? site_ : sites_[v]; }
+
+  template <std::size_t n>
+  std::array<Site, n> sites(const std::array<int, n>& vertices) const
+  {
+    std::array<Site, n> result;
+    for(std::size_t i = 0; i < n; ++i)
+      result[i] = site(vertices[i]);
+    return result;
+  }
+
+protected:
+  // The sphere of a positive cell or, if that is infinite, the plane of its finite facet.
+  struct Sphere
+  {
+    Quadruple vertices;
+    int infinite;                               // the index of that vertex, or 4
+    Cell_sphere products;                       // with the normal of the plane
+    double squared_length;                      // of its edges and weights
+  };
+
+  void set_vertex(int v)
+  {
+    vertex_ = v;
+    move_vertex(sites_[v]);
+  }
+
+  void move_vertex(const Site& s)
+  {
+    site_ = s;
+    point_ = weighted_point(s);
+  }
+
+  Sphere sphere(const Quadruple& q) const
+  {
+    Sphere result;
+    result.vertices = q;
+    result.infinite = static_cast<int>(std::find(q.begin(), q.end(), -1) - q.begin());
+    if(result.infinite == 4)
+    {
+      const std::array<Site, 4> s = sites(q);
+      const Cell_products t(s[0], s[1], s[2], s[3]);
+      result.products = t;
+      result.squared_length = (std::max)({ t.aa, t.bb, t.cc, std::abs(s[0].weight), std::abs(s[1].weight), std::abs(s[2].weight),
+                                           std::abs(s[3].weight) });
+      return result;
+    }
+    const Triple& o = facet_indices(result.infinite);
+    const Eigen::Vector3d origin = position(site(q[o[0]]));
+    const Eigen::Vector3d a = position(site(q[o[1]])) - origin, b = position(site(q[o[2]])) - origin, normal = a.cross(b);
+    result.products = Cell_sphere{ 0, normal[0], normal[1], normal[2] };
+    result.squared_length = (std::max)(a.squaredNorm(), b.squaredNorm());
+    return result;
+  }
+
+  // Whether the vertex, or another one, would destroy the cell.
+  bool is_in_conflict(const Sphere& s) const { return is_in_conflict(s, vertex_); }
+
+  bool is_in_conflict(const Sphere& s, int v) const
+  {
+    const Site& q = site(v);
+    double value, bound;
+    if(s.infinite == 4)
+    {
+      const Site& origin = site(s.vertices[0]);
+      const double x = q.x - origin.x, y = q.y - origin.y, z = q.z - origin.z;
+      const double r = x * x + y * y + z * z + std::abs(q.weight) + std::abs(origin.weight), l = s.squared_length;
+      value = -s.products.power(origin, q);
+      bound = filter * l * (std::sqrt(l) * r + l * std::sqrt(r));
+    }
+    else
+    {
+      const Eigen::Vector3d way = position(site(s.vertices[facet_indices(s.infinite)[0]])) - position(q);
+      value = way.dot(Eigen::Vector3d(s.products.nx, s.products.ny, s.products.nz));
+      bound = filter * s.squared_length * way.norm();
+    }
+    return value > bound || (!(value < -bound) && is_exactly_in_conflict(s, point(v)));
+  }
+
+  // Whether it is oriented as cells are; an infinite one is.
+  bool is_positive(const Quadruple& q) const
+  {
+    if(*std::min_element(q.begin(), q.end()) < 0)
+      return true;
+    const std::array<Site, 4> s = sites(q);
+    const Cell_products t(s[0], s[1], s[2], s[3]);
+    const double bound = filter * t.cubed_length();
+    return t.determinant > bound
+           || (!(t.determinant < -bound) && CGAL::orientation(point(q[0]).point(), point(q[1]).point(), point(q[2]).point(),
+                                                              point(q[3]).point()) == POSITIVE);
+  }
+
+private:
+  static constexpr double filter = 1e-13;                   // relative errors of what signs are told from
+
+  Weighted_point point(int v) const { return v == vertex_ ? point_ : weighted_point(sites_[v]); }
+
+  bool is_exactly_in_conflict(const Sphere& s, const Weighted_point& p) const
+  {
+    const Quadruple& v = s.vertices;
+    // Perturbation knows no order of points at one place. That no cell with both is positive is seen later.
+    if(std::any_of(v.begin(), v.end(), [&](int w) { return w >= 0 && point(w).point() == p.point(); }))
+      return false;
+    if(s.infinite == 4)
+      return triangulation_.side_of_oriented_power_sphere(point(v[0]), point(v[1]), point(v[2]), point(v[3]), p, true)
+             == ON_POSITIVE_SIDE;
+    const Triple& o = facet_indices(s.infinite);
+    const Weighted_point a = point(v[o[0]]), b = point(v[o[1]]), c = point(v[o[2]]);
+    const Orientation side = CGAL::orientation(p.point(), a.point(), b.point(), c.point());
+    return side == POSITIVE
+           || (side == COPLANAR && triangulation_.side_of_bounded_power_circle(a, b, c, p, true) == ON_BOUNDED_SIDE);
+  }
+
+  const std::vector<Site>& sites_;
+  const Exact_triangulation_3& triangulation_;
+  int vertex_ = -1;
+  Site site_ = { 0, 0, 0, 0 };
+  Weighted_point point_;                        // there
+};
+
+} // namespace internal
+} // namespace Global_odt_mesh_3
+} // namespace CGAL
+
+#endif // CGAL_GLOBAL_ODT_MESH_3_INTERNAL_COMPLEX_TRIAL_PREDICATES_3_H
