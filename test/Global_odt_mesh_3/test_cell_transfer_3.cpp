@@ -175,7 +175,7 @@ static int flip_at_random(Moving_triangulation_3& mesh, double share, unsigned i
 template <class C3t3, class Domain>
 void domain_meshes(const std::string& name, const C3t3& c3t3, const Domain& domain, Outcome expected)
 {
-  const Opened_complex<C3t3, Domain> setting(c3t3, domain, Boundary_motion::BY_NORMALS);
+  const Opened_complex<C3t3, Domain> setting(c3t3, domain, true);
   Moving_triangulation_3 mesh = setting.mesh;
   transfer_cells(name + ", as read", mesh, mesh.sites, expected);
   move(mesh, 0.2, 1);
@@ -206,12 +206,12 @@ void domain_meshes(const std::string& name, const C3t3& c3t3, const Domain& doma
 template <class C3t3, class Domain>
 void complexes(const std::string& name, const C3t3& c3t3, const Domain& domain, bool is_final)
 {
-  Opened_complex<C3t3, Domain> with(c3t3, domain, Boundary_motion::BY_NORMALS), without(c3t3, domain, Boundary_motion::BY_NORMALS);
+  Opened_complex<C3t3, Domain> with(c3t3, domain, true), without(c3t3, domain, true);
   for(unsigned int n = 0; n < 3; ++n)
   {
     move(with.mesh, 0.1, 10 + n);
-    const bool done = with.complex.advance(with.mesh, is_final).has_value();
-    check::that(without.complex.advance(with.mesh.sites, is_final).has_value() == done, name, ": only one way succeeds");
+    const bool done = with.complex.advance(with.mesh, is_final);
+    check::that(without.complex.advance(with.mesh.sites, is_final) == done, name, ": only one way succeeds");
     if(!done)
       continue;
     const auto &a = with.complex.snapshot(), &b = without.complex.snapshot();
@@ -456,7 +456,7 @@ int main()
   {
     // Nearly all vertices are on the surface.
     const Labeled_domain domain = domains::thin_plate();
-    const Opened_complex<Labeled_c3t3, Labeled_domain> plate(domains::mesh(domain, 0.15), domain, Boundary_motion::BY_NORMALS);
+    const Opened_complex<Labeled_c3t3, Labeled_domain> plate(domains::mesh(domain, 0.15), domain, true);
     transfer_cells("thin plate", plate.mesh, plate.mesh.sites, NOT_TRANSFERRED);
   }
   {

@@ -246,7 +246,7 @@ static void long_plans()
   for(std::size_t wanted : { std::size_t(0), std::size_t(1), std::size_t(100), std::size_t(most), std::size_t(-1) })
   {
     parameters.max_iteration_number = wanted;
-    Round_plan plan(Odt_task::OPTIMIZE, parameters, true, false);
+    Round_plan plan(Odt_task::OPTIMIZE, parameters, true);
     check::that(plan.number_of_iterations() > 0 && plan.usual_most_iterations() > plan.number_of_iterations(),
                 plan.number_of_iterations(), " iterations are planned, and ", plan.usual_most_iterations(), " made at most");
     double before = 0;

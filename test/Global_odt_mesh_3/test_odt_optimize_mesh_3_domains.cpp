@@ -147,7 +147,7 @@ static void grading(const domains::Labeled_domain& domain)
   Labeled_c3t3 uniform = mesh(domain, 0.2), graded = graded_mesh(domain, 0.05);
   const auto is_uniform = [&domain](const Labeled_c3t3& c3t3)
   {
-    const odt::Opened_complex<Labeled_c3t3, Labeled_domain> opened(c3t3, domain, odt::Boundary_motion::BY_NORMALS);
+    const odt::Opened_complex<Labeled_c3t3, Labeled_domain> opened(c3t3, domain, true);
     return odt::Input_density_3(opened.mesh).is_uniform();
   };
   check::that(is_uniform(uniform), "a uniform mesh is not taken for uniform");

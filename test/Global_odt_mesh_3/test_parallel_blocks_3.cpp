@@ -68,29 +68,6 @@ static Moving_triangulation_3 ball(int on_sphere, int inside)
   return mesh;
 }
 
-static Eigen::Vector3d circumcenter(const std::array<Site, 4>& s)
-{
-  Eigen::Matrix3d edges;
-  Eigen::Vector3d half_squares;
-  for(int i = 0; i < 3; ++i)
-  {
-    edges.row(i) = position(s[i + 1]) - position(s[0]);
-    half_squares[i] = edges.row(i).squaredNorm() / 2;
-  }
-  return position(s[0]) + edges.partialPivLu().solve(half_squares);
-}
-
-// Half way between the circumcenters on either side of a facet, over its plane, positive toward the other cell.
-static double height_between(const Moving_triangulation_3& mesh, Half_facet s, Half_facet across)
-{
-  const std::array<int, 3> f = mesh.topology.facet(s);
-  const Eigen::Vector3d p = position(mesh.sites[f[0]]);
-  const Eigen::Vector3d normal = (position(mesh.sites[f[1]]) - p).cross(position(mesh.sites[f[2]]) - p).normalized();
-  const Eigen::Vector3d middle = (circumcenter(mesh.cell_sites(s.cell())) + circumcenter(mesh.cell_sites(across.cell()))) / 2;
-  const bool is_outward = normal.dot(position(mesh.sites[mesh.topology.vertex(across)]) - p) > 0;
-  return normal.dot(middle - p) * (is_outward ? 1 : -1);
-}
-
 // Facets between two halves are constrained, from both sides; the vertices there stay.
 static Moving_triangulation_3 halved_ball(int on_sphere, int inside)
 {
@@ -115,7 +92,6 @@ static Moving_triangulation_3 halved_ball(int on_sphere, int inside)
     const int number = mesh.topology.number_of_constrained_facets();
     mesh.topology.set_neighbors(slot, Half_facet::side(number, 0));
     mesh.topology.set_neighbors(across, Half_facet::side(number, 1));
-    mesh.surface_heights.push_back(height_between(mesh, slot, across));
   }
   std::vector<int> order(mesh.sites.size()), place(mesh.sites.size());
   for(std::size_t v = 0; v < order.size(); ++v)
@@ -212,8 +188,6 @@ static void load_and_store(const Moving_triangulation_3& input)
       blocks.load(n, part);
       check::that(part.topology.is_valid(), "block ", n, " is not valid");
       check::that(part.is_regular(), "block ", n, " is not regular");
-      check::that(part.surface_heights.size() == std::size_t(part.topology.number_of_constrained_facets()),
-                  "block ", n, " has not as many heights as facets");
       for(std::size_t v = 0; v < part.sites.size(); ++v)
         check::that(same_place(part.sites[v], mesh.sites[blocks.vertices(n)[v]])
                     && blocks.number(n, blocks.vertices(n)[v]) == int(v), "vertex ", v, " is another one in block ", n);

@@ -89,7 +89,7 @@ void compare(const char* name, const C3t3& input, const Domain& domain)
       odt::Mesh_domain_view_3<Domain> domain_view(domain);
       odt::C3t3_view_3<C3t3, Domain> view(copy, domain_view);
       odt::Facet_bounds_3 bounds(domain_view);
-      odt::Complex_updater_3 complex(domain_view, bounds, odt::Boundary_motion::NONE);
+      odt::Complex_updater_3 complex(domain_view, bounds, false);
       odt::Moving_triangulation_3 mesh;
       complex.start(odt::Snapshot_reader_3(view).read(mesh, false));
       if(complex.advance(mesh, true))

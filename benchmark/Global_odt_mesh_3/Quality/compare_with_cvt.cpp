@@ -175,9 +175,8 @@ int main(int argc, char* argv[])
   Results results(all.size());
   for(unsigned int seed = 1; seed <= seeds; ++seed)
   {
-    // Far enough from the surface for its facets to see all Voronoi cells that it cuts, which is kept up.
+    // Far enough from the surface for its facets to see all Voronoi cells that it cuts.
     Moving_triangulation_3 cube = random_cube(seed, vertices, Cube_surface::SHIFTED_ROWS, 0.62);
-    std::fill(cube.surface_heights.begin(), cube.surface_heights.end(), 0.);
     for(std::size_t w = 0; w < all.size(); ++w)
       results[w].push_back(result(all[w], cube, seed));
     std::fprintf(stderr, "seed %u of %u\n", seed, seeds);
