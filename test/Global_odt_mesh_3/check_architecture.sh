@@ -4,8 +4,16 @@
 #
 #   check_architecture.sh "internal directory"
 set -euo pipefail
+counter=$(cd "$(dirname "$0")/../../scripts" && pwd)/count_lines_of_code.sh
 cd "$1"
 status=0
+
+most_lines=11900
+lines=$("$counter" ../../..)
+if [ "$lines" -gt $most_lines ]; then
+  echo "the headers have $lines lines of code: which of them can go?"
+  status=1
+fi
 
 # Beside each other: geometry and parallel. Only the door, which comes last, knows the types of the user.
 rank() {
