@@ -175,7 +175,10 @@ std::size_t test_removal(const std::string& name, const C3t3& input, const Domai
       add(all_without, small_angles(without));
       add(all, small_angles(c3t3));
       removed += visitor.removed.size();
-      std::cout << name << ": " << visitor.removed.size() << " of " << before << " vertices removed, now " << after << std::endl;
+      std::cout << name << ": " << visitor.removed.size() << " of " << before << " vertices removed, now " << after
+                << "; smallest angles and cells below 30 degrees: " << small_angles(without).first << ' '
+                << small_angles(without).second << ", with removal " << small_angles(c3t3).first << ' ' << small_angles(c3t3).second
+                << std::endl;
     }
     const double angle_without = all_without.first / seeds, angle = all.first / seeds;
     std::cout << name << ": mean of the smallest angles " << angle_without << " -> " << angle << ", cells below 30 degrees "

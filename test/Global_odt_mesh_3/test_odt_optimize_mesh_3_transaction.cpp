@@ -112,8 +112,6 @@ static std::vector<double> contents(Complex_updater_3& complex)
   std::vector<double> c = { double(snapshot.is_input) };
   for(const Site& s : snapshot.sites)
     c.insert(c.end(), { s.x, s.y, s.z, s.weight });
-  for(const auto& p : snapshot.surface_positions)
-    c.insert(c.end(), { double(p.is_on_surface), p.drift, p.last_on_surface.x, p.last_on_surface.y, p.last_on_surface.z });
   for(const auto& center : snapshot.centers)
     c.insert(c.end(), { center.point[0], center.point[1], center.point[2], double(center.is_exact) });
   for(const Boundary_facet& f : snapshot.boundary.complex().facets())

@@ -371,31 +371,6 @@ static void same_for_all_threads(const Moving_triangulation_3& input, bool is_gr
   }
 }
 
-// Vertices on surfaces stay where they are in one direction; those that ask are counted, and too many are refused.
-struct Motion_in_planes
-  : public Vertex_motion_3
-{
-  Motion_in_planes(const Moving_triangulation_3& from, long most) : from(from), most(most) {}
-
-  bool approach(int v, Site& s) override
-  {
-    if(v >= from.number_of_interior_vertices)
-      s.z = from.sites[v].z;
-    return true;
-  }
-
-  bool settle(int, Site&) override
-  {
-    if(++settled > most)
-      throw std::runtime_error("the motion fails");
-    return true;
-  }
-
-  const Moving_triangulation_3& from;
-  long most;
-  std::atomic<long> settled = 0;
-};
-
 // A density that throws in a block is heard of, and a search that is stopped leaves a valid mesh.
 static void ends_before(const Moving_triangulation_3& input)
 {

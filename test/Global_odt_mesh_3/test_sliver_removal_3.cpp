@@ -218,7 +218,7 @@ static void cavities(const Labeled_c3t3& c3t3, const Labeled_domain& domain, boo
     Site to = random_site();
     if(what == 0)
       to = site_at(position(complex.sites[v]) + (position(to) - position(complex.sites[v])).array().round().max(-1).min(1).matrix()
-                     * (is_lattice ? 1 : 0.3 * random.uniform()), 0);
+                     * (is_lattice ? 0.5 : 0.3 * random.uniform()), 0);
     bool is_found;
     if(what == 2)
     {

@@ -49,7 +49,7 @@ public:
                     const Thread_policy& threads)
     : mesh_(mesh)
     , bounds_(bounds)
-    , complex_(domain, bounds, boundary_moves, false, threads)
+    , complex_(domain, bounds, boundary_moves, threads)
   {
     complex_.start(Snapshot_reader_3(mesh, threads).read(indexed_, boundary_moves));
     is_editable_ = mesh.is_changed() || complex_.make_regular();

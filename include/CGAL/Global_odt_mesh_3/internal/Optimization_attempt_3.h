@@ -64,7 +64,7 @@ public:
     , field_(field)
     , control_(control)
     , threads_(threads)
-    , complex_(domain, bounds, boundary_moves, static_cast<bool>(field), threads)     // to sizes that the input does not have
+    , complex_(domain, bounds, boundary_moves, threads)
   {
     const auto in_stage = during(Stage_clock::READ);
     complex_.start(Snapshot_reader_3(input, threads).read(mesh_, boundary_moves));

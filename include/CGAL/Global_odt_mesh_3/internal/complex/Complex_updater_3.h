@@ -49,13 +49,12 @@ namespace internal {
 class Complex_updater_3
 {
 public:
-  // Refers to the domain and the bounds. If vertices have long ways to go, facets may be thin until the final snapshot.
-  Complex_updater_3(const Domain_view_3& domain, Facet_bounds_3& bounds, bool boundary_moves, bool has_long_ways = false,
+  // Refers to the domain and the bounds.
+  Complex_updater_3(const Domain_view_3& domain, Facet_bounds_3& bounds, bool boundary_moves,
                     const Thread_policy& threads = Thread_policy())
     : domain_(domain)
     , boundary_moves_(boundary_moves)
     , threads_(threads)
-    , has_long_ways_(has_long_ways)
     , bounds_(bounds)
   {}
 
@@ -183,8 +182,7 @@ private:
     Candidate_repair_3 repair(candidate, domain_, [&] { build(candidate, nullptr); });
     for(int attempt = 0; attempt < most_attempts; ++attempt)
     {
-      const bool wants_good_facets = (candidate.is_final || !has_long_ways_) && attempt < attempts_at_good_facets;
-      Defect_report_3 report = check(candidate, wants_good_facets);
+      Defect_report_3 report = check(candidate, attempt < attempts_at_good_facets);
       if(report.is_clean())
         return true;
       if(report.is_beyond_repair())
@@ -233,7 +231,6 @@ private:
   const Domain_view_3& domain_;
   bool boundary_moves_;
   Thread_policy threads_;
-  bool has_long_ways_;
   Facet_bounds_3& bounds_;
   Complex_snapshot_3 snapshot_;
   Working_triangulation_3 triangulation_;

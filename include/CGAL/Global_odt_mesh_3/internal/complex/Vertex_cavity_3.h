@@ -125,9 +125,9 @@ public:
     created_.clear();
     queue_.clear();
     ++search_;
+    const bool is_filled = fill_hole();
     for(Hole_cell& h : hole_)
       h.is_in_conflict = false;
-    const bool is_filled = fill_hole();
     list_cells();
     return is_filled;
   }
