@@ -50,7 +50,7 @@ public:
 private:
   static constexpr int first_step = 1;
   // All tries are in proportion to the cells, and to those that there are to remove in the first step.
-  static constexpr std::size_t fewest_tries = 40000, tries_for_two_cells = 5, tries_for_a_sliver = 120;
+  static constexpr std::size_t fewest_tries = 10000, tries_for_two_cells = 5, tries_for_a_sliver = 80;
   static constexpr std::size_t tries_for_a_removed_cell = 100;      // what pays
   static constexpr double share_of_climb = 0.8;         // of the tries; the others are for the worst cells
   // Above the angle, no step is taken if no bound is given, and cells are left below the one before or more of them
