@@ -388,6 +388,8 @@ private:
     const Eigen::Vector3d dual = position(s[0]) + Eigen::Vector3d(t.nx, t.ny, t.nz) / (2 * t.determinant);
     for(int i = 0; i < 4; ++i)
     {
+      if(c.vertices[i] >= complex_.snapshot.boundary.complex().number_of_vertices())      // inserted since
+        continue;
       const int label = complex_.snapshot.boundary.label_toward(c.vertices[i], dual - position(s[i]), margin);
       if(label != Boundary_geometry_3::no_label)
         return label;
