@@ -159,8 +159,7 @@ private:
     }
   }
 
-  // On the way, cells are looked up in the domain only where that is not clear. A round that leads to no valid complex is lost,
-  // and the next needs the memory more than the triangulation.
+  // A round that leads to no valid complex is lost, and the next needs the memory more than the triangulation.
   void store_round()
   {
     complex_.advance(mesh_, false);

@@ -35,9 +35,8 @@ namespace internal {
 // Labels the cells of a candidate, and reports those that have no label that fits.
 //
 // Where a vertex has no boundary facet, its subdomain is the label, and the dual point has to be there. A cell with all
-// vertices on the boundary is labelled by the side on which its dual point lies. On the way, that is as seen
-// from the vertices on the boundary where these agree and see it clearly, unless a cell would be wrong. In the end the
-// domain is asked, even far from the boundary, since details that the samples miss leave holes that no facet goes around.
+// vertices on the boundary is labelled by the side on which its dual point lies. The domain is asked about cells at the boundary
+// and, in the end, about all others, too, since details that the samples miss leave holes that no facet goes around.
 class Cell_labels_3
 {
 public:
@@ -90,23 +89,6 @@ private:
 
   bool is_on_boundary(int v) const { return candidate_.numbering.is_on_boundary(v); }
 
-  // The one label of the vertices that are not on the boundary, or no_subdomain if there are none; false and one of them if
-  // they have several.
-  bool find_label(const Quadruple& q, int& label) const
-  {
-    label = no_subdomain;
-    for(int v : q)
-    {
-      const int l = v < 0 ? Domain_view_3::outside : candidate_.numbering.subdomain[v];
-      if(l == no_subdomain || l == label)
-        continue;
-      if(label != no_subdomain)
-        return false;
-      label = l;
-    }
-    return true;
-  }
-
   // Begins anew with a cell, and labels it if its vertices are enough for that; whether it has done so.
   bool label_by_vertices(Cell_handle c) const
   {
@@ -119,7 +101,7 @@ private:
       c->set_flag(MAY_HAVE_BOUNDARY_FACETS);
     const bool is_in_question = on_boundary > 0 || (!is_infinite && candidate_.is_final);
     int label;
-    if(is_in_question || !find_label(q, label))
+    if(is_in_question || !candidate_.numbering.find_label(q, label))
       return false;
     c->set_label(label);
     c->set_flag(IS_SETTLED);
@@ -130,7 +112,7 @@ private:
   {
     Findings found;
     const Quadruple q = candidate_.numbers(c);
-    found.has_several_labels = !find_label(q, found.label);
+    found.has_several_labels = !candidate_.numbering.find_label(q, found.label);
     if(found.has_several_labels)
       return found;
     const bool is_boundary_cell = found.label == no_subdomain;

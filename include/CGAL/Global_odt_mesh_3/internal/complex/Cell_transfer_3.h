@@ -114,11 +114,8 @@ private:
     {
       const std::array<int, 4> v = working_.numbers(cells[c]);
       for(int i = 0; i < 4; ++i)
-      {
-        const std::array<int, 3>& f = facet_indices(i);
-        if(const int* const n = numbers.find(rotated({{ v[f[0]], v[f[1]], v[f[2]] }})))
+        if(const int* const n = numbers.find(rotated(facet_vertices(v, i))))
           inner_[*n] = Facet(cells[c], i);
-      }
     });
     const auto find_wrong_facets = [this](int n, std::vector<int>& wrong)
     {

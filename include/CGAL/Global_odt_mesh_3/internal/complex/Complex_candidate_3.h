@@ -110,8 +110,6 @@ struct Complex_candidate_3
   // Of the vertices of a cell, -1 for the infinite one.
   Quadruple numbers(Cell_handle c) const { return working.numbers(c); }
 
-  int times_sent_back(int v) const { return times(vertices_sent_back, v); }
-
   bool is_at_input(int v) const { return numbering.is_input_site(v, sites[v]); }
   bool is_reverted(int v) const { return same_place(sites[v], revert_sites[v]); }
 
@@ -151,13 +149,6 @@ struct Complex_candidate_3
     for(std::size_t n = 0; n < facets.size(); ++n)
       mark_facet(next.boundary.complex().facets()[n], facets[n], working);
     return next;
-  }
-
-private:
-  static int times(const std::map<int, int>& vertices, int v)
-  {
-    const auto it = vertices.find(v);
-    return it == vertices.end() ? 0 : it->second;
   }
 };
 

@@ -15,6 +15,7 @@
 #include <CGAL/Global_odt_mesh_3/internal/geometry/Facet_geometry_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/geometry/Site.h>
 #include <CGAL/Global_odt_mesh_3/internal/geometry/Vertex_tuples.h>
+#include <CGAL/Global_odt_mesh_3/internal/interface/Domain_view_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/interface/Mesh_view_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/interface/User_field_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/surface/Boundary_complex_3.h>
@@ -86,6 +87,23 @@ struct Vertex_numbering_3
       if(off_boundary == 0 || is_off_boundary(q[i]))
         f(i);
     return off_boundary == 0;
+  }
+
+  // The one label of the vertices of a cell that are not on the boundary, or no_subdomain if there are none; false and one of them
+  // if they have several. The infinite vertex is outside.
+  bool find_label(const Quadruple& q, int& label) const
+  {
+    label = no_subdomain;
+    for(int v : q)
+    {
+      const int l = v < 0 ? Domain_view_3::outside : subdomain[v];
+      if(l == no_subdomain || l == label)
+        continue;
+      if(label != no_subdomain)
+        return false;
+      label = l;
+    }
+    return true;
   }
 
   // Whether the site is that of the vertex in the input.

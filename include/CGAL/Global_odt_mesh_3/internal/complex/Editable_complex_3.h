@@ -59,8 +59,6 @@ struct Editable_complex_3
     Facet facet;
   };
 
-  static constexpr int no_subdomain = Complex_snapshot_3::no_subdomain;
-
   const Complex_snapshot_3& snapshot;
   const Vertex_numbering_3& numbering;
   const Domain_view_3& domain;
@@ -104,18 +102,14 @@ struct Editable_complex_3
   {
     if(*std::min_element(q.begin(), q.end()) < 0)
       return Domain_view_3::outside;
-    int label = unknown;
-    for(int v : q)
-    {
-      const int l = numbering.subdomain[v];
-      if(l == no_subdomain || l == label)
-        continue;
-      if(label != unknown)
-        return mixed;
-      label = l;
-    }
-    return label;
+    int label;
+    if(!numbering.find_label(q, label))
+      return mixed;
+    return label == Vertex_numbering_3::no_subdomain ? unknown : label;
   }
+
+  // Whether the snapshot does not have the vertex.
+  bool is_inserted(int v) const { return v >= static_cast<int>(snapshot.sites.size()); }
 
   // The next one, out of the triangulation.
   int add_vertex(const Site& s)
@@ -171,14 +165,16 @@ struct Editable_complex_3
   // Whether the sliver has not given way to other cells.
   bool has(const Sliver_3& s) const { return triangulation().tds().cells().is_used(s.cell) && sorted(numbers(s.cell)) == s.vertices; }
 
-  // The boundary, in the order of its facets' vertices. No cell needs a look at the domain afterwards.
+  // The boundary, in the order of its facets' vertices.
   std::vector<Found_facet> find_boundary() const
   {
     const std::vector<Cell_handle>& cells = working.cells();
     std::vector<Found_facet> found = collect_in_chunks<Found_facet>(static_cast<int>(cells.size()), threads,
                                                                     [&](int n, std::vector<Found_facet>& some)
     {
-      settle(cells[n]);
+      cells[n]->clear_flags();
+      // Of facets that have been on the boundary, cells around the vertices that moved know it still.
+      cells[n]->clear_facets();
       find_facets(cells[n], some);
     });
     threads.sort(found.begin(), found.end(), [](const Found_facet& a, const Found_facet& b) { return a.key < b.key; });
@@ -203,15 +199,6 @@ struct Editable_complex_3
   }
 
 private:
-  // A cell that needs no look at the domain any more.
-  void settle(Cell_handle c) const
-  {
-    c->clear_flags();
-    c->set_flag(IS_SETTLED);
-    // Of facets that have been on the boundary, cells around the vertices that moved know it still.
-    c->clear_facets();
-  }
-
   // Those on the boundary whose first side is this cell, which is told if all its vertices are there.
   void find_facets(Cell_handle c, std::vector<Found_facet>& found) const
   {

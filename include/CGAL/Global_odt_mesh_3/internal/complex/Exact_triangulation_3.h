@@ -106,7 +106,6 @@ public:
   bool has_flag(int flag) const { return flags_ & (1 << flag); }
   bool has_flags() const { return flags_ != 0; }
   void set_flag(int flag) { flags_ |= 1 << flag; }
-  void clear_flag(int flag) { flags_ &= ~(1 << flag); }
   void clear_flags() { flags_ = 0; }
 
   // How often the removal of slivers has tried in vain to improve the cell.

@@ -19,6 +19,7 @@
 #include <CGAL/Global_odt_mesh_3/internal/geometry/Site.h>
 #include <CGAL/Global_odt_mesh_3/internal/geometry/Vertex_tuples.h>
 #include <CGAL/Global_odt_mesh_3/internal/surface/Exchangeable_boundary_3.h>
+#include <CGAL/Global_odt_mesh_3/internal/triangulation/Half_facet.h>
 
 #include <Eigen/Core>
 
@@ -94,8 +95,7 @@ private:
     for(int n = 0; n < static_cast<int>(cells.size()); ++n)
       for(int i = 0; i < 4; ++i)
       {
-        const Quadruple& q = cells[n]->vertices;
-        const Triple t = sorted(Triple{{ q[(i + 1) % 4], q[(i + 2) % 4], q[(i + 3) % 4] }});
+        const Triple t = sorted(facet_vertices(cells[n]->vertices, i));
         if(t[0] >= 0)
           result.push_back({ t, n, i });
       }

@@ -84,7 +84,7 @@ protected:
   {
     Sphere result;
     result.vertices = q;
-    result.infinite = static_cast<int>(std::find(q.begin(), q.end(), -1) - q.begin());
+    result.infinite = index_of(q, -1);
     if(result.infinite == 4)
     {
       const std::array<Site, 4> s = sites(q);
@@ -94,9 +94,9 @@ protected:
                                            std::abs(s[3].weight) });
       return result;
     }
-    const Triple& o = facet_indices(result.infinite);
-    const Eigen::Vector3d origin = position(site(q[o[0]]));
-    const Eigen::Vector3d a = position(site(q[o[1]])) - origin, b = position(site(q[o[2]])) - origin, normal = a.cross(b);
+    const Triple t = facet_vertices(q, result.infinite);
+    const Eigen::Vector3d origin = position(site(t[0]));
+    const Eigen::Vector3d a = position(site(t[1])) - origin, b = position(site(t[2])) - origin, normal = a.cross(b);
     result.products = Cell_sphere{ 0, normal[0], normal[1], normal[2] };
     result.squared_length = (std::max)(a.squaredNorm(), b.squaredNorm());
     return result;
@@ -153,8 +153,8 @@ private:
     if(s.infinite == 4)
       return triangulation_.side_of_oriented_power_sphere(point(v[0]), point(v[1]), point(v[2]), point(v[3]), p, true)
              == ON_POSITIVE_SIDE;
-    const Triple& o = facet_indices(s.infinite);
-    const Weighted_point a = point(v[o[0]]), b = point(v[o[1]]), c = point(v[o[2]]);
+    const Triple t = facet_vertices(v, s.infinite);
+    const Weighted_point a = point(t[0]), b = point(t[1]), c = point(t[2]);
     const Orientation side = CGAL::orientation(p.point(), a.point(), b.point(), c.point());
     return side == POSITIVE
            || (side == COPLANAR && triangulation_.side_of_bounded_power_circle(a, b, c, p, true) == ON_BOUNDED_SIDE);

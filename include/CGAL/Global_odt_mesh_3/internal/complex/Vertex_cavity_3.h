@@ -141,7 +141,7 @@ public:
   {
     for(const Cell* c : old_cells_)
       for(int i = 0; i < 4; ++i)
-        if(facet_key(c->vertices, i) == facet && !goes(c->handle->neighbor(i)))
+        if(sorted(facet_vertices(c->vertices, i)) == facet && !goes(c->handle->neighbor(i)))
           return c->handle->neighbor(i);
     return Cell_handle();
   }
@@ -188,8 +188,6 @@ private:
   };
 
   static constexpr int unknown = (std::numeric_limits<int>::max)();
-
-  static Triple facet_key(const Quadruple& q, int i) { return sorted(Triple{{ q[(i + 1) % 4], q[(i + 2) % 4], q[(i + 3) % 4] }}); }
 
   Cell known_cell(Cell_handle c) const
   {
@@ -245,8 +243,7 @@ private:
     for(std::size_t n = 0; n < star_.size(); ++n)
     {
       const Quadruple& q = star_[n].vertices;
-      const Triple& o = facet_indices(static_cast<int>(std::find(q.begin(), q.end(), vertex()) - q.begin()));
-      const Triple f = {{ q[o[0]], q[o[1]], q[o[2]] }};
+      const Triple f = facet_vertices(q, index_of(q, vertex()));
       open_.push_back({ sorted(f), f, ~static_cast<int>(n), 0 });
     }
     while(!open_.empty())
@@ -389,7 +386,7 @@ private:
   int beyond_star(int n)
   {
     const Cell& c = star_[n];
-    return local(c.handle->neighbor(static_cast<int>(std::find(c.vertices.begin(), c.vertices.end(), vertex()) - c.vertices.begin())));
+    return local(c.handle->neighbor(index_of(c.vertices, vertex())));
   }
 
   // The cell that is near a new vertex, or one beside it, is to be in conflict.

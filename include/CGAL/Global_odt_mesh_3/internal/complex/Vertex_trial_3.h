@@ -11,7 +11,6 @@
 #define CGAL_GLOBAL_ODT_MESH_3_INTERNAL_COMPLEX_VERTEX_TRIAL_3_H
 
 #include <CGAL/license/Global_odt_mesh_3.h>
-#include <CGAL/license/Global_odt_mesh_3.h>
 
 #include <CGAL/Global_odt_mesh_3/internal/complex/Editable_complex_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/complex/Facet_exchange_3.h>
@@ -133,7 +132,7 @@ public:
     Angle_step_3 angle_step(goal_.wanted(), normal_);
     for(const Cell& c : cavity_.star())
       if(is_inside(c.label))
-        angle_step.add(cavity_.sites(c.vertices), static_cast<int>(std::find(c.vertices.begin(), c.vertices.end(), v) - c.vertices.begin()));
+        angle_step.add(cavity_.sites(c.vertices), index_of(c.vertices, v));
     const Eigen::Vector3d step = angle_step.displacement(farthest * mean_edge_);
     double before = 0;
     for(const Cell& c : cavity_.star())
@@ -248,10 +247,10 @@ private:
     change_ = Vertex_change{ cavity_.vertex(), false, own_patch(cavity_.vertex()) };
   }
 
-  // Not one that has been inserted into the snapshot, nor one without which there are no cells.
+  // Not one that has been inserted, nor one without which there are no cells.
   bool is_movable(int v) const
   {
-    if(v < 0 || v >= static_cast<int>(complex_.snapshot.sites.size()) || !complex_.working.keeps_dimension_without(v))
+    if(v < 0 || complex_.is_inserted(v) || !complex_.working.keeps_dimension_without(v))
       return false;
     if(!complex_.numbering.is_on_boundary(v) || !complex_.boundary_moves)
       return complex_.numbering.is_interior(v);
@@ -388,7 +387,7 @@ private:
     const Eigen::Vector3d dual = position(s[0]) + Eigen::Vector3d(t.nx, t.ny, t.nz) / (2 * t.determinant);
     for(int i = 0; i < 4; ++i)
     {
-      if(c.vertices[i] >= complex_.snapshot.boundary.complex().number_of_vertices())      // inserted since
+      if(complex_.is_inserted(c.vertices[i]))
         continue;
       const int label = complex_.snapshot.boundary.label_toward(c.vertices[i], dual - position(s[i]), margin);
       if(label != Boundary_geometry_3::no_label)
@@ -429,7 +428,7 @@ private:
       if(!is_inside(c.label))
         continue;
       std::array<Site, 4> s = cavity_.sites(c.vertices);
-      s[std::find(c.vertices.begin(), c.vertices.end(), cavity_.vertex()) - c.vertices.begin()] = to;
+      s[index_of(c.vertices, cavity_.vertex())] = to;
       if(!(Cell_products(s[0], s[1], s[2], s[3]).determinant > 0))
         return infinity;
       sum += lack(c.vertices, s).deficit;

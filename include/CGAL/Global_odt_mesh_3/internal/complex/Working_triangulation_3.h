@@ -72,9 +72,7 @@ public:
   // that of the cell.
   static Triple vertices(const Facet& f)
   {
-    const Triple& k = facet_indices(f.second);
-    return rotated({{ number(f.first->vertex(k[0])), number(f.first->vertex(k[1])),
-                                        number(f.first->vertex(k[2])) }});
+    return rotated(facet_vertices(numbers(f.first), f.second));
   }
 
   // Whether a facet is looked at from this cell, and not from the other: the one whose other vertex has the higher number.
@@ -339,9 +337,7 @@ private:
 
   static void add_side(const Facet& f, std::vector<Side>& sides)
   {
-    const Triple& k = facet_indices(f.second);
-    sides.push_back({ sorted(Triple{{ number(f.first->vertex(k[0])), number(f.first->vertex(k[1])),
-                                      number(f.first->vertex(k[2])) }}), f });
+    sides.push_back({ sorted(facet_vertices(numbers(f.first), f.second)), f });
   }
 
   Vertex_handle handle(int v) const { return v < 0 ? tr_.infinite_vertex() : vertices_[v]; }

@@ -11,7 +11,6 @@
 #define CGAL_GLOBAL_ODT_MESH_3_INTERNAL_DENSITY_FIELD_DENSITY_3_H
 
 #include <CGAL/license/Global_odt_mesh_3.h>
-#include <CGAL/license/Global_odt_mesh_3.h>
 
 #include <CGAL/Global_odt_mesh_3/internal/Parameter_check.h>
 #include <CGAL/Global_odt_mesh_3/internal/geometry/Quadratic_polynomial_3.h>

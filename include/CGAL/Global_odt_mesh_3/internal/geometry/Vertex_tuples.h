@@ -27,6 +27,13 @@ namespace internal {
 typedef std::array<int, 3> Triple;
 typedef std::array<int, 4> Quadruple;
 
+// The index of a vertex in a facet or cell, whose number of vertices it is if they do not have it.
+template <class Tuple>
+int index_of(const Tuple& t, int v)
+{
+  return static_cast<int>(std::find(t.begin(), t.end(), v) - t.begin());
+}
+
 // They are keys that do not depend on the order of the vertices once they are sorted.
 template <class Tuple>
 Tuple sorted(Tuple t)

@@ -65,6 +65,13 @@ inline const std::array<int, 3>& facet_indices(int i)
   return table[i];
 }
 
+// The same of a cell, by their numbers.
+inline std::array<int, 3> facet_vertices(const std::array<int, 4>& cell, int i)
+{
+  const std::array<int, 3>& o = facet_indices(i);
+  return {{ cell[o[0]], cell[o[1]], cell[o[2]] }};
+}
+
 } // namespace internal
 } // namespace Global_odt_mesh_3
 } // namespace CGAL

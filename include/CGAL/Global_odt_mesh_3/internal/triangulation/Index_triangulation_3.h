@@ -129,7 +129,7 @@ private:
     facts_[n] = { cells_.label(n), 0 };
     for(int i = 0; i < 4; ++i)
       if(cells_.is_marked(n, i))
-        facts_[n].marks |= 1 << (std::find(vertices_[n].begin(), vertices_[n].end(), v[i]) - vertices_[n].begin());
+        facts_[n].marks |= 1 << index_of(vertices_[n], v[i]);
   }
 
   // Gives the constrained facets, whose sides are still to be set, in the order of the cells.
@@ -166,16 +166,12 @@ private:
     if(!t.is_none() && order.number(t.cell()) < order.number(s.cell()))
       std::swap(s, t);
     const int n = order.number(s.cell());
-    const Quadruple v = cells_.vertices(n);
-    const auto i = std::find(v.begin(), v.end(), order.vertices()[s.id()]) - v.begin();
-    return { n, static_cast<int>(i), s, t };
+    return { n, index_of(cells_.vertices(n), order.vertices()[s.id()]), s, t };
   }
 
   Constrained_facet constrained_facet(int n, int i) const
   {
-    const Quadruple v = cells_.vertices(n);
-    const Triple& f = facet_indices(i);
-    return { n, i, {{ v[f[0]], v[f[1]], v[f[2]] }} };
+    return { n, i, facet_vertices(cells_.vertices(n), i) };
   }
 
   // Facets of the complex without any cell of the complex occur where the surface folds.
