@@ -85,7 +85,7 @@ public:
   }
 
   // Begins with one that is not there, near a cell.
-  void start_new(int v, Cell_handle near)
+  void start_new(int v, Cell_handle nearby)
   {
     set_vertex(v);
     is_new_ = is_filled_ = true;
@@ -93,7 +93,7 @@ public:
     link_.clear();
     hole_.clear();
     outer_.clear();
-    outer_.push_back({ known_cell(near), Sphere() });
+    outer_.push_back({ known_cell(nearby), Sphere() });
   }
 
   // Finds the cells for another place; false if the vertex would be hidden there or not be near.

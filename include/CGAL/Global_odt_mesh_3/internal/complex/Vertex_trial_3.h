@@ -111,11 +111,11 @@ public:
   }
 
   // Begins with a vertex that has been added to the complex, on a patch or inside, near a cell.
-  void start_new(int v, int patch, Cell_handle near)
+  void start_new(int v, int patch, Cell_handle nearby)
   {
     leaves_ = false;
     change_ = Vertex_change{ v, true, patch };
-    cavity_.start_new(v, near);
+    cavity_.start_new(v, nearby);
   }
 
   const Site& from() const { return from_; }
