@@ -94,7 +94,7 @@ public:
   }
 
 private:
-  static constexpr double margin = 0.25;        // by which steps are to be exceeded: they are no place to get stuck
+  static constexpr double margin = 2;           // by which steps are to be exceeded: cells just below a step hold each other there
 
   int steps_;
   Angle_deficit_3 wanted_, highest_;

@@ -32,6 +32,7 @@
 #include <deque>
 #include <iterator>
 #include <optional>
+#include <unordered_map>
 #include <vector>
 
 namespace CGAL {
@@ -159,12 +160,13 @@ private:
     {
       const std::vector<Sliver_3> slivers = slivers_to_try(step, share);
       goes_on = !slivers.empty();
-      for(std::size_t begin = 0; begin < slivers.size(); begin += cells_of_batch)
-      {
-        if(number_of_tries_ >= most_tries || !may_go_on())
-          return false;
-        improve(slivers, begin, (std::min)(begin + cells_of_batch, slivers.size()));
-      }
+      for(const std::vector<Sliver_3>& disjoint : disjoint_slivers(slivers))
+        for(std::size_t begin = 0; begin < disjoint.size(); begin += cells_of_batch)
+        {
+          if(number_of_tries_ >= most_tries || !may_go_on())
+            return false;
+          improve(disjoint, begin, (std::min)(begin + cells_of_batch, disjoint.size()));
+        }
     }
     return true;
   }
@@ -189,6 +191,24 @@ private:
     const double failures = tries / double(parameters_.tries_of_failure * (std::max)(number_of_slivers, std::size_t(1)));
     return static_cast<int>((std::min)((std::max)(failures, double(parameters_.fewest_failures)),
                                        double(parameters_.most_failures)));
+  }
+
+  // Sets of slivers that share no vertex: what helps one changes what would help the others at its vertices.
+  static std::vector<std::vector<Sliver_3>> disjoint_slivers(const std::vector<Sliver_3>& slivers)
+  {
+    std::vector<std::vector<Sliver_3>> result;
+    std::unordered_map<int, std::size_t> sets_at_vertex;
+    for(const Sliver_3& s : slivers)
+    {
+      std::size_t n = 0;
+      for(int v : s.vertices)
+        n = (std::max)(n, sets_at_vertex[v]);
+      for(int v : s.vertices)
+        sets_at_vertex[v] = n + 1;
+      result.resize((std::max)(result.size(), n + 1));
+      result[n].push_back(s);
+    }
+    return result;
   }
 
   // Some of the slivers, as far as they are still there.
