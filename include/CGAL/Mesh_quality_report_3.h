@@ -16,7 +16,6 @@
 
 #include <CGAL/Global_odt_mesh_3/internal/energy/Odt_cell_energies_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/geometry/Cell_geometry_3.h>
-#include <CGAL/Global_odt_mesh_3/internal/geometry/Facet_geometry_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/geometry/Site.h>
 
 #include <algorithm>

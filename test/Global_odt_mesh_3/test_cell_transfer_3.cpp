@@ -9,7 +9,6 @@
 #include "opened_complex.h"
 
 #include <CGAL/Global_odt_mesh_3/internal/complex/Cell_transfer_3.h>
-#include <CGAL/Global_odt_mesh_3/internal/complex/Certified_region_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/complex/Complex_updater_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/complex/Exact_triangulation_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/geometry/Random_source.h>

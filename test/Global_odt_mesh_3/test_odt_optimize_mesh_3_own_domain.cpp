@@ -10,7 +10,7 @@
 
 #include <CGAL/Bbox_3.h>
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
-#include <CGAL/Global_odt_mesh_3/internal/door/Odt_mesh_optimizer_3.h>
+#include <CGAL/Global_odt_mesh_3/internal/door/Optimize_mesh_3.h>
 #include <CGAL/Local_feature_size_field_3.h>
 #include <CGAL/Mesh_3/Null_global_optimizer_visitor.h>
 #include <CGAL/Mesh_complex_3_in_triangulation_3.h>

@@ -17,18 +17,17 @@
 #include <CGAL/Global_odt_mesh_3/internal/Optimization_rounds_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/Round_plan.h>
 #include <CGAL/Global_odt_mesh_3/internal/complex/Candidate_checks_3.h>
-#include <CGAL/Global_odt_mesh_3/internal/complex/Candidate_repair_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/complex/Complex_candidate_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/complex/Complex_updater_3.h>
+#include <CGAL/Global_odt_mesh_3/internal/complex/Defect_report_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/complex/Snapshot_reader_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/complex/Snapshot_tabulation_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/interface/Domain_view_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/interface/Mesh_view_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/interface/User_field_3.h>
-#include <CGAL/Global_odt_mesh_3/internal/parallel/Stage_clock.h>
 #include <CGAL/Global_odt_mesh_3/internal/parallel/Thread_policy.h>
-#include <CGAL/Global_odt_mesh_3/internal/sizing/Largest_cells_3.h>
-#include <CGAL/Global_odt_mesh_3/internal/slivers/Sliver_stage_3.h>
+#include <CGAL/Global_odt_mesh_3/internal/sizing/Size_criteria_3.h>
+#include <CGAL/Global_odt_mesh_3/internal/slivers/Sliver_removal_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/triangulation/Moving_triangulation_3.h>
 
 #include <CGAL/Mesh_optimization_return_code.h>

@@ -14,18 +14,16 @@
 
 #include <CGAL/Global_odt_mesh_3/internal/complex/Boundary_extraction_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/complex/Candidate_checks_3.h>
-#include <CGAL/Global_odt_mesh_3/internal/complex/Candidate_repair_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/complex/Cell_labels_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/complex/Complex_candidate_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/complex/Complex_snapshot_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/complex/Defect_report_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/complex/Editable_complex_3.h>
-#include <CGAL/Global_odt_mesh_3/internal/complex/Snapshot_triangulation_3.h>
+#include <CGAL/Global_odt_mesh_3/internal/complex/Snapshot_tabulation_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/complex/Surface_centers_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/complex/Working_triangulation_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/geometry/Site.h>
 #include <CGAL/Global_odt_mesh_3/internal/interface/Domain_view_3.h>
-#include <CGAL/Global_odt_mesh_3/internal/parallel/Stage_clock.h>
 #include <CGAL/Global_odt_mesh_3/internal/parallel/Thread_policy.h>
 #include <CGAL/Global_odt_mesh_3/internal/triangulation/Moving_triangulation_3.h>
 

@@ -20,7 +20,7 @@
 #include <CGAL/Global_odt_mesh_3/internal/parallel/Chunked_loops.h>
 #include <CGAL/Global_odt_mesh_3/internal/parallel/Thread_policy.h>
 #include <CGAL/Global_odt_mesh_3/internal/surface/Boundary_complex_3.h>
-#include <CGAL/Global_odt_mesh_3/internal/triangulation/Half_facet.h>
+#include <CGAL/Global_odt_mesh_3/internal/triangulation/Indexed_triangulation_3.h>
 
 #include <CGAL/assertions.h>
 #include <CGAL/Kernel/global_functions.h>

@@ -11,12 +11,19 @@
 #define CGAL_GLOBAL_ODT_MESH_3_INTERNAL_ENERGY_ODT_CELL_ENERGIES_3_H
 
 #include <CGAL/license/Global_odt_mesh_3.h>
+#include <CGAL/license/Global_odt_mesh_3.h>
 
 #include <CGAL/Global_odt_mesh_3/internal/density/Density_quadrature_3.h>
+#include <CGAL/Global_odt_mesh_3/internal/density/Polynomial_density_quadrature_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/geometry/Cell_geometry_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/geometry/Site.h>
+#include <CGAL/Global_odt_mesh_3/internal/parallel/Thread_policy.h>
+
+#include <Eigen/Core>
+#include <Eigen/Geometry>
 
 #include <array>
+#include <vector>
 
 namespace CGAL {
 namespace Global_odt_mesh_3 {
@@ -118,6 +125,123 @@ struct Weighted_odt_energy_3
   {
     return odt_energy(t, s[v[0]], s[v[1]], s[v[2]], s[v[3]], quadrature->moments(cell, v, s));
   }
+};
+
+// What one cell adds to the energy of the centroidal Voronoi tessellation of density 1,
+//
+//   E = sum_i  integral over V_i of  |x - x_i|^2,
+//
+// the gradient g_i = 2 m_i (x_i - z_i) and the diagonal 2 m_i, where m_i and z_i are volume and centroid of V_i, so that
+// x - g/D is the step of Lloyd. No vertex has a weight.
+//
+// For each facet of the cell and each edge of that, the middle of the edge, the circumcenter of the facet and that of the
+// cell make an orthoscheme with each end of the edge. Its legs a, b and h are orthogonal, its volume is a b h / 6, and its
+// second moment about that end a b h / 60 (6 a^2 + 3 b^2 + h^2). Volumes have signs, so that the sum over a cell and its
+// neighbors is right although circumcenters lie beyond facets. At the boundary it is that of Voronoi cells which are cut off
+// there, provided that no circumcenter lies beyond it: a mesh of which this is minimized is to know where its surface is.
+inline Cell_energy cvt_energy(const Cell_products& t)
+{
+  // An edge and the third vertex of a facet which, seen from the fourth vertex, is counterclockwise.
+  static constexpr int flags[12][3] = { { 0, 1, 2 }, { 1, 2, 0 }, { 2, 0, 1 }, { 0, 3, 1 }, { 3, 1, 0 }, { 1, 0, 3 },
+                                        { 0, 2, 3 }, { 2, 3, 0 }, { 3, 0, 2 }, { 1, 3, 2 }, { 3, 2, 1 }, { 2, 1, 3 } };
+  const std::array<Eigen::Vector3d, 4> x = {{ Eigen::Vector3d::Zero(), Eigen::Vector3d(t.ax, t.ay, t.az),
+                                              Eigen::Vector3d(t.bx, t.by, t.bz), Eigen::Vector3d(t.cx, t.cy, t.cz) }};
+  const Eigen::Vector3d center = Eigen::Vector3d(t.nx, t.ny, t.nz) / (2 * t.determinant);
+  std::array<Eigen::Vector3d, 4> gradient;
+  gradient.fill(Eigen::Vector3d::Zero());
+  std::array<double, 4> mass = {{ 0, 0, 0, 0 }};
+  Cell_energy r;
+  r.energy = 0;
+  Eigen::Vector3d height(0, 0, 0);            // of the center above the facet
+  for(int n = 0; n < 12; ++n)
+  {
+    const int i = flags[n][0], j = flags[n][1], k = flags[n][2];
+    if(n % 3 == 0)
+    {
+      const Eigen::Vector3d normal = (x[j] - x[i]).cross(x[k] - x[i]);
+      height = (center - x[i]).dot(normal) / normal.squaredNorm() * normal;
+    }
+    const Eigen::Vector3d leg = (x[j] - x[i]) / 2, middle = (x[i] + x[j]) / 2;
+    const Eigen::Vector3d foot = center - height, width = foot - middle;
+    const double volume = leg.dot(width.cross(height)) / 6;
+    r.energy += volume / 5 * (6 * leg.squaredNorm() + 3 * width.squaredNorm() + height.squaredNorm());
+    const Eigen::Vector3d corners = middle + foot + center;
+    gradient[i] += volume / 2 * (3 * x[i] - corners);
+    gradient[j] += volume / 2 * (3 * x[j] - corners);
+    mass[i] += volume;
+    mass[j] += volume;
+  }
+  for(int i = 0; i < 4; ++i)
+    r.gradient[i] = { gradient[i].x(), gradient[i].y(), gradient[i].z(), 2 * mass[i] };
+  return r;
+}
+
+// The same as a function of a cell, its number and those of its vertices. It has poles where cells are flat, and can only be
+// summed up over a triangulation that is regular.
+struct Cvt_energy_3
+{
+  Cell_energy operator()(const Cell_products& t, int, const int*, const Site*) const { return cvt_energy(t); }
+};
+
+// Which energy the cells of a mesh have: that of the optimal Delaunay triangulation, with a density or without, or that of
+// the centroidal Voronoi tessellation, which is for uniform density, sites without weights, and vertices of the interior alone.
+class Energy_choice_3
+{
+public:
+  // Null stands for the density 1.
+  void set_quadrature(Density_quadrature_3* quadrature)
+  {
+    quadrature_ = quadrature;
+    linear_quadrature_ = dynamic_cast<Linear_density_quadrature_3*>(quadrature);
+  }
+
+  Density_quadrature_3* quadrature() const { return quadrature_; }
+
+  void set_voronoi(bool is_voronoi) { is_voronoi_ = is_voronoi; }
+
+  // Whether cells may be flat and their energy taken off again.
+  bool is_polynomial() const { return !is_voronoi_; }
+
+  // Others may ask the user.
+  bool is_safe_for_threads() const { return quadrature_ == nullptr || linear_quadrature_ != nullptr; }
+
+  // Calls f(energy), where energy(t, cell, v, s) is that of a cell, by its type as far as that is faster.
+  template <class F>
+  void visit(const F& f) const
+  {
+    if(is_voronoi_)
+      f(Cvt_energy_3());
+    else if(quadrature_ == nullptr)
+      f(Uniform_odt_energy_3());
+    else if(linear_quadrature_ != nullptr)
+      f(Weighted_odt_energy_3<Linear_density_quadrature_3::View>{ linear_quadrature_->view() });
+    else
+      f(Weighted_odt_energy_3<Density_quadrature_3*>{ quadrature_ });
+  }
+
+  // What a quadrature has to be told.
+  void update(const std::vector<Site>& sites, int number_of_movable_vertices, const Thread_policy& threads)
+  {
+    if(quadrature_ != nullptr)
+      quadrature_->update(sites, number_of_movable_vertices, threads);
+  }
+
+  void keep()
+  {
+    if(quadrature_ != nullptr)
+      quadrature_->keep();
+  }
+
+  void restore()
+  {
+    if(quadrature_ != nullptr)
+      quadrature_->restore();
+  }
+
+private:
+  Density_quadrature_3* quadrature_ = nullptr;
+  Linear_density_quadrature_3* linear_quadrature_ = nullptr;    // the same, if it is one
+  bool is_voronoi_ = false;
 };
 
 } // namespace internal

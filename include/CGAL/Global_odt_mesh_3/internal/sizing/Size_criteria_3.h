@@ -11,25 +11,151 @@
 #define CGAL_GLOBAL_ODT_MESH_3_INTERNAL_SIZING_SIZE_CRITERIA_3_H
 
 #include <CGAL/license/Global_odt_mesh_3.h>
+#include <CGAL/license/Global_odt_mesh_3.h>
 
-#include <CGAL/Global_odt_mesh_3/internal/geometry/Facet_geometry_3.h>
+#include <CGAL/Global_odt_mesh_3/internal/geometry/Cell_geometry_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/geometry/Site.h>
 #include <CGAL/Global_odt_mesh_3/internal/geometry/Vertex_tuples.h>
 #include <CGAL/Global_odt_mesh_3/internal/interface/Domain_view_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/interface/Mesh_view_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/interface/User_field_3.h>
-#include <CGAL/Global_odt_mesh_3/internal/sizing/Largest_cells_3.h>
+#include <CGAL/Global_odt_mesh_3/internal/triangulation/Constrained_triangulation_3.h>
+
+#include <Eigen/Core>
+#include <Eigen/Geometry>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstddef>
 #include <limits>
 #include <map>
+#include <utility>
 #include <vector>
 
 namespace CGAL {
 namespace Global_odt_mesh_3 {
 namespace internal {
+
+// The square of the circumradius of a cell, infinite or not a number if it is flat. Weights do not count, as they do not for
+// CGAL's criterion.
+inline double squared_circumradius(const std::array<Site, 4>& s)
+{
+  const Eigen::Vector3d a = position(s[1]) - position(s[0]), b = position(s[2]) - position(s[0]), c = position(s[3]) - position(s[0]);
+  const Eigen::Vector3d bc = b.cross(c);
+  const double twice_determinant = 2 * a.dot(bc);
+  const Eigen::Vector3d center = a.squaredNorm() * bc + b.squaredNorm() * c.cross(a) + c.squaredNorm() * a.cross(b);
+  return center.squaredNorm() / (twice_determinant * twice_determinant);
+}
+
+// How large cells may be around each vertex, if there is a bound at all. A cell has the least bound of its vertices.
+class Circumradius_bound_3
+{
+public:
+  Circumradius_bound_3() {}
+  explicit Circumradius_bound_3(std::vector<double> squared_radii) : squared_radii_(std::move(squared_radii)) {}
+
+  // What a cell is too large by, to be added to what its angles lack, hence in square degrees.
+  double deficit(const int* vertices, const std::array<Site, 4>& cell) const
+  {
+    if(squared_radii_.empty())
+      return 0;
+    double most = squared_radii_[vertices[0]];
+    for(int i = 1; i < 4; ++i)
+      most = (std::min)(most, squared_radii_[vertices[i]]);
+    const double squared_radius = squared_circumradius(cell);
+    if(!(squared_radius > most))
+      return 0;
+    const double excess = (std::min)(degrees * (std::sqrt(squared_radius / most) - 1), most_degrees);
+    return excess * excess;
+  }
+
+private:
+  // What a circumradius of twice the bound would count for. With 60, the largest cells are closer to the bound by one or two
+  // percent, but more angles stay below 30 degrees; with 15, twice as many cells stay too large.
+  static constexpr double degrees = 30;
+  static constexpr double most_degrees = 10;    // flat cells lack angles already
+
+  std::vector<double> squared_radii_;
+};
+
+// The largest circumradius in each subdomain of the input, so that no cell need be larger in the end: over the local size and,
+// if the sizes are those of the input, as a length, too.
+class Largest_cells_3
+{
+public:
+  // `subdomain[v]` is that of a vertex of the interior, or negative. `size(v)` is the local size at a movable vertex in the mesh,
+  // which is the input.
+  template <class Size>
+  Largest_cells_3(const Constrained_triangulation_3& mesh, std::vector<int> subdomain, const Size& size, bool has_sizes_of_input)
+    : subdomain_(std::move(subdomain))
+    , has_sizes_of_input_(has_sizes_of_input)
+  {
+    if(!subdomain_.empty())
+      largest_.resize(1 + (std::max)(0, *std::max_element(subdomain_.begin(), subdomain_.end())));
+    const std::vector<double> sizes = squared_sizes(mesh, size);
+    for(int c = 0; c < mesh.topology.number_of_cell_slots(); ++c)
+      if(mesh.topology.is_alive(c))
+        add(mesh.topology.cell(c), squared_circumradius(mesh.cell_sites(c)), sizes);
+  }
+
+  // Around the vertices where they are in a mesh. Next to those on surfaces, each subdomain may have its own.
+  template <class Size>
+  Circumradius_bound_3 bound(const Constrained_triangulation_3& mesh, const Size& size) const
+  {
+    std::vector<double> radii = squared_sizes(mesh, size);
+    for(std::size_t v = 0; v < radii.size(); ++v)
+    {
+      const Largest& largest = subdomain_[v] >= 0 ? largest_[subdomain_[v]] : largest_of_all_;
+      radii[v] *= largest.over_size;
+      if(has_sizes_of_input_)
+        radii[v] = (std::min)(radii[v], largest.length);
+    }
+    return Circumradius_bound_3(std::move(radii));
+  }
+
+private:
+  // Squares.
+  struct Largest
+  {
+    double length = 0, over_size = 0;
+
+    void add(double squared_radius, double squared_size)
+    {
+      length = (std::max)(length, squared_radius);
+      over_size = (std::max)(over_size, squared_radius / squared_size);
+    }
+  };
+
+  void add(const std::array<int, 4>& vertices, double squared_radius, const std::vector<double>& sizes)
+  {
+    double least = (std::numeric_limits<double>::infinity)();
+    for(int v : vertices)
+      least = (std::min)(least, sizes[v]);
+    largest_of_all_.add(squared_radius, least);
+    for(int v : vertices)
+      if(subdomain_[v] >= 0)
+        largest_[subdomain_[v]].add(squared_radius, least);
+  }
+
+  // Those that do not move have any.
+  template <class Size>
+  static std::vector<double> squared_sizes(const Constrained_triangulation_3& mesh, const Size& size)
+  {
+    std::vector<double> sizes(mesh.sites.size(), (std::numeric_limits<double>::infinity)());
+    for(int v = 0; v < mesh.number_of_movable_vertices; ++v)
+    {
+      const double s = size(v);
+      sizes[v] = s * s;
+    }
+    return sizes;
+  }
+
+  std::vector<int> subdomain_;
+  bool has_sizes_of_input_;
+  std::vector<Largest> largest_;          // by subdomain
+  Largest largest_of_all_;
+};
 
 // How large cells and facets may be, in the sense of the criteria of the mesh generator: cells by their circumradii, as in each
 // subdomain of the input or as a field says; facets by the distances from their surface centers to their vertices, as in the
