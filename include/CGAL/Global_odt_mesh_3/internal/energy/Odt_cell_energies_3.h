@@ -11,7 +11,6 @@
 #define CGAL_GLOBAL_ODT_MESH_3_INTERNAL_ENERGY_ODT_CELL_ENERGIES_3_H
 
 #include <CGAL/license/Global_odt_mesh_3.h>
-#include <CGAL/license/Global_odt_mesh_3.h>
 
 #include <CGAL/Global_odt_mesh_3/internal/density/Density_quadrature_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/density/Polynomial_density_quadrature_3.h>
