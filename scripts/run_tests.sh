@@ -1,15 +1,23 @@
 #!/usr/bin/env bash
-# Installs what is missing; builds and runs the tests and the examples with the system's CGAL; then tests of the contract with
-# the CGAL of Debian 13 and of Debian testing, and two examples in a tree of headers as a release of CGAL that contains the
-# package has it. Where a suite of Debian cannot be reached, its CGAL is not tested.
+# Installs what is missing; builds and runs the tests, and the examples on files that they refuse, with the CGAL of the system or those
+# that are named: `trixie` and `testing` are those of Debian 13 and of Debian testing, with which the tests of the contract are
+# run, and with the latter two examples in a tree of headers as a release of CGAL that contains the package has it. Where a suite
+# of Debian cannot be reached, its CGAL is not tested.
 #
-#   [JOBS=n] run_tests.sh [build directory]
+#   [JOBS=n] [BUILD=directory] run_tests.sh [system] [trixie] [testing]
 #
 # A compiler needs up to 4 GB, hence two jobs at a time if nothing else is said.
 set -euo pipefail
 cd "$(dirname "$0")/.."
+[ $# -gt 0 ] || set -- system
+for suite; do
+  case $suite in
+    system | trixie | testing) ;;
+    *) echo "no CGAL has the name $suite" >&2; exit 2 ;;
+  esac
+done
 scripts/install_dependencies.sh
-build=${1:-build-tests}
+build=${BUILD:-build-tests}
 export JOBS=${JOBS:-2}
 mkdir -p "$build"
 data=$(scripts/extract_data.sh "$build")
@@ -33,8 +41,11 @@ run() {
 }
 
 status=0
-run system -DGLOBAL_ODT_MESH_3_BUILD_EXAMPLES=ON || status=1
-for suite in trixie testing; do
+for suite; do
+  if [ "$suite" = system ]; then
+    run system -DGLOBAL_ODT_MESH_3_BUILD_EXAMPLES=ON || status=1
+    continue
+  fi
   code=0
   cgal=$(scripts/fetch_cgal.sh "$suite" "$build/$suite-cgal") || code=$?
   case $code in
@@ -43,10 +54,10 @@ for suite in trixie testing; do
     *) status=1; continue ;;
   esac
   # Domains of all kinds with one version, calls of all kinds with the other.
-  if [ $suite = trixie ]; then
-    run $suite "-DCGAL_DIR=$cgal" "-DGLOBAL_ODT_MESH_3_CONTRACT_TESTS=domains" || status=1
+  if [ "$suite" = trixie ]; then
+    run "$suite" "-DCGAL_DIR=$cgal" "-DGLOBAL_ODT_MESH_3_CONTRACT_TESTS=domains" || status=1
   else
-    run $suite "-DCGAL_DIR=$cgal" "-DGLOBAL_ODT_MESH_3_CONTRACT_TESTS=call|own_domain|periodic|preconditions|transaction" || status=1
+    run "$suite" "-DCGAL_DIR=$cgal" "-DGLOBAL_ODT_MESH_3_CONTRACT_TESTS=call|own_domain|periodic|preconditions|transaction" || status=1
     echo "=== a release of CGAL that contains the package ==="
     scripts/check_merge.sh "${cgal%/lib/*}/include" "$build/merge" || status=1
   fi
