@@ -117,9 +117,10 @@ version of %CGAL in use accepts: `parameters::time_limit = 10, parameters::do_fr
   \cgalParamNBegin{sizing_field}
     \cgalParamDescription{the size \f$ \mu \f$ of the cells, which goes into the densities \f$ 1/\mu^5 \f$ of the volume
                           and \f$ 1/\mu^4 \f$ of surfaces. It is evaluated at vertices, with their dimension and index,
-                          also near the surface outside of the domain, and never by two threads at once. A `quadrature`
-                          also evaluates it inside of cells, with dimension and index of the vertex of the highest
-                          dimension.}
+                          also outside of the domain, no farther from it than the edges around are long, and never by two
+                          threads at once. A `quadrature` also evaluates it inside of cells, with dimension and index of the vertex of
+                          the highest dimension; insertion and removal also evaluate it for dimension 3 and the index of each
+                          subdomain, inside of its cells and at vertices on its boundary.}
     \cgalParamType{a model of `MeshDomainField_3`, such as the `cell_size` of the criteria with which the mesh was made,
                    `CGAL::Local_feature_size_field_3` or `CGAL::Spline_grid_field_3`, or a number}
     \cgalParamPrecondition{all sizes are positive and finite; not together with `density`}
@@ -203,9 +204,9 @@ version of %CGAL in use accepts: `parameters::time_limit = 10, parameters::do_fr
                           \cgalCite{cgal:cwlls-rodt-14} is given a number: the edges that are the shortest or longest, compared
                           with `sizing_field` or `density` or, without, with the edges around, lose or get
                           vertices until the number is reached. Where there are to be *k* times fewer vertices, facets may be *k* times
-                          as far from surfaces as those of the input, and volumes change *k* times as much. Where features,
-                          junctions, and the topology permit no more, the number stays larger or smaller; where
-                          at least half of the vertices are free, it is met within 1 %.}
+                          as far from surfaces as those of the input, and the volume of a subdomain may change by 0.1 (*k* - 1) of
+                          it, and 0.3 at most. The number is met within 1 %, or two vertices, unless features, junctions, topology, or
+                          volumes do not permit that; then the function returns `CGAL::CANT_IMPROVE_ANYMORE`.}
     \cgalParamType{`std::size_t`}
     \cgalParamPrecondition{positive, and at most \f$ 2^{25} \f$; `do_insert_vertices` and `do_remove_vertices` are `true`}
     \cgalParamDefault{any number}
@@ -246,7 +247,7 @@ version of %CGAL in use accepts: `parameters::time_limit = 10, parameters::do_fr
 - `CGAL::ALL_VERTICES_FROZEN` when `do_freeze` is `true` and all vertices that may move are frozen, also when there are
   none;
 - `CGAL::CANT_IMPROVE_ANYMORE` when neither time nor iterations have run out, and cells below a positive `sliver_bound` are left though
-  `do_remove_slivers` is `true`, also when no vertex may move, when no step along the search direction, nor along the gradient, lowers the energy, or when
+  `do_remove_slivers` is `true`, also when no vertex may move, when `number_of_vertices` is not met, when no step along the search direction, nor along the gradient, lowers the energy, or when
   no valid mesh can be made, in which case `c3t3` is as before.
 
 \pre No vertex but those on features carries a weight, that is, `exude_mesh_3()` has not been called before.

@@ -8,7 +8,9 @@
 #include "mesh_contract.h"
 #include "mesh_domains.h"
 
+#include <CGAL/Density_quadratures_3.h>
 #include <CGAL/Feature_edge_size_field_3.h>
+#include <CGAL/Mesh_constant_domain_field_3.h>
 #include <CGAL/Mesh_quality_report_3.h>
 #include <CGAL/make_mesh_3.h>
 #include <CGAL/odt_optimize_mesh_3.h>
@@ -278,12 +280,13 @@ void test_sizes(const std::string& name, const C3t3& input, const Domain& domain
   }
 }
 
-// As many vertices as are wanted, graded by a density, too.
+// As many vertices as are wanted, graded by a density, too; or the function says that it cannot.
 template <class C3t3, class Domain>
-void test_number(const std::string& name, const C3t3& input, const Domain& domain)
+void test_number(const std::string& name, const C3t3& input, const Domain& domain, const std::vector<double>& factors,
+                 bool is_reached = true)
 {
   const double before = double(input.triangulation().number_of_vertices());
-  for(double factor : { 0.8, 1., 4. })
+  for(double factor : factors)
     for(bool is_graded : { false, true })
     {
       Mesh_contract<C3t3, Domain> contract(input, domain, name + ", number of vertices");
@@ -294,20 +297,89 @@ void test_number(const std::string& name, const C3t3& input, const Domain& domai
       const auto handles = handles_of(c3t3);
       const auto optimize = [&](const auto&... sizes)
       {
-        CGAL::odt_optimize_mesh_3(c3t3, domain, params::do_insert_vertices = true, params::do_remove_vertices = true,
-                                  params::number_of_vertices = wanted, params::visitor(std::ref(visitor)), sizes...);
+        return CGAL::odt_optimize_mesh_3(c3t3, domain, params::do_insert_vertices = true, params::do_remove_vertices = true,
+                                         params::number_of_vertices = wanted, params::visitor(std::ref(visitor)), sizes...);
       };
-      if(is_graded)
-        optimize(params::density = [](const Point_3& p) { return std::exp(2 * p.x()); });
-      else
-        optimize();
-      contract.check_moved(c3t3, surface, 15, 0.3);        // as sizes change
+      const CGAL::Mesh_optimization_return_code code
+        = is_graded ? optimize(params::density = [](const Point_3& p) { return std::exp(2 * p.x()); }) : optimize();
+      contract.check_moved(c3t3, surface, 15, factor < 0.5 ? 0.6 : 0.3);        // as sizes change
       check_handles(name, c3t3, handles, visitor.removed);
       const double after = double(c3t3.triangulation().number_of_vertices());
       std::cout << name << ": vertices " << before << " -> " << after << ", wanted " << wanted << (is_graded ? ", graded" : "")
                 << ", smallest angle " << quality_of(c3t3).smallest_angle << std::endl;
-      check::that(std::abs(after - double(wanted)) <= 0.01 * double(wanted), name, ": ", after, " vertices instead of ", wanted);
+      const bool has_number = std::abs(after - double(wanted)) <= (std::max)(2., 0.01 * double(wanted));
+      check::that(has_number || !is_reached, name, ": ", after, " vertices instead of ", wanted);
+      check::that(has_number || code == CGAL::CANT_IMPROVE_ANYMORE, name, ": the number is not met, but the function says ", code);
     }
+}
+
+// Sizes by subdomain hold in each, be the vertices between them of another size, as of a field by the kind of the place.
+static void test_sizes_by_subdomain(const domains::Labeled_domain& domain)
+{
+  typedef domains::Labeled_domain Domain;
+  typedef CGAL::Mesh_constant_domain_field_3<domains::Kernel, Domain::Index> Field;
+  const std::map<int, double> sizes = {{ 1, 0.3 }, { 2, 0.2 }, { 3, 0.12 }};
+  Field field(0.5);
+  for(const auto& s : sizes)
+    field.set_size(s.second, 3, domain.index_from_subdomain_index(s.first));
+  const domains::Labeled_criteria criteria(params::facet_angle = 25, params::facet_size = 0.25, params::facet_distance = 0.03,
+                                           params::cell_radius_edge_ratio = 2.5, params::cell_size = field);
+  const auto input = CGAL::make_mesh_3<domains::Labeled_c3t3>(domain, criteria, params::no_perturb(), params::no_exude());
+  for(unsigned int seed : { 0, 1 })
+  {
+    domains::Labeled_c3t3 c3t3(input);
+    CGAL::odt_optimize_mesh_3(c3t3, domain, params::sizing_field = field, params::do_insert_vertices = true,
+                              params::do_remove_vertices = true, params::random_seed(seed));
+    std::map<int, std::vector<double> > radii;
+    for(auto c = c3t3.cells_in_complex_begin(); c != c3t3.cells_in_complex_end(); ++c)
+      radii[c3t3.subdomain_index(c)].push_back(circumradius(c) / sizes.at(c3t3.subdomain_index(c)));
+    for(const auto& r : radii)
+    {
+      const auto share_above = [&](double bound)
+      { return double(std::count_if(r.second.begin(), r.second.end(), [=](double x) { return x > bound; })) / double(r.second.size()); };
+      std::cout << "sizes by subdomain, " << r.first << ": " << r.second.size() << " cells, of which " << 100 * share_above(1)
+                << " % are larger, " << 100 * share_above(1.1) << " % by a tenth" << std::endl;
+      check::that(share_above(1 + 1e-5) <= 0.02 && share_above(1.1) <= 0.005, "cells of subdomain ", r.first, " are larger than its size");
+    }
+  }
+}
+
+// A field need be known in the domain only, and outside no farther from it than edges are long.
+template <class C3t3, class Domain>
+void test_where_fields_are_asked(const std::string& name, const C3t3& input, const Domain& domain)
+{
+  std::vector<Point_3> on_surface;
+  double longest = 0;
+  for(auto v = input.triangulation().finite_vertices_begin(); v != input.triangulation().finite_vertices_end(); ++v)
+    if(v->in_dimension() < 3)
+      on_surface.push_back(v->point().point());
+  for(auto c = input.cells_in_complex_begin(); c != input.cells_in_complex_end(); ++c)
+    for(int i = 0; i < 3; ++i)
+      for(int j = i + 1; j < 4; ++j)
+        longest = (std::max)(longest, CGAL::squared_distance(c->vertex(i)->point().point(), c->vertex(j)->point().point()));
+  // The nearest vertex of the surface may be half an edge farther.
+  const double farthest = 1.25 * std::sqrt(longest);
+  long far_away = 0;
+  for(double slope : { 2., 8. })
+  {
+    const auto size = [&](const Point_3& p)
+    {
+      const auto is_near = [&](const Point_3& q) { return CGAL::squared_distance(p, q) < farthest * farthest; };
+      far_away += !domain.is_in_domain_object()(p) && std::none_of(on_surface.begin(), on_surface.end(), is_near);
+      return std::exp(slope * p.x());
+    };
+    const auto field = [&](const Point_3& p, int, const typename Domain::Index&) { return size(p); };
+    const auto optimize = [&](const auto&... others)
+    {
+      C3t3 c3t3(input);
+      CGAL::odt_optimize_mesh_3(c3t3, domain, others...);
+    };
+    optimize(params::sizing_field = field);
+    optimize(params::sizing_field = field, params::quadrature = CGAL::Four_point_rule_3());
+    optimize(params::density = size, params::annealing_schedule = CGAL::Metropolis_annealing_schedule(), params::number_of_rounds = 2);
+    optimize(params::density = size, params::do_insert_vertices = true, params::do_remove_vertices = true);
+  }
+  check::that(far_away == 0, name, ": a field is asked ", far_away, " times far from the domain");
 }
 
 // A field from feature edges is what it says, and a mesh made with it is better.
@@ -427,10 +499,18 @@ int main()
   test_feature_edge_sizes(short_edges, box, 0.5, 0.08);
   test_sizes("ball", ball, sphere, 0);
   test_sizes("three subdomains", domains::mesh(three, 0.2), three, 0.02);
-  test_number("ball", ball, sphere);
-  test_number("three subdomains", domains::mesh(three, 0.12), three);
-  test_number("labeled image", domains::mesh(of_image, 0.07), of_image);
-  test_number("box with even edges", domains::mesh(box, 0.2, true), box);
+  test_sizes_by_subdomain(three);
+  test_number("ball", ball, sphere, { 0.25, 0.8, 1., 4. });
+  test_number("coarse ball", domains::mesh(sphere, 0.3), sphere, { 0.25, 0.5 });
+  const domains::Labeled_domain torus = domains::torus();
+  test_number("torus", domains::mesh(torus, 0.25), torus, { 0.25, 0.5 });
+  test_number("three subdomains", domains::mesh(three, 0.12), three, { 0.8, 1., 4. });
+  test_number("three subdomains", domains::mesh(three, 0.3), three, { 0.25 }, false);
+  test_number("labeled image", domains::mesh(of_image, 0.07), of_image, { 0.8, 1., 4. });
+  test_number("box with even edges", domains::mesh(box, 0.2, true), box, { 0.8, 1., 4. });
+  test_number("box with even edges", domains::mesh(box, 0.2, true), box, { 0.25 }, false);
+  test_where_fields_are_asked("coarse ball", domains::mesh(sphere, 0.3), sphere);
+  test_where_fields_are_asked("torus", domains::mesh(torus, 0.25), torus);
 
   go_on(short_edges, box, 0.5);
   exceptions();

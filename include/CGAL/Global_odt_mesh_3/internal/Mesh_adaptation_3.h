@@ -143,7 +143,7 @@ public:
     const bool wants_number = parameters.number_of_vertices > 0;
     const bool has_sizes = field && field.meaning == User_field_3::SIZE;
     Wanted_length_3 wanted(indexed_, feature_edges, has_sizes || (field && wants_number) ? size_of(field) : User_field_3::Function(),
-                           [this](int v) { return complex_.snapshot().numbering->stratum(v); });
+                           [this](int v) { return complex_.snapshot().numbering->stratum(v); }, labels_between_subdomains(number));
     const double number_before = double(indexed_.sites.size());
     Size_tolerance tolerance = of_sizes;
     if(wants_number)
@@ -217,6 +217,23 @@ private:
     for(std::size_t v = 0; v < in_table.size(); ++v)
       number[in_table[v]] = static_cast<int>(v);
     return number;
+  }
+
+  // At the vertices of the snapshot, given their numbers in it; sorted.
+  Wanted_length_3::Labels labels_between_subdomains(const std::vector<int>& number) const
+  {
+    const Vertex_numbering_3& numbering = *complex_.snapshot().numbering;
+    Wanted_length_3::Labels labels(numbering.number_of_vertices());
+    for(const Mesh_table_3::Cell& c : mesh_.table().cells)
+      for(int v : c.vertices)
+        if(c.label != Domain_view_3::outside && v >= 0 && numbering.is_on_boundary(number[v]))
+          labels[number[v]].push_back(c.label);
+    for(std::vector<int>& l : labels)
+    {
+      std::sort(l.begin(), l.end());
+      l.erase(std::unique(l.begin(), l.end()), l.end());
+    }
+    return labels;
   }
 
   static User_field_3::Function size_of(const User_field_3& field)

@@ -29,6 +29,7 @@
 #include <CGAL/Mesh_optimization_return_code.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <optional>
 #include <utility>
@@ -135,9 +136,19 @@ private:
       control_.may_go_on();
     if(control_.is_stopped())
       outcome = Outcome{ control_.code(), control_.code() };
+    else if(!has_wanted_number(adapted.table()))
+      outcome = Outcome{ CANT_IMPROVE_ANYMORE, CANT_IMPROVE_ANYMORE };
     if(adapted.is_changed())
       mesh.write(adapted.table());
     return outcome;
+  }
+
+  // Whether there are as many vertices as the user wants, if there is such a number, up to 1 % or two.
+  bool has_wanted_number(const Mesh_table_3& mesh) const
+  {
+    const double wanted = double(parameters_.number_of_vertices), tolerance = (std::max)(2., 0.01 * wanted);
+    const auto removed = std::count(mesh.dimensions.begin(), mesh.dimensions.end(), int(Mesh_table_3::removed));
+    return wanted == 0 || std::abs(double(mesh.dimensions.size()) - double(removed) - wanted) <= tolerance;
   }
 
   // What cells and facets are to keep in the end, if vertices may be inserted for that: the sizes of the field or of the input.

@@ -88,12 +88,12 @@ inline std::optional<New_vertex_3> middle_of_edge(const Editable_complex_3& comp
 class Vertex_edits_3
 {
 public:
-  // Surfaces get vertices only if they move. The bound on changes of volumes is multiplied.
-  explicit Vertex_edits_3(Complex_updater_3& updater, double permitted_changes_of_volume = 1)
+  // Surfaces get vertices only if they move. Where there are to be so many times fewer, volumes may change more.
+  explicit Vertex_edits_3(Complex_updater_3& updater, double coarsening = 1)
     : numbering_(std::make_shared<Vertex_numbering_3>(*updater.snapshot().numbering))
     , complex_(updater.edit(*numbering_))
     , trial_(complex_)
-    , most_of_volume_((std::min)(usual_most_of_volume * permitted_changes_of_volume, most_of_volume_ever))
+    , most_of_volume_((std::min)(usual_most_of_volume + most_of_volume_of_coarsening * (coarsening - 1), most_of_volume_ever))
   {}
 
   Vertex_edits_3(const Vertex_edits_3&) = delete;
@@ -197,7 +197,7 @@ public:
 private:
   static constexpr double infinity = (std::numeric_limits<double>::infinity)();
   // Without a bound, a layer of a segmented head lost 4 % of its volume.
-  static constexpr double usual_most_of_volume = 0.003, most_of_volume_ever = 0.3;
+  static constexpr double usual_most_of_volume = 0.003, most_of_volume_of_coarsening = 0.1, most_of_volume_ever = 0.3;
 
   // Those of subdomains before the first removal.
   void measure_volumes()

@@ -12,6 +12,11 @@
 
 #include <CGAL/license/Global_odt_mesh_3.h>
 
+#ifdef CGAL_LINKED_WITH_TBB
+// Mesh_global_optimizer.h of CGAL 6.0 needs it and does not include it.
+#  include <tbb/enumerable_thread_specific.h>
+#endif
+
 #include <CGAL/Global_odt_mesh_3/internal/Mesh_optimizer_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/Odt_parameters.h>
 #include <CGAL/Global_odt_mesh_3/internal/Parameter_check.h>

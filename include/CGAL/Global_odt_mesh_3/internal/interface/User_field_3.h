@@ -28,6 +28,8 @@ struct Vertex_stratum
   int number;           // in the user's mesh, or -1
   int dimension;
   int place;            // of vertices that the user's mesh has not got: the subdomain or patch
+
+  static Vertex_stratum inside(int label) { return { -1, 3, label }; }
 };
 
 // What the user wants sizes or density to be, if anything.

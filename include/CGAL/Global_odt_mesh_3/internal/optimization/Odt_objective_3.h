@@ -29,6 +29,15 @@ namespace CGAL {
 namespace Global_odt_mesh_3 {
 namespace internal {
 
+// Leads a site back to within a distance of another one.
+inline void hold_near(const Eigen::Vector3d& center, double farthest, Site& s)
+{
+  const Eigen::Vector3d way = position(s) - center;
+  const double length = way.norm();
+  if(length > farthest)
+    s = site_at(center + farthest / length * way, s.weight);
+}
+
 // How a vertex moves on a surface: in the tangential plane through where it is
 // when the motion begins, within a disk. Without radius, it stays.
 struct Tangential_motion
@@ -40,13 +49,7 @@ struct Tangential_motion
   bool is_at_rest() const { return !(radius > 0); }
 
   // The tangential plane says little of the surface farther away.
-  void hold_in_disk(Site& s) const
-  {
-    const Eigen::Vector3d way = position(s) - position(center);
-    const double length = way.norm();
-    if(length > radius)
-      s = site_at(position(center) + radius / length * way, s.weight);
-  }
+  void hold_in_disk(Site& s) const { hold_near(position(center), radius, s); }
 
   Eigen::Vector3d tangential_part(const Eigen::Vector3d& g) const
   {
@@ -75,6 +78,8 @@ public:
                            Term term = Term())
     : Odt_objective_3(mesh, std::move(motions), std::move(term), Without_evaluation())
   {
+    if(mesh_.quadrature() != nullptr)
+      mesh_.mean_edge_lengths(longest_step_);
     mesh_.keep();
     is_feasible_ = mesh_.evaluate();
     gather();
@@ -117,6 +122,8 @@ public:
       s = { x[3 * v], x[3 * v + 1], x[3 * v + 2], s.weight };
       if(v >= mesh_.number_of_interior_vertices)
         motion(v)->hold_in_disk(s);
+      else if(!longest_step_.empty())
+        hold_near(point().segment<3>(3 * v), longest_step_[v], s);
     });
     if(!mesh_.evaluate())
       return false;
@@ -243,6 +250,7 @@ private:
   Term term_;
   std::vector<char> frozen_;
   std::vector<int> stops_;
+  std::vector<double> longest_step_;    // if there is a density, which may be known near the domain only
   int number_of_frozen_vertices_ = 0;
   Evaluation current_, other_;    // that of the current point is the other one on trial
   bool is_on_trial_ = false;

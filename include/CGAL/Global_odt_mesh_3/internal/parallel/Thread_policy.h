@@ -14,6 +14,15 @@
 
 #include <CGAL/tags.h>
 
+#ifdef CGAL_LINKED_WITH_TBB
+#  include <tbb/blocked_range.h>
+#  include <tbb/parallel_for.h>
+#  include <tbb/parallel_invoke.h>
+#  include <tbb/parallel_sort.h>
+#  include <tbb/partitioner.h>
+#  include <tbb/task_group.h>
+#endif
+
 #include <algorithm>
 #include <array>
 #include <chrono>

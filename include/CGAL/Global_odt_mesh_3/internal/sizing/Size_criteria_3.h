@@ -245,14 +245,12 @@ private:
   {
     if(!field_)
       return squared_circumradius_.at(c.label);
-    double most = 0;
-    int highest = 0;
-    for(int v : c.vertices)
-      highest = (std::max)(highest, m.dimensions[v]);
-    for(int v : c.vertices)
-      if(m.dimensions[v] == highest)
-        most = (std::max)(most, field_.value(m.stratum(v), m.sites[v]));
-    return most * most;
+    // Its circumcenter, where the mesh generator asks, may be outside of the domain.
+    Eigen::Vector3d centroid = Eigen::Vector3d::Zero();
+    for(const Site& s : sites(m, c))
+      centroid += position(s) / 4;
+    const double size = field_.value(Vertex_stratum::inside(c.label), site_at(centroid, 0));
+    return size * size;
   }
 
   User_field_3 field_;

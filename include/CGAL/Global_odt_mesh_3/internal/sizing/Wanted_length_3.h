@@ -22,6 +22,7 @@
 #include <array>
 #include <cmath>
 #include <functional>
+#include <iterator>
 #include <limits>
 #include <queue>
 #include <utility>
@@ -40,12 +41,16 @@ public:
   // mean lengths of the mesh.
   typedef User_field_3::Function Size;
 
+  // Of vertices between subdomains, the labels of these; empty for others.
+  typedef std::vector<std::vector<int> > Labels;
+
   // The vertices have strata.
   template <class Stratum>
   Wanted_length_3(const Moving_triangulation_3& mesh, const std::vector<std::array<int, 2> >& feature_edges, const Size& size,
-                  const Stratum& stratum)
+                  const Stratum& stratum, Labels labels)
     : sites_(mesh.sites)
     , size_(size)
+    , labels_(std::move(labels))
     , source_(mesh.sites.size(), none)
     , feature_length_(mesh.sites.size(), infinity)
   {
@@ -53,7 +58,7 @@ public:
     // Edges off the cells of the complex have no length that they should have.
     std::replace(mean_.begin(), mean_.end(), 0., infinity);
     for(int v = 0; v < static_cast<int>(mean_.size()); ++v)
-      length_.push_back(!size_ || mean_[v] == infinity ? mean_[v] : size_(stratum(v), sites_[v]));
+      length_.push_back(!size_ || mean_[v] == infinity ? mean_[v] : least_size(stratum(v), sites_[v], labels_[v]));
     std::vector<std::vector<int> > neighbors(mesh.sites.size());
     mesh.for_each_edge([&](int u, int v, double)
     {
@@ -96,7 +101,11 @@ public:
   void add(const Vertex_stratum& stratum, const Site& s, int u, int v)
   {
     sites_.push_back(s);
-    length_.push_back(size_ ? scale_ * size_(stratum, s) : (length_[u] + length_[v]) / 2);
+    labels_.emplace_back();
+    if(stratum.dimension < 3)
+      std::set_intersection(labels_[u].begin(), labels_[u].end(), labels_[v].begin(), labels_[v].end(),
+                            std::back_inserter(labels_.back()));
+    length_.push_back(size_ ? scale_ * least_size(stratum, s, labels_.back()) : (length_[u] + length_[v]) / 2);
     source_.push_back(graded(source_[u], position(s)) < graded(source_[v], position(s)) ? source_[u] : source_[v]);
   }
 
@@ -106,6 +115,15 @@ private:
   static constexpr double share_of_feature_edge = 1.3, gradation = 0.48;
   static constexpr double infinity = (std::numeric_limits<double>::infinity)();
   static constexpr int none = -1;
+
+  // The least of those in the subdomains around.
+  double least_size(const Vertex_stratum& stratum, const Site& s, const std::vector<int>& labels) const
+  {
+    double least = size_(stratum, s);
+    for(int l : labels)
+      least = (std::min)(least, size_(Vertex_stratum::inside(l), s));
+    return least;
+  }
 
   double graded(int source, const Eigen::Vector3d& p) const
   {
@@ -143,6 +161,7 @@ private:
 
   std::vector<Site> sites_;
   Size size_;
+  Labels labels_;
   double scale_ = 1;
   std::vector<double> mean_, length_;     // of the edges at vertices, as they are and as they should be
   std::vector<int> source_;               // the vertices on features that ask for least, or none
