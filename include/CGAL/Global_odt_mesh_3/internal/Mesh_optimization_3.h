@@ -98,9 +98,13 @@ private:
     Optimization_attempt_3 attempt(mesh, domain_, bounds_, task, parameters_, field_, control_, threads_, boundary_moves);
     if(!attempt.run())
       return std::nullopt;
-    attempt.commit();
+    if(!attempt.commit(task == Odt_task::REMESH_BOUNDARY || may_be_worse()))
+      return Outcome{ CANT_IMPROVE_ANYMORE, CANT_IMPROVE_ANYMORE };
     return Outcome{ attempt.code(0), attempt.code(1) };
   }
+
+  // Whether cells may have smaller angles than those of the input, since the user wants other sizes, or slivers.
+  bool may_be_worse() const { return !parameters_.do_remove_slivers || field_ || parameters_.number_of_vertices > 0; }
 
   // Vertices are inserted and removed for the sizes that are wanted, before all vertices move; and then where cells are too
   // large and at the slivers that are left.
@@ -110,6 +114,7 @@ private:
     const auto is_inside = [](const Mesh_table_3::Cell& c) { return c.label != Domain_view_3::outside; };
     if(std::none_of(adapted.table().cells.begin(), adapted.table().cells.end(), is_inside))
       return optimize(mesh, task);
+    const Sliver_census_3 slivers = Optimization_attempt_3::slivers(adapted.table());
     const std::optional<Size_criteria_3> criteria = size_criteria(adapted.table());
     const auto has_time = [this] { return control_.has_time(); };
     adaptation(adapted).adapt_sizes(field_, parameters_, has_time);
@@ -138,6 +143,8 @@ private:
       outcome = Outcome{ control_.code(), control_.code() };
     else if(!has_wanted_number(adapted.table()))
       outcome = Outcome{ CANT_IMPROVE_ANYMORE, CANT_IMPROVE_ANYMORE };
+    if(!may_be_worse() && !Optimization_attempt_3::slivers(adapted.table()).is_not_worse_than(slivers))
+      return Outcome{ CANT_IMPROVE_ANYMORE, CANT_IMPROVE_ANYMORE };
     if(adapted.is_changed())
       mesh.write(adapted.table());
     return outcome;

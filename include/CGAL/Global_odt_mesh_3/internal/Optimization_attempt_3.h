@@ -66,7 +66,9 @@ public:
     , complex_(domain, bounds, boundary_moves, threads)
   {
     const auto in_stage = during(Stage_clock::READ);
-    complex_.start(Snapshot_reader_3(input, threads).read(mesh_, boundary_moves));
+    Snapshot_reader_3 reader(input, threads);
+    slivers_of_input_ = slivers(reader.table());
+    complex_.start(reader.read(mesh_, boundary_moves));
     plan_ = std::make_unique<Round_plan>(task, parameters, number_of_surface_vertices() > 0);
     code_ = parameters_.do_freeze && plan_->optimizes() ? ALL_VERTICES_FROZEN : CONVERGENCE_REACHED;
   }
@@ -93,18 +95,29 @@ public:
     return make_rounds();
   }
 
-  // Comes last: nothing is left here but the code.
-  void commit()
+  // Comes last: nothing is left here but the code. False if the mesh would be worse than the input, and stays as it was.
+  bool commit(bool may_be_worse)
   {
     const auto in_stage = during(Stage_clock::WRITE);
     rounds_.reset();
     mesh_ = Moving_triangulation_3();
-    if(!complex_.snapshot().is_input)
-    {
-      const Mesh_table_3 table = Snapshot_tabulation_3(complex_.snapshot(), complex_.triangulation(), threads_)();
-      complex_.release_triangulation();
-      input_.write(table);
-    }
+    if(complex_.snapshot().is_input)
+      return true;
+    const Mesh_table_3 table = Snapshot_tabulation_3(complex_.snapshot(), complex_.triangulation(), threads_)();
+    complex_.release_triangulation();
+    if(!may_be_worse && !slivers(table).is_not_worse_than(slivers_of_input_))
+      return false;
+    input_.write(table);
+    return true;
+  }
+
+  static Sliver_census_3 slivers(const Mesh_table_3& mesh)
+  {
+    Sliver_census_3 census;
+    for(const Mesh_table_3::Cell& c : mesh.cells)
+      if(c.label != Domain_view_3::outside)
+        census.add(mesh.cell_sites(c));
+    return census;
   }
 
   // If so many cells are left below the bound.
@@ -204,6 +217,7 @@ private:
   }
 
   Mesh_view_3& input_;
+  Sliver_census_3 slivers_of_input_;
   const Odt_parameters& parameters_;
   const User_field_3& field_;
   Iteration_control& control_;

@@ -90,6 +90,8 @@ public:
 
   // Vertices of the interior move, unless a boundary facet touches them; those that surfaces run smoothly
   // through move if `boundary_moves`.
+  const Mesh_table_3& table() const { return table_; }
+
   Complex_snapshot_3 read(Moving_triangulation_3& mesh, bool boundary_moves)
   {
     mesh = Moving_triangulation_3();

@@ -213,6 +213,26 @@ struct Sliver_count
   }
 };
 
+// Of the cells of a mesh, for the first steps, up to 30 degrees; larger angles do not count.
+class Sliver_census_3
+{
+public:
+  void add(const std::array<Site, 4>& cell)
+  {
+    double smallest = Cell_lack().smallest;
+    deficit_.for_each_lack(cell, [&](double lack) { smallest = (std::min)(smallest, deficit_.bound() - lack); });
+    count_.add({ 0, smallest }, steps);
+  }
+
+  bool is_not_worse_than(const Sliver_census_3& other) const { return count_.is_not_worse_than(other.count_, steps); }
+
+private:
+  static constexpr int steps = 3;
+
+  Angle_deficit_3 deficit_ = Angle_deficit_3(Sliver_steps::angles[steps - 1]);
+  Sliver_count count_;
+};
+
 // The dihedral angle, in degrees, that cells should reach, and the number of steps of which none may get more cells below it.
 class Sliver_goal
 {

@@ -70,6 +70,9 @@ struct Mesh_table_3
   }
 
   // That facet of a cell, from the neighbor across it.
+  std::array<Site, 4> cell_sites(const Cell& c) const
+  { return {{ sites[c.vertices[0]], sites[c.vertices[1]], sites[c.vertices[2]], sites[c.vertices[3]] }}; }
+
   int mirror_index(int cell, int index) const
   {
     const Quadruple& back = cells[cells[cell].neighbors[index]].neighbors;

@@ -184,7 +184,7 @@ public:
       if(c.label != Domain_view_3::outside)
       {
         double& largest = squared_circumradius_[c.label];
-        largest = (std::max)(largest, squared_circumradius(sites(input, c)));
+        largest = (std::max)(largest, squared_circumradius(input.cell_sites(c)));
       }
     for(const Mesh_table_3::Facet& f : input.facets)
       if(f.patch_of_center != Mesh_table_3::no_patch)
@@ -202,7 +202,7 @@ public:
     for(const Mesh_table_3::Cell& c : mesh.cells)
       if(c.label != Domain_view_3::outside)
       {
-        const double excess = std::sqrt(squared_circumradius(sites(mesh, c)) / squared_bound(mesh, c));
+        const double excess = std::sqrt(squared_circumradius(mesh.cell_sites(c)) / squared_bound(mesh, c));
         add(excess, { excess, c.vertices });
       }
     for(const Mesh_table_3::Facet& f : mesh.facets)
@@ -222,9 +222,6 @@ public:
 
 private:
   static constexpr double tolerance = 1e-6;
-
-  static std::array<Site, 4> sites(const Mesh_table_3& m, const Mesh_table_3::Cell& c)
-  { return {{ m.sites[c.vertices[0]], m.sites[c.vertices[1]], m.sites[c.vertices[2]], m.sites[c.vertices[3]] }}; }
 
   static Triple vertices(const Mesh_table_3& m, const Mesh_table_3::Facet& f)
   {
@@ -247,7 +244,7 @@ private:
       return squared_circumradius_.at(c.label);
     // Its circumcenter, where the mesh generator asks, may be outside of the domain.
     Eigen::Vector3d centroid = Eigen::Vector3d::Zero();
-    for(const Site& s : sites(m, c))
+    for(const Site& s : m.cell_sites(c))
       centroid += position(s) / 4;
     const double size = field_.value(Vertex_stratum::inside(c.label), site_at(centroid, 0));
     return size * size;
