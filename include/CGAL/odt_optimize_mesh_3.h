@@ -248,7 +248,8 @@ version of %CGAL in use accepts: `parameters::time_limit = 10, parameters::do_fr
   none;
 - `CGAL::CANT_IMPROVE_ANYMORE` when neither time nor iterations have run out, and cells below a positive `sliver_bound` are left though
   `do_remove_slivers` is `true`, also when no vertex may move, when `number_of_vertices` is not met, when no step along the search direction, nor along the gradient, lowers the energy, or when
-  no valid mesh can be made, in which case `c3t3` is as before.
+  no valid mesh can be made, or only one with more cells below 10, 20, or 30 degrees, or with a smaller angle below 30, in which cases `c3t3` is
+  as before. Angles may become smaller if `do_remove_slivers` is `false`, or with `sizing_field`, `density`, or `number_of_vertices`.
 
 \pre No vertex but those on features carries a weight, that is, `exude_mesh_3()` has not been called before.
 \pre The triangulation has at most \f$ 2^{28} \f$ cells.

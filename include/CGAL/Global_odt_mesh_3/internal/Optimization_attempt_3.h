@@ -22,6 +22,7 @@
 #include <CGAL/Global_odt_mesh_3/internal/complex/Defect_report_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/complex/Snapshot_reader_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/complex/Snapshot_tabulation_3.h>
+#include <CGAL/Global_odt_mesh_3/internal/geometry/Angle_deficit_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/interface/Domain_view_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/interface/Mesh_view_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/interface/User_field_3.h>

@@ -18,7 +18,6 @@
 #include <CGAL/Global_odt_mesh_3/internal/geometry/Site.h>
 #include <CGAL/Global_odt_mesh_3/internal/geometry/Vertex_tuples.h>
 #include <CGAL/Global_odt_mesh_3/internal/interface/Domain_view_3.h>
-#include <CGAL/Global_odt_mesh_3/internal/parallel/Buckets.h>
 #include <CGAL/Global_odt_mesh_3/internal/parallel/Chunked_loops.h>
 #include <CGAL/Global_odt_mesh_3/internal/surface/Boundary_complex_3.h>
 
@@ -72,23 +71,15 @@ public:
   // In the order of their sorted vertices, for the labels that cells have now.
   void find_boundary()
   {
-    const std::vector<Found_facet> found = find_facets();
-    const Buckets by_first_vertex(static_cast<int>(found.size()), candidate_.numbering.number_of_vertices(),
-                                  [&found](int n) { return found[n].key[0]; }, candidate_.threads);
-    std::vector<int> order = by_first_vertex.numbers();
-    for_each_in_chunks(by_first_vertex.number_of_buckets(), candidate_.threads, [&](int v)
-    {
-      std::sort(order.begin() + by_first_vertex.begin(v), order.begin() + by_first_vertex.end(v),
-                [&found](int n, int m) { return found[n].key < found[m].key; });
-    });
+    std::vector<Found_facet> found = find_facets();
+    candidate_.threads.sort(found.begin(), found.end(), [](const Found_facet& f, const Found_facet& g) { return f.key < g.key; });
     const std::vector<Boundary_facet>& old_facets = candidate_.snapshot.boundary.complex().facets();
     std::vector<Boundary_facet> facets;
     facets.reserve(found.size());
     candidate_.facets.clear();
     candidate_.old_facets.clear();
-    for(int n : order)
+    for(const Found_facet& f : found)
     {
-      const Found_facet& f = found[n];
       const std::array<int, 2> labels = {{ f.facet.first->label(), f.facet.first->neighbor(f.facet.second)->label() }};
       facets.push_back({ candidate_.working.vertices(f.facet), labels, f.old >= 0 ? old_facets[f.old].patch : unknown_patch });
       if(f.old < 0)

@@ -75,8 +75,6 @@ public:
     return (std::min)(largest_, std::sqrt(least_ * least_ + Search(tree_, query, 1).begin()->second));
   }
 
-  std::size_t number_of_sites() const { return tree_.size(); }
-
 private:
   typedef Kernel::Weighted_point_3 Weighted_point;
   typedef std::array<double, 4> Point_4;

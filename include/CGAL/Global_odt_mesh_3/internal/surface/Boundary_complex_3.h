@@ -61,7 +61,6 @@ class Boundary_complex_3
 public:
   typedef Boundary_facet Facet;
   typedef Boundary_umbrella Umbrella;
-  typedef std::array<int, 3> Triple;
   typedef std::pair<int, int> Edge;
   typedef std::pair<Edge, int> Junction;      // with the number of its facets
 

@@ -31,8 +31,6 @@ namespace internal {
 class Exchangeable_boundary_3
 {
 public:
-  typedef std::array<int, 3> Triple;
-
   struct Facet
   {
     Triple vertices;                // sorted
