@@ -10,6 +10,7 @@
 
 #include <CGAL/Density_quadratures_3.h>
 #include <CGAL/Feature_edge_size_field_3.h>
+#include <CGAL/Kernel/global_functions.h>
 #include <CGAL/Mesh_constant_domain_field_3.h>
 #include <CGAL/Mesh_quality_report_3.h>
 #include <CGAL/make_mesh_3.h>

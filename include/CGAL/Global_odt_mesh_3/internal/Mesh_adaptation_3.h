@@ -143,7 +143,8 @@ public:
     const bool wants_number = parameters.number_of_vertices > 0;
     const bool has_sizes = field && field.meaning == User_field_3::SIZE;
     Wanted_length_3 wanted(indexed_, feature_edges, has_sizes || (field && wants_number) ? size_of(field) : User_field_3::Function(),
-                           [this](int v) { return complex_.snapshot().numbering->stratum(v); }, labels_between_subdomains(number));
+                           [this](int v) { return complex_.snapshot().numbering->stratum(v); },
+                           has_sizes ? labels_between_subdomains(number) : Wanted_length_3::Labels(indexed_.sites.size()));
     const double number_before = double(indexed_.sites.size());
     Size_tolerance tolerance = of_sizes;
     if(wants_number)
