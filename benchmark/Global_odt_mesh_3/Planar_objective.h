@@ -9,6 +9,7 @@
 #include "methods/Method.h"
 
 #include <CGAL/Global_odt_mesh_3/internal/geometry/Site.h>
+#include <CGAL/Global_odt_mesh_3/internal/geometry/Vector_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/surface/Surface_cvt_objective_3.h>
 
 #include <CGAL/Constrained_Delaunay_triangulation_2.h>
@@ -39,6 +40,7 @@ class Planar_objective
 public:
   typedef Planar_kernel::Point_2 Point;
   typedef CGAL::Global_odt_mesh_3::internal::Thread_policy Thread_policy;
+  typedef CGAL::Global_odt_mesh_3::internal::Vector_3 Vector_3;
 
   // Points inside, and those of the boundary in order.
   Planar_objective(Energy energy, const std::vector<Point>& inside, std::vector<Point> boundary)
@@ -94,7 +96,7 @@ public:
   const Thread_policy& threads() const { return threads_; }
   int number_of_vertices() const { return number_; }
   bool is_frozen(int) const { return false; }
-  const Eigen::Vector3d* normal(int) const { return &normal_; }
+  const Vector_3* normal(int) const { return &normal_; }
 
   void mean_edge_lengths(std::vector<double>& length) const
   {
@@ -196,23 +198,24 @@ private:
       for(int i = 0; i < 3; ++i)
       {
         current_.value += area / 12 * CGAL::squared_distance(f->vertex(i)->point(), f->vertex((i + 1) % 3)->point());
-        add(t[i], 2 * area / 3 * (position(sites[t[i]]) - Eigen::Vector3d(c.x(), c.y(), 0)), 2 * area / 3);
+        add(t[i], 2 * area / 3 * (position(sites[t[i]]) - Vector_3(c.x(), c.y(), 0)), 2 * area / 3);
       }
     }
   }
 
-  void add(int v, const Eigen::Vector3d& gradient, double diagonal)
+  void add(int v, const Vector_3& gradient, double diagonal)
   {
     if(v >= number_)
       return;
-    current_.gradient.segment<3>(3 * v) += gradient;
+    using namespace CGAL::Global_odt_mesh_3::internal;
+    set_vector(current_.gradient, v, vector_at(current_.gradient, v) + gradient);
     current_.diagonal.segment<3>(3 * v).array() += diagonal;
   }
 
   Energy energy_;
   std::vector<Point> boundary_;
   int number_;
-  Eigen::Vector3d normal_;
+  Vector_3 normal_;
   Thread_policy threads_;
   Planar_triangulation triangulation_;
   std::vector<Vertex_handle> vertices_;         // those that move come first

@@ -68,7 +68,7 @@ private:
 
 inline Quadratic_polynomial_3 quadratic(const Vector& center, double c, const Vector& b, const Eigen::Matrix3d& q)
 {
-  return { center, c, b, {{ q(0, 0), q(1, 1), q(2, 2), 2 * q(1, 2), 2 * q(2, 0), 2 * q(0, 1) }} };
+  return { coordinates(center), c, coordinates(b), {{ q(0, 0), q(1, 1), q(2, 2), 2 * q(1, 2), 2 * q(2, 0), 2 * q(0, 1) }} };
 }
 
 enum Rule { LINEAR, FOUR_POINTS, FIFTEEN_POINTS, CUBATURE };

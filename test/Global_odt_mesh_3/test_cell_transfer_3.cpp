@@ -243,9 +243,9 @@ static void lattices()
       for(int j = 0; j <= n; ++j)
         for(int k = 0; k <= n; ++k)
         {
-          Eigen::Vector3d p(i, j, k);
+          Vector_3 p(i, j, k);
           const bool is_inside = 0 < (std::min)({ i, j, k }) && (std::max)({ i, j, k }) < n;
-          const Eigen::Vector3d by = 0.3 * random.direction();
+          const Vector_3 by = 0.3 * random.direction();
           if(is_inside && i > left_in_place * n)
             p += by;
           tr.insert(Labeled_triangulation::Weighted_point(Labeled_triangulation::Bare_point(p.x(), p.y(), p.z()), 0));
@@ -305,12 +305,12 @@ static Moving_triangulation_3 tetrahedron(double size, unsigned int seed)
 {
   Random_source random(seed);
   Labeled_triangulation tr;
-  const auto insert = [&](const Eigen::Vector3d& p)
+  const auto insert = [&](const Vector_3& p)
   {
     tr.insert(Labeled_triangulation::Weighted_point(Labeled_triangulation::Bare_point(p.x(), p.y(), p.z()), 0));
   };
-  for(const Eigen::Vector3d& corner : { Eigen::Vector3d(3, 3, 3), Eigen::Vector3d(3, -3, -3), Eigen::Vector3d(-3, 3, -3),
-                                        Eigen::Vector3d(-3, -3, 3) })
+  for(const Vector_3& corner : { Vector_3(3, 3, 3), Vector_3(3, -3, -3), Vector_3(-3, 3, -3),
+                                        Vector_3(-3, -3, 3) })
     insert(size * corner);
   for(int n = 0; n < 40; ++n)
   {

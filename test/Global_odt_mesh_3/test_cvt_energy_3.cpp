@@ -49,10 +49,10 @@ static double energy_by_definition(const std::vector<Site>& sites, int grid)
     for(int j = 0; j < grid; ++j)
       for(int k = 0; k < grid; ++k)
       {
-        const Eigen::Vector3d p(at(i), at(j), at(k));
+        const Vector_3 p(at(i), at(j), at(k));
         double nearest = (std::numeric_limits<double>::max)();
         for(const Site& s : sites)
-          nearest = (std::min)(nearest, (position(s) - p).squaredNorm());
+          nearest = (std::min)(nearest, (position(s) - p).squared_length());
         sum += nearest;
       }
   return sum / grid / grid / grid;

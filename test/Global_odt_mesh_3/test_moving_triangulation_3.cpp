@@ -226,7 +226,7 @@ static void rejected_trials(std::mt19937& random)
     for(int v = 0; v < mesh.number_of_movable_vertices; ++v)
     {
       const Site& s = mesh.sites[v];
-      check::that(Eigen::Vector3d(s.x, s.y, s.z) == x.segment<3>(3 * v),
+      check::that(position(s) == vector_at(x, v),
                   "a rejected trial leaves a trace at a vertex of the mesh");
     }
     if(n % 4 == 0 && f.evaluate(x - (g.array() / d.array()).matrix()))

@@ -537,7 +537,7 @@ template <class Domain>
 static void projection(const char* name, const Domain& domain, const Point_3& from, const Point_3& expected,
                        double tolerance)
 {
-  typedef Eigen::Vector3d Vector;
+  typedef odt::Vector_3 Vector;
   odt::Mesh_domain_view_3<Domain> view(domain);
   const double distance = std::sqrt(CGAL::squared_distance(from, expected));
   const Vector start(from.x(), from.y(), from.z());
@@ -585,8 +585,8 @@ static void projection()
   projection("ellipsoid", ellipsoid, Point_3(0.5, 0, 0), Point_3(0.35, 0, 0), 1e-12);
   ellipsoid.questions.misses_of_dozen = 12;
   odt::Mesh_domain_view_3<Ellipsoid_domain> view(ellipsoid);
-  Eigen::Vector3d p(0.5, 0, 0);
-  check::that(!view.project(p, Eigen::Vector3d(1, 0, 0), 0.3, view.number_patch({ 1 })) && p[0] == 0.5, "projected although all intersections are missed");
+  odt::Vector_3 p(0.5, 0, 0);
+  check::that(!view.project(p, odt::Vector_3(1, 0, 0), 0.3, view.number_patch({ 1 })) && p[0] == 0.5, "projected although all intersections are missed");
 }
 
 // The smallest angle of all facets of the boundary, and the mean over them of their smallest.

@@ -144,10 +144,10 @@ static std::vector<Site> displaced(const Complex_snapshot_3& snapshot, double am
   std::vector<Site> sites = snapshot.sites;
   for(int v = 0; v < snapshot.numbering->number_of_movable_vertices; ++v)
   {
-    Eigen::Vector3d by = amount * random.uniform() * random.direction();
+    Vector_3 by = amount * random.uniform() * random.direction();
     if(!snapshot.numbering->is_interior(v))
     {
-      const Eigen::Vector3d& n = snapshot.boundary.shape(v, 0).normal;
+      const Vector_3& n = snapshot.boundary.shape(v, 0).normal;
       by -= n.dot(by) * n;
     }
     sites[v] = site_at(position(sites[v]) + by, sites[v].weight);

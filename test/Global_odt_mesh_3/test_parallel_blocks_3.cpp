@@ -58,8 +58,8 @@ static Moving_triangulation_3 ball(int on_sphere, int inside)
   std::vector<Regular::Weighted_point> points;
   for(int n = 0; n < on_sphere + inside; ++n)
   {
-    const Eigen::Vector3d d = Eigen::Vector3d(g(random), g(random), g(random)).normalized();
-    const Eigen::Vector3d p = n < on_sphere ? d : Eigen::Vector3d(0.97 * std::cbrt(u(random)) * d);
+    const Vector_3 d = Vector_3(g(random), g(random), g(random)).normalized();
+    const Vector_3 p = n < on_sphere ? d : Vector_3(0.97 * std::cbrt(u(random)) * d);
     points.emplace_back(Kernel::Point_3(p[0], p[1], p[2]), 0);
   }
   Moving_triangulation_3 mesh = load_triangulation_3(Regular(points.begin(), points.end()));
@@ -250,7 +250,7 @@ static void surface_terms(const Moving_triangulation_3& input)
   std::normal_distribution<double> g(0, 0.1);
   std::vector<Site> elsewhere = input.sites;
   for(int v = input.number_of_interior_vertices; v < input.number_of_movable_vertices; ++v)
-    elsewhere[v] = site_at((position(elsewhere[v]) + Eigen::Vector3d(g(random), g(random), g(random))).normalized(), elsewhere[v].weight);
+    elsewhere[v] = site_at((position(elsewhere[v]) + Vector_3(g(random), g(random), g(random))).normalized(), elsewhere[v].weight);
   for(bool is_graded : { false, true })
   {
     Moving_triangulation_3 mesh = input;

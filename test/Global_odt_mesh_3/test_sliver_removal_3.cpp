@@ -130,13 +130,13 @@ static void angle_gradients(std::mt19937& random)
       angle_deficit.for_each_lack(moved, [&](double lack) { result.push_back(lack); });
       return result;
     };
-    std::vector<Eigen::Vector3d> sum(6, Eigen::Vector3d::Zero());
+    std::vector<Vector_3> sum(6, Vector_3());
     for(int m = 0; m < 4; ++m)
     {
-      std::vector<Eigen::Vector3d> gradient;
-      angle_deficit.for_each_gradient(t, m, [&](double, const Eigen::Vector3d& g) { gradient.push_back(g); });
+      std::vector<Vector_3> gradient;
+      angle_deficit.for_each_gradient(t, m, [&](double, const Vector_3& g) { gradient.push_back(g); });
       check::that(gradient.size() == 6, "only ", gradient.size(), " angles have gradients");
-      const Eigen::Vector3d direction = Eigen::Vector3d(u(random), u(random), u(random)).normalized();
+      const Vector_3 direction = Vector_3(u(random), u(random), u(random)).normalized();
       const double h = 1e-6;
       Tetrahedron forward = t, backward = t;
       forward[m] = site_at(position(t[m]) + h * direction, 0);
@@ -146,11 +146,11 @@ static void angle_gradients(std::mt19937& random)
       {
         sum[n] += gradient[n];
         const double difference = (before[n] - after[n]) / (2 * h);
-        largest_error.add(std::abs(gradient[n].dot(direction) - difference) / (1 + gradient[n].norm()));
+        largest_error.add(std::abs(gradient[n].dot(direction) - difference) / (1 + gradient[n].length()));
       }
     }
-    for(const Eigen::Vector3d& s : sum)
-      largest_sum.add(s.norm());
+    for(const Vector_3& s : sum)
+      largest_sum.add(s.length());
   }
   std::cout << "gradients of angles are off by " << largest_error << ", of translations by " << largest_sum << std::endl;
   check::that(largest_error < 1e-5 && largest_sum < 1e-8, "gradients of angles are wrong");
@@ -216,8 +216,12 @@ static void cavities(const Labeled_c3t3& c3t3, const Labeled_domain& domain, boo
     const int v = static_cast<int>(random.uniform() * number), what = working.is_visible(v) ? n % 2 : 2;
     Site to = random_site();
     if(what == 0)
-      to = site_at(position(complex.sites[v]) + (position(to) - position(complex.sites[v])).array().round().max(-1).min(1).matrix()
-                     * (is_lattice ? 0.5 : 0.3 * random.uniform()), 0);
+    {
+      Vector_3 by = position(to) - position(complex.sites[v]);
+      for(int i = 0; i < 3; ++i)
+        by[i] = (std::max)(-1., (std::min)(1., std::round(by[i])));
+      to = site_at(position(complex.sites[v]) + by * (is_lattice ? 0.5 : 0.3 * random.uniform()), 0);
+    }
     bool is_found;
     if(what == 2)
     {
@@ -428,7 +432,7 @@ static void bounds_stay(const Polyhedral_c3t3& c3t3, const Polyhedral_domain& do
   int far = 0;
   for(const Boundary_facet& f : worse.boundary.complex().facets())
   {
-    const Eigen::Vector3d c = centroid(f.vertices, worse.sites);
+    const Vector_3 c = centroid(f.vertices, worse.sites);
     far += !setting.bounds.is_close(c);
     check::that(of_worse.is_close(c), "the bounds are not those of the first mesh");
   }

@@ -36,22 +36,22 @@
 using namespace CGAL::Global_odt_mesh_3::internal;
 typedef CGAL::Exact_predicates_inexact_constructions_kernel Kernel;
 typedef CGAL::Regular_triangulation_3<Kernel> Regular;
-typedef Eigen::Vector3d Vector;
+typedef Vector_3 Vector;
 
 // The derivative of the objective when one vertex moves along a tangent, against its gradient
 // and what is known to be left out of it. Rejected, the trial leaves no trace.
 template <class Objective>
-static double gradient_error(Objective& objective, int v, const Eigen::Vector3d& tangent, double h,
-                             const Eigen::Vector3d& left_out = Eigen::Vector3d::Zero())
+static double gradient_error(Objective& objective, int v, const Vector_3& tangent, double h,
+                             const Vector_3& left_out = Vector_3())
 {
-  const double expected = tangent.dot(objective.gradient().template segment<3>(3 * v) + left_out);
+  const double expected = tangent.dot(vector_at(objective.gradient(), v) + left_out);
   const Eigen::VectorXd x = objective.point(), g = objective.gradient(), d = objective.diagonal();
   const double value_at_x = objective.value();
   double value[2];
   for(int side = 0; side < 2; ++side)
   {
     Eigen::VectorXd y = x;
-    y.segment<3>(3 * v) += (side == 0 ? h : -h) * tangent;
+    set_vector(y, v, vector_at(x, v) + (side == 0 ? h : -h) * tangent);
     check::that(objective.evaluate(y), "a small step is not feasible");
     value[side] = objective.value();
     objective.reject();
@@ -61,7 +61,7 @@ static double gradient_error(Objective& objective, int v, const Eigen::Vector3d&
   return std::abs((value[0] - value[1]) / (2 * h) - expected);
 }
 
-static Eigen::Vector3d some_tangent(const Vector& n, std::mt19937& random)
+static Vector_3 some_tangent(const Vector& n, std::mt19937& random)
 {
   std::normal_distribution<double> g;
   const Vector d(g(random), g(random), g(random));
@@ -72,10 +72,10 @@ static Eigen::Vector3d some_tangent(const Vector& n, std::mt19937& random)
 // surface. The polyhedron of the cells changes nevertheless when a vertex of a curved surface moves,
 // by which the energy gains, for each facet of area A and outer normal n at vertex i,
 //   integral of (f_I - x^2) lambda_i n = A n ((l_ij^2 + l_ik^2) / 30 + l_jk^2 / 60).
-static std::vector<Eigen::Vector3d> gain_of_polyhedron(const Moving_triangulation_3& mesh)
+static std::vector<Vector_3> gain_of_polyhedron(const Moving_triangulation_3& mesh)
 {
-  std::vector<Eigen::Vector3d> gain(mesh.sites.size(), Eigen::Vector3d::Zero());
-  const auto point = [&](int v) { return Eigen::Vector3d(mesh.sites[v].x, mesh.sites[v].y, mesh.sites[v].z); };
+  std::vector<Vector_3> gain(mesh.sites.size(), Vector_3());
+  const auto point = [&](int v) { return Vector_3(mesh.sites[v].x, mesh.sites[v].y, mesh.sites[v].z); };
   for(int c = 0; c < mesh.topology.number_of_cell_slots(); ++c)
     for(int f = 0; mesh.topology.is_alive(c) && f < 4; ++f)
     {
@@ -83,13 +83,13 @@ static std::vector<Eigen::Vector3d> gain_of_polyhedron(const Moving_triangulatio
       if(!mesh.topology.neighbor(s).is_side())
         continue;
       const std::array<int, 3> t = mesh.topology.facet(s);
-      Eigen::Vector3d area = (point(t[1]) - point(t[0])).cross(point(t[2]) - point(t[0])) / 2;
+      Vector_3 area = (point(t[1]) - point(t[0])).cross(point(t[2]) - point(t[0])) / 2;
       if(area.dot(point(mesh.topology.vertex(s)) - point(t[0])) > 0)
         area = -area;
       for(int i = 0; i < 3; ++i)
       {
-        const Eigen::Vector3d p = point(t[i]), q = point(t[(i + 1) % 3]), r = point(t[(i + 2) % 3]);
-        gain[t[i]] += area * (((p - q).squaredNorm() + (p - r).squaredNorm()) / 30 + (q - r).squaredNorm() / 60);
+        const Vector_3 p = point(t[i]), q = point(t[(i + 1) % 3]), r = point(t[(i + 2) % 3]);
+        gain[t[i]] += area * (((p - q).squared_length() + (p - r).squared_length()) / 30 + (q - r).squared_length() / 60);
       }
     }
   return gain;
@@ -134,15 +134,15 @@ static void odt_energy(const char* name, const std::vector<Vector>& on_surface, 
               ": the energies are not in the ratio of ", surface_weight);
   check::that(objective.is_feasible(), name, ": not feasible");
   const double scale = objective.gradient().cwiseAbs().maxCoeff();
-  const std::vector<Eigen::Vector3d> gain = gain_of_polyhedron(mesh);
+  const std::vector<Vector_3> gain = gain_of_polyhedron(mesh);
   int tested = 0;
   for(int v = mesh.number_of_interior_vertices; v < mesh.number_of_movable_vertices; ++v)
   {
     const Tangential_motion& m = motions[v - mesh.number_of_interior_vertices];
-    const Eigen::Vector3d g = objective.gradient().segment<3>(3 * v);
+    const Vector_3 g = vector_at(objective.gradient(), v);
     if(m.is_at_rest())
     {
-      check::that(g.norm() == 0, name, ": a vertex at rest has a gradient");
+      check::that(g.length() == 0, name, ": a vertex at rest has a gradient");
       continue;
     }
     check::that(std::abs(g.dot(m.normal)) < 1e-12 * scale, name,
@@ -161,7 +161,7 @@ static void odt_energy(const char* name, const std::vector<Vector>& on_surface, 
     const Tangential_motion& m = motions[v - mesh.number_of_interior_vertices];
     const Site& s = mesh.sites[v];
     const Vector way = position(s) - position(m.center);
-    check::that(way.norm() <= m.radius * (1 + 1e-9) && std::abs(way.dot(m.normal)) < 1e-9, name,
+    check::that(way.length() <= m.radius * (1 + 1e-9) && std::abs(way.dot(m.normal)) < 1e-9, name,
                 ": a vertex left its disk");
   }
   objective.reject();
@@ -259,8 +259,8 @@ struct Square
 
 static double angle(const Site& apex, const Site& a, const Site& b)
 {
-  const Eigen::Vector3d p(a.x - apex.x, a.y - apex.y, a.z - apex.z), q(b.x - apex.x, b.y - apex.y, b.z - apex.z);
-  return std::atan2(p.cross(q).norm(), p.dot(q));
+  const Vector_3 p(a.x - apex.x, a.y - apex.y, a.z - apex.z), q(b.x - apex.x, b.y - apex.y, b.z - apex.z);
+  return std::atan2(p.cross(q).length(), p.dot(q));
 }
 
 static void cvt_energy()
@@ -284,10 +284,10 @@ static void cvt_energy()
     for(int k = 0; k < 3; ++k)
       sites.push_back({ u(random), u(random), u(random), 0 });
     const Surface_cvt_contribution_3 c({{ 0, 1, 2 }}, sites), d({{ 0, 1, 2 }}, sites, {{ 1, 1, 1 }});
-    const double scale = std::abs(c.energy) + c.gradient[0].norm() + c.gradient[1].norm() + c.gradient[2].norm();
+    const double scale = std::abs(c.energy) + c.gradient[0].length() + c.gradient[1].length() + c.gradient[2].length();
     check::that(std::abs(c.energy - d.energy) < 1e-10 * scale, "energies of a facet differ");
     for(int k = 0; k < 3; ++k)
-      check::that((c.gradient[k] - d.gradient[k]).norm() < 1e-10 * scale && std::abs(c.mass[k] - d.mass[k]) < 1e-10 * scale,
+      check::that((c.gradient[k] - d.gradient[k]).length() < 1e-10 * scale && std::abs(c.mass[k] - d.mass[k]) < 1e-10 * scale,
                   "gradients or masses of a facet differ");
   }
 

@@ -21,6 +21,7 @@
 #include <CGAL/Global_odt_mesh_3/internal/density/Field_density_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/density/Make_density_quadrature_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/geometry/Site.h>
+#include <CGAL/Global_odt_mesh_3/internal/geometry/Vector_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/interface/User_field_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/optimization/Global_search.h>
 #include <CGAL/Global_odt_mesh_3/internal/optimization/Limited_memory_bfgs.h>
@@ -75,7 +76,7 @@ public:
     const Eigen::VectorXd& d = objective.diagonal();
     for(int v = 0; v < n; ++v)
     {
-      displacement_[v] = g.segment<3>(3 * v).norm() / (d[3 * v] * shortest_edge_[v]);
+      displacement_[v] = vector_at(g, v).length() / (d[3 * v] * shortest_edge_[v]);
       // A vertex may come to rest for a moment while those around it still move.
       still_[v] = displacement_[v] < freeze_bound_ ? still_[v] + 1 : 0;
       if(do_freeze_ && still_[v] == iterations_to_freeze)

@@ -144,7 +144,7 @@ private:
     std::vector<double> lengths;
     for(int v = 0; v < movable; ++v)
     {
-      velocity.segment<3>(3 * v) = velocity_.segment<3>(3 * vertices[v]);
+      set_vector(velocity, v, vector_at(velocity_, vertices[v]));
       lengths.push_back(edge_length_[vertices[v]]);
     }
     Momentum_annealing annealing(seed, schedule_);
@@ -155,7 +155,7 @@ private:
     if(!is_taken)           // the gradient is lost
       part.is_regular();
     for(int v = 0; v < movable; ++v)
-      velocity_.segment<3>(3 * vertices[v]) = annealing.velocity().segment<3>(3 * v);
+      set_vector(velocity_, vertices[v], vector_at(annealing.velocity(), v));
     at_seams.resize(vertices.size() - blocks.number_of_own_vertices(n));
     part.for_each_gradient([&](int v, const Site_gradient& g)
     {

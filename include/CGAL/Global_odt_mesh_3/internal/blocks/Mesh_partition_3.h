@@ -14,13 +14,11 @@
 
 #include <CGAL/Global_odt_mesh_3/internal/geometry/Random_source.h>
 #include <CGAL/Global_odt_mesh_3/internal/geometry/Site.h>
+#include <CGAL/Global_odt_mesh_3/internal/geometry/Vector_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/parallel/Buckets.h>
 #include <CGAL/Global_odt_mesh_3/internal/parallel/Chunked_loops.h>
 #include <CGAL/Global_odt_mesh_3/internal/parallel/Thread_policy.h>
 #include <CGAL/Global_odt_mesh_3/internal/triangulation/Constrained_triangulation_3.h>
-
-#include <Eigen/Core>
-#include <Eigen/Geometry>
 
 #include <algorithm>
 #include <array>
@@ -41,14 +39,14 @@ public:
   Space_partition_3(const Constrained_triangulation_3& mesh, int number_of_blocks, Random_source random)
   {
     choose_frame(random);
-    std::vector<Eigen::Vector3d> samples = sample(mesh, std::size_t(number_of_blocks) * samples_of_block);
+    std::vector<Vector_3> samples = sample(mesh, std::size_t(number_of_blocks) * samples_of_block);
     root_ = split(samples.begin(), samples.end(), number_of_blocks, random);
   }
 
   // That of a point.
-  int block(const Eigen::Vector3d& point) const
+  int block(const Vector_3& point) const
   {
-    const Eigen::Vector3d p = frame_ * point;
+    const Vector_3 p = in_frame(point);
     int node = root_;
     while(node >= 0)
       node = nodes_[node].child[p[nodes_[node].axis] >= nodes_[node].cut];
@@ -66,22 +64,22 @@ private:
     std::array<int, 2> child;       // or ~block
   };
 
-  typedef std::vector<Eigen::Vector3d>::iterator Sample;
+  typedef std::vector<Vector_3>::iterator Sample;
 
   void choose_frame(Random_source& random)
   {
-    frame_.row(0) = random.direction();
-    frame_.row(1) = frame_.row(0).cross(random.direction()).normalized();
-    frame_.row(2) = frame_.row(0).cross(frame_.row(1));
+    frame_[0] = random.direction();
+    frame_[1] = frame_[0].cross(random.direction()).normalized();
+    frame_[2] = frame_[0].cross(frame_[1]);
   }
 
-  std::vector<Eigen::Vector3d> sample(const Constrained_triangulation_3& mesh, std::size_t number) const
+  std::vector<Vector_3> sample(const Constrained_triangulation_3& mesh, std::size_t number) const
   {
     const std::size_t step = 1 + mesh.sites.size() / number;
-    std::vector<Eigen::Vector3d> points;
+    std::vector<Vector_3> points;
     for(std::size_t v = 0; v < mesh.sites.size(); v += step)
       if(mesh.topology.incident_cell(static_cast<int>(v)) >= 0)
-        points.push_back(frame_ * position(mesh.sites[v]));
+        points.push_back(in_frame(position(mesh.sites[v])));
     return points;
   }
 
@@ -97,7 +95,7 @@ private:
     if(begin != end)
     {
       node.axis = longest_axis(begin, end);
-      std::nth_element(begin, middle, end, [&node](const Eigen::Vector3d& p, const Eigen::Vector3d& q)
+      std::nth_element(begin, middle, end, [&node](const Vector_3& p, const Vector_3& q)
                        { return p[node.axis] < q[node.axis]; });
       node.cut = (*middle)[node.axis];
     }
@@ -108,20 +106,20 @@ private:
     return number;
   }
 
+  Vector_3 in_frame(const Vector_3& p) const { return { frame_[0].dot(p), frame_[1].dot(p), frame_[2].dot(p) }; }
+
   static int longest_axis(Sample begin, Sample end)
   {
-    Eigen::Vector3d low = *begin, high = *begin;
-    for(Sample p = begin; p != end; ++p)
+    std::array<double, 3> extent;
+    for(int axis = 0; axis < 3; ++axis)
     {
-      low = low.cwiseMin(*p);
-      high = high.cwiseMax(*p);
+      const auto ends = std::minmax_element(begin, end, [axis](const Vector_3& p, const Vector_3& q) { return p[axis] < q[axis]; });
+      extent[axis] = (*ends.second)[axis] - (*ends.first)[axis];
     }
-    int axis;
-    (high - low).maxCoeff(&axis);
-    return axis;
+    return static_cast<int>(std::max_element(extent.begin(), extent.end()) - extent.begin());
   }
 
-  Eigen::Matrix3d frame_;
+  std::array<Vector_3, 3> frame_;
   std::vector<Node> nodes_;
   int root_ = 0, number_of_leaves_ = 0;
 };
@@ -177,9 +175,9 @@ private:
                                                                                          : space.block(centroid(mesh, cell));
   }
 
-  static Eigen::Vector3d centroid(const Constrained_triangulation_3& mesh, int cell)
+  static Vector_3 centroid(const Constrained_triangulation_3& mesh, int cell)
   {
-    Eigen::Vector3d sum = Eigen::Vector3d::Zero();
+    Vector_3 sum;
     for(int v : mesh.topology.cell(cell))
       sum += position(mesh.sites[v]);
     return 0.25 * sum;

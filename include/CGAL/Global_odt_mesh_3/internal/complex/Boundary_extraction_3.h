@@ -16,12 +16,11 @@
 #include <CGAL/Global_odt_mesh_3/internal/complex/Exact_triangulation_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/geometry/Cell_geometry_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/geometry/Site.h>
+#include <CGAL/Global_odt_mesh_3/internal/geometry/Vector_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/geometry/Vertex_tuples.h>
 #include <CGAL/Global_odt_mesh_3/internal/interface/Domain_view_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/parallel/Chunked_loops.h>
 #include <CGAL/Global_odt_mesh_3/internal/surface/Boundary_complex_3.h>
-
-#include <Eigen/Core>
 
 #include <algorithm>
 #include <array>
@@ -52,7 +51,7 @@ int patch_of_facet(const Triple& t, const std::array<Site, 3>& sites, const Patc
   if(common.size() <= 1)
     return common.empty() ? unknown_patch : *common.begin();
   const Facet_dual_3 dual(sites);
-  Eigen::Vector3d p = dual.center;
+  Vector_3 p = dual.center;
   int patch;
   return domain.intersect(p, dual.normal, dual.radius, patch) && common.count(patch) > 0 ? patch : unknown_patch;
 }

@@ -20,14 +20,13 @@
 #include <CGAL/Global_odt_mesh_3/internal/geometry/Angle_deficit_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/geometry/Cell_geometry_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/geometry/Site.h>
+#include <CGAL/Global_odt_mesh_3/internal/geometry/Vector_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/geometry/Vertex_tuples.h>
 #include <CGAL/Global_odt_mesh_3/internal/interface/Domain_view_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/parallel/Chunked_loops.h>
 #include <CGAL/Global_odt_mesh_3/internal/parallel/Thread_policy.h>
 #include <CGAL/Global_odt_mesh_3/internal/surface/Boundary_complex_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/triangulation/Constrained_triangulation_3.h>
-
-#include <Eigen/Core>
 
 #include <algorithm>
 #include <array>
@@ -79,7 +78,7 @@ public:
   double smallest_angle() const { return smallest_angle_; }
 
   // Whether a boundary facet may have its centroid there.
-  bool is_close(const Eigen::Vector3d& point) const
+  bool is_close(const Vector_3& point) const
   {
     return !domain_.tells_distances() || domain_.distance_to_surface(point) <= farthest_centroid_;
   }
@@ -180,7 +179,7 @@ inline Defect_report_3 check_topology(const Complex_candidate_3& candidate)
 }
 
 // Those of the vertices around a boundary facet that lie in its surface Delaunay ball.
-inline std::vector<int> intruders(const Complex_candidate_3& candidate, const std::array<int, 3>& t, const Eigen::Vector3d& center)
+inline std::vector<int> intruders(const Complex_candidate_3& candidate, const std::array<int, 3>& t, const Vector_3& center)
 {
   const Site& s = candidate.snapshot.sites[t[0]];
   const double radius = squared_distance(s, center) - s.weight;

@@ -14,6 +14,7 @@
 
 #include <CGAL/Global_odt_mesh_3/internal/geometry/Cell_geometry_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/geometry/Site.h>
+#include <CGAL/Global_odt_mesh_3/internal/geometry/Vector_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/geometry/Vertex_tuples.h>
 #include <CGAL/Global_odt_mesh_3/internal/interface/Domain_view_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/interface/Mesh_view_3.h>
@@ -22,8 +23,6 @@
 #include <CGAL/Global_odt_mesh_3/internal/surface/Boundary_geometry_3.h>
 
 #include <CGAL/assertions.h>
-
-#include <Eigen/Core>
 
 #include <algorithm>
 #include <cstddef>
@@ -139,7 +138,7 @@ struct Complex_snapshot_3
   // The point of the surface on the dual line of a boundary facet.
   struct Surface_center
   {
-    Eigen::Vector3d point;
+    Vector_3 point;
     int patch = Boundary_facet::no_patch;     // on which it is
     int source = Mesh_table_3::no_facet;      // the facet of the input whose center it is
     bool is_exact = false;          // on the surface; or else estimated from the normals

@@ -17,10 +17,9 @@
 #include <CGAL/Global_odt_mesh_3/internal/complex/Working_triangulation_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/geometry/Cell_geometry_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/geometry/Site.h>
+#include <CGAL/Global_odt_mesh_3/internal/geometry/Vector_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/interface/Domain_view_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/surface/Boundary_geometry_3.h>
-
-#include <Eigen/Core>
 
 #include <algorithm>
 #include <array>
@@ -159,7 +158,7 @@ inline bool put_on_surface(Complex_candidate_3& candidate, const Domain_view_3& 
   const Boundary_geometry_3& boundary = candidate.measured_boundary;
   const Umbrella_shape& shape = boundary.shape(v, 0);
   Site& s = candidate.sites[v];
-  Eigen::Vector3d p = position(s);
+  Vector_3 p = position(s);
   if(!domain.project(p, shape.normal, farthest_projection * shape.shortest_edge, boundary.complex().umbrella(v, 0).patch))
     return false;
   s = site_at(p, s.weight);

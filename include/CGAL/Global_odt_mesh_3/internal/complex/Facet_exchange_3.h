@@ -17,11 +17,10 @@
 #include <CGAL/Global_odt_mesh_3/internal/complex/Vertex_cavity_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/geometry/Cell_geometry_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/geometry/Site.h>
+#include <CGAL/Global_odt_mesh_3/internal/geometry/Vector_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/geometry/Vertex_tuples.h>
 #include <CGAL/Global_odt_mesh_3/internal/surface/Exchangeable_boundary_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/triangulation/Indexed_triangulation_3.h>
-
-#include <Eigen/Core>
 
 #include <algorithm>
 #include <array>
@@ -168,8 +167,8 @@ private:
     const std::vector<Cell*>& cells = cavity_.new_cells();
     if(is_infinite(*cells[s.cell]) || (other != nullptr && is_infinite(*cells[other->cell])))
       return false;
-    const Eigen::Vector3d from = cells[s.cell]->dual;
-    Eigen::Vector3d to;
+    const Vector_3 from = cells[s.cell]->dual;
+    Vector_3 to;
     if(other != nullptr)
       to = cells[other->cell]->dual;
     else
@@ -179,8 +178,8 @@ private:
         return false;
       to = coordinates(complex_.triangulation().dual(c));
     }
-    const double length = (to - from).norm();
-    Eigen::Vector3d middle = (from + to) / 2;
+    const double length = (to - from).length();
+    Vector_3 middle = (from + to) / 2;
     int patch;
     return length > 0 && complex_.domain.intersect(middle, (to - from) / length, length / 2, patch);
   }

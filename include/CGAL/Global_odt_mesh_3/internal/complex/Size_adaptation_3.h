@@ -125,7 +125,7 @@ private:
 
   void push(int u, int v, double sign, Edges& edges) const
   {
-    const double length = (position(complex_.sites[v]) - position(complex_.sites[u])).norm();
+    const double length = (position(complex_.sites[v]) - position(complex_.sites[u])).length();
     edges.push({ sign * length / wanted_(u, v), length, (std::min)(u, v), (std::max)(u, v) });
   }
 

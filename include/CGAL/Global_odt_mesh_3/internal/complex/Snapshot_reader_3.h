@@ -17,6 +17,7 @@
 #include <CGAL/Global_odt_mesh_3/internal/geometry/Cell_geometry_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/geometry/Site.h>
 #include <CGAL/Global_odt_mesh_3/internal/geometry/Spatial_order.h>
+#include <CGAL/Global_odt_mesh_3/internal/geometry/Vector_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/geometry/Vertex_tuples.h>
 #include <CGAL/Global_odt_mesh_3/internal/interface/Domain_view_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/interface/Mesh_view_3.h>
@@ -27,8 +28,6 @@
 #include <CGAL/Global_odt_mesh_3/internal/triangulation/Index_triangulation_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/triangulation/Indexed_triangulation_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/triangulation/Moving_triangulation_3.h>
-
-#include <Eigen/Core>
 
 #include <algorithm>
 #include <cmath>
@@ -188,7 +187,7 @@ private:
       const bool is_found = on_surface != nullptr && on_surface->source == Mesh_table_3::no_facet;
       const bool has_center = is_found || (on_surface != nullptr && on_surface->patch_of_center == on_surface->patch
                                            && is_on_dual_line(on_surface->center, f.vertices));
-      const Eigen::Vector3d point = has_center ? on_surface->center
+      const Vector_3 point = has_center ? on_surface->center
                                                : estimated_surface_center(f.vertices, snapshot_.boundary, snapshot_.sites);
       const int patch = is_found ? on_surface->patch_of_center
                                  : on_surface != nullptr ? on_surface->patch : int(Boundary_facet::no_patch);
@@ -197,16 +196,16 @@ private:
     }
   }
 
-  bool is_on_dual_line(const Eigen::Vector3d& point, const Triple& facet) const
+  bool is_on_dual_line(const Vector_3& point, const Triple& facet) const
   {
     constexpr double most_spread = 1e-4;      // of the powers of the center with respect to the vertices
-    Eigen::Vector3d power;
+    std::array<double, 3> power;
     for(int k = 0; k < 3; ++k)
     {
       const Site& s = snapshot_.sites[facet[k]];
       power[k] = squared_distance(s, point) - s.weight;
     }
-    return power.maxCoeff() - power.minCoeff() <= most_spread * std::abs(power[0]);
+    return (std::max)({ power[0], power[1], power[2] }) - (std::min)({ power[0], power[1], power[2] }) <= most_spread * std::abs(power[0]);
   }
 
   void read_labels()

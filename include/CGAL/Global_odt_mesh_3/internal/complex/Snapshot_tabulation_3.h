@@ -16,6 +16,7 @@
 #include <CGAL/Global_odt_mesh_3/internal/complex/Exact_triangulation_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/complex/Working_triangulation_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/geometry/Site.h>
+#include <CGAL/Global_odt_mesh_3/internal/geometry/Vector_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/geometry/Vertex_tuples.h>
 #include <CGAL/Global_odt_mesh_3/internal/interface/Domain_view_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/interface/Mesh_view_3.h>
@@ -26,8 +27,6 @@
 #include <CGAL/Global_odt_mesh_3/internal/triangulation/Moving_triangulation_3.h>
 
 #include <CGAL/assertions.h>
-
-#include <Eigen/Core>
 
 #include <algorithm>
 #include <array>
@@ -223,7 +222,7 @@ private:
 
   void add_circumradius(Cell_handle c, const Chunked_sums<Circumradii>::Part& sums) const
   {
-    const Eigen::Vector3d p = coordinates(working_.triangulation().dual(c));
+    const Vector_3 p = coordinates(working_.triangulation().dual(c));
     for(int v : Working_triangulation_3::numbers(c))
       sums.add(v, { std::sqrt(squared_distance(snapshot_.sites[v], p)), 1 });
   }

@@ -18,12 +18,11 @@
 #include <CGAL/Global_odt_mesh_3/internal/complex/Exact_triangulation_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/geometry/Cell_geometry_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/geometry/Site.h>
+#include <CGAL/Global_odt_mesh_3/internal/geometry/Vector_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/geometry/Vertex_tuples.h>
 #include <CGAL/Global_odt_mesh_3/internal/interface/Domain_view_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/interface/Mesh_view_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/surface/Boundary_geometry_3.h>
-
-#include <Eigen/Core>
 
 #include <algorithm>
 #include <cmath>
@@ -51,7 +50,7 @@ public:
   void search(const Facet& facet, const Triple& t, Surface_center& center) const
   {
     center.is_exact = false;
-    const Eigen::Vector3d expected = center.point;
+    const Vector_3 expected = center.point;
     const Facet_dual_3 dual(t, sites_);
     for(const auto& s : segments_to_search)
       if(put_on_segment(expected + s[0] * dual.radius * dual.normal, dual.normal, s[1] * dual.radius, center))
@@ -78,7 +77,7 @@ private:
   static constexpr double segments_to_search[][2] = { { 0, 0.3 }, { 0, 1 }, { 0.15, 0.15 }, { -0.15, 0.15 },
                                                       { 0.5, 0.5 }, { -0.5, 0.5 }, { 0, 3 } };
 
-  bool put_on_segment(Eigen::Vector3d middle, const Eigen::Vector3d& direction, double half_length, Surface_center& center) const
+  bool put_on_segment(Vector_3 middle, const Vector_3& direction, double half_length, Surface_center& center) const
   {
     int patch;
     if(!domain_.intersect(middle, direction, half_length, patch))
@@ -102,7 +101,7 @@ private:
 
   bool is_infinite(Cell_handle c) const { return triangulation_.is_infinite(c); }
 
-  Eigen::Vector3d dual_point(Cell_handle c) const { return coordinates(triangulation_.dual(c)); }
+  Vector_3 dual_point(Cell_handle c) const { return coordinates(triangulation_.dual(c)); }
 
   const std::vector<Site>& sites_;
   const Exact_triangulation_3& triangulation_;

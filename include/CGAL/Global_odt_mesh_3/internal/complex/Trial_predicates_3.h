@@ -15,14 +15,12 @@
 #include <CGAL/Global_odt_mesh_3/internal/complex/Exact_triangulation_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/geometry/Cell_geometry_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/geometry/Site.h>
+#include <CGAL/Global_odt_mesh_3/internal/geometry/Vector_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/geometry/Vertex_tuples.h>
 #include <CGAL/Global_odt_mesh_3/internal/triangulation/Indexed_triangulation_3.h>
 
 #include <CGAL/Kernel/global_functions.h>
 #include <CGAL/enum.h>
-
-#include <Eigen/Core>
-#include <Eigen/Geometry>
 
 #include <algorithm>
 #include <array>
@@ -95,10 +93,10 @@ protected:
       return result;
     }
     const Triple t = facet_vertices(q, result.infinite);
-    const Eigen::Vector3d origin = position(site(t[0]));
-    const Eigen::Vector3d a = position(site(t[1])) - origin, b = position(site(t[2])) - origin, normal = a.cross(b);
+    const Vector_3 origin = position(site(t[0]));
+    const Vector_3 a = position(site(t[1])) - origin, b = position(site(t[2])) - origin, normal = a.cross(b);
     result.products = Cell_sphere{ 0, normal[0], normal[1], normal[2] };
-    result.squared_length = (std::max)(a.squaredNorm(), b.squaredNorm());
+    result.squared_length = (std::max)(a.squared_length(), b.squared_length());
     return result;
   }
 
@@ -119,9 +117,9 @@ protected:
     }
     else
     {
-      const Eigen::Vector3d way = position(site(s.vertices[facet_indices(s.infinite)[0]])) - position(q);
-      value = way.dot(Eigen::Vector3d(s.products.nx, s.products.ny, s.products.nz));
-      bound = filter * s.squared_length * way.norm();
+      const Vector_3 way = position(site(s.vertices[facet_indices(s.infinite)[0]])) - position(q);
+      value = way.dot(Vector_3(s.products.nx, s.products.ny, s.products.nz));
+      bound = filter * s.squared_length * way.length();
     }
     return value > bound || (!(value < -bound) && is_exactly_in_conflict(s, point(v)));
   }

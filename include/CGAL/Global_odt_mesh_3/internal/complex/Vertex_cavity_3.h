@@ -18,13 +18,12 @@
 #include <CGAL/Global_odt_mesh_3/internal/complex/Working_triangulation_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/geometry/Angle_deficit_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/geometry/Site.h>
+#include <CGAL/Global_odt_mesh_3/internal/geometry/Vector_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/geometry/Vertex_tuples.h>
 #include <CGAL/Global_odt_mesh_3/internal/triangulation/Indexed_triangulation_3.h>
 
 #include <CGAL/Kernel/global_functions.h>
 #include <CGAL/enum.h>
-
-#include <Eigen/Core>
 
 #include <algorithm>
 #include <array>
@@ -53,7 +52,7 @@ public:
     int label;
     Cell_handle handle = Cell_handle();         // none if there is no such cell yet
     bool is_asked = false, fits = true;         // whether the domain has been asked, and agrees about the label
-    Eigen::Vector3d dual = Eigen::Vector3d::Zero();       // once it has been asked
+    Vector_3 dual;       // once it has been asked
     Cell_lack lack = Cell_lack();
     bool is_measured = false;
   };

@@ -23,6 +23,7 @@
 #include <CGAL/Global_odt_mesh_3/internal/complex/Working_triangulation_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/geometry/Cell_geometry_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/geometry/Site.h>
+#include <CGAL/Global_odt_mesh_3/internal/geometry/Vector_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/geometry/Vertex_tuples.h>
 #include <CGAL/Global_odt_mesh_3/internal/interface/Domain_view_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/interface/Mesh_view_3.h>
@@ -32,8 +33,6 @@
 #include <CGAL/Global_odt_mesh_3/internal/surface/Boundary_complex_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/surface/Boundary_geometry_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/surface/Exchangeable_boundary_3.h>
-
-#include <Eigen/Core>
 
 #include <algorithm>
 #include <array>
@@ -51,10 +50,10 @@ namespace internal {
 // A vertex that is to be inserted, and where it belongs.
 struct New_vertex_3
 {
-  Eigen::Vector3d point;
+  Vector_3 point;
   int dimension;                // 2 on a surface, 3 inside
   int place;                    // the patch or the subdomain
-  Eigen::Vector3d normal = Eigen::Vector3d::Zero();           // of the surface
+  Vector_3 normal = {};      // of the surface
 };
 
 // The middle of an edge of a cell, on the surface if it is on one; none if several surfaces meet there.
@@ -62,8 +61,8 @@ inline std::optional<New_vertex_3> middle_of_edge(const Editable_complex_3& comp
 {
   constexpr double farthest_projection = 0.25;              // over the edge
   const std::vector<Site>& sites = complex.sites;
-  const double length = (position(sites[v]) - position(sites[u])).norm();
-  Eigen::Vector3d p = (position(sites[u]) + position(sites[v])) / 2;
+  const double length = (position(sites[v]) - position(sites[u])).length();
+  Vector_3 p = (position(sites[u]) + position(sites[v])) / 2;
   std::vector<Exchangeable_boundary_3::Facet> facets;
   for(int n : complex.boundary.around(u))
     if(const auto& t = complex.boundary.facet(n).vertices; std::find(t.begin(), t.end(), v) != t.end())
@@ -75,9 +74,9 @@ inline std::optional<New_vertex_3> middle_of_edge(const Editable_complex_3& comp
      || facets[0].patch == Boundary_facet::no_patch)
     return std::nullopt;
   const auto normal = [&](const Exchangeable_boundary_3::Facet& f) { return Facet_dual_3(f.vertices, sites).normal; };
-  Eigen::Vector3d n = normal(facets[0]), m = normal(facets[1]);
-  n += n.dot(m) < 0 ? Eigen::Vector3d(-m) : m;
-  n.normalize();
+  Vector_3 n = normal(facets[0]), m = normal(facets[1]);
+  n += n.dot(m) < 0 ? Vector_3(-m) : m;
+  n = n.normalized();
   if(!complex.domain.project(p, n, farthest_projection * length, facets[0].patch))
     return std::nullopt;
   return New_vertex_3{ p, 2, facets[0].patch, n };
@@ -321,7 +320,7 @@ private:
   }
 
   // That of the snapshot, unless the dual segment ends before it, or one that is searched for.
-  Complex_snapshot_3::Surface_center center(const Editable_complex_3::Found_facet& f, const Eigen::Vector3d& expected) const
+  Complex_snapshot_3::Surface_center center(const Editable_complex_3::Found_facet& f, const Vector_3& expected) const
   {
     const Surface_center_search_3 search(complex().sites, complex().triangulation(), complex().domain);
     const Triple& t = f.of_boundary.vertices;

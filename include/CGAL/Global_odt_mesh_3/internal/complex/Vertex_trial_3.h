@@ -19,12 +19,10 @@
 #include <CGAL/Global_odt_mesh_3/internal/geometry/Angle_deficit_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/geometry/Cell_geometry_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/geometry/Site.h>
+#include <CGAL/Global_odt_mesh_3/internal/geometry/Vector_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/geometry/Vertex_tuples.h>
 #include <CGAL/Global_odt_mesh_3/internal/interface/Domain_view_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/surface/Exchangeable_boundary_3.h>
-
-#include <Eigen/Core>
-#include <Eigen/Geometry>
 
 #include <algorithm>
 #include <array>
@@ -131,7 +129,7 @@ public:
     for(const Cell& c : cavity_.star())
       if(is_inside(c.label))
         angle_step.add(cavity_.sites(c.vertices), index_of(c.vertices, v));
-    const Eigen::Vector3d step = angle_step.displacement(farthest * mean_edge_);
+    const Vector_3 step = angle_step.displacement(farthest * mean_edge_);
     double before = 0;
     for(const Cell& c : cavity_.star())
       before += c.lack.deficit;
@@ -149,11 +147,11 @@ public:
   {
     const std::array<Site, 4> cell = cavity_.sites(q);
     const Cell_products t(cell[0], cell[1], cell[2], cell[3]);
-    const Eigen::Vector3d to_center = Eigen::Vector3d(t.nx, t.ny, t.nz) / (2 * t.determinant);
-    Eigen::Vector3d way = position(cell[0]) + to_center - position(from_);
+    const Vector_3 to_center = Vector_3(t.nx, t.ny, t.nz) / (2 * t.determinant);
+    Vector_3 way = position(cell[0]) + to_center - position(from_);
     const double height = normal_.dot(way);
     way -= height * normal_;
-    const double radius = std::sqrt(to_center.squaredNorm() - cell[0].weight - height * height), length = way.norm();
+    const double radius = std::sqrt(to_center.squared_length() - cell[0].weight - height * height), length = way.length();
     if(!(radius > 0) || !std::isfinite(radius) || !(length > radius))
       return std::nullopt;
     return site_at(position(from_) + (1 - (1 - share) * radius / length) * way, from_.weight);
@@ -172,9 +170,9 @@ public:
     const int v = cavity_.vertex();
     if(complex_.numbering.is_interior(v))
       return move(s, most);
-    if(normal_.isZero())                              // no facet around it is on its own surface
+    if(normal_ == Vector_3())                              // no facet around it is on its own surface
       return infinity;
-    Eigen::Vector3d p = position(s) - normal_.dot(position(s) - position(from_)) * normal_;
+    Vector_3 p = position(s) - normal_.dot(position(s) - position(from_)) * normal_;
     s = site_at(p, s.weight);
     if(!cavity_.find_cells(s) || !promises(most)
        || !complex_.domain.project(p, normal_, farthest_projection * shortest_edge_, own_patch(v)))
@@ -264,12 +262,12 @@ private:
   void measure_neighborhood()
   {
     const int v = cavity_.vertex();
-    const auto distance = [&](int w) { return (position(complex_.sites[w]) - position(from_)).norm(); };
+    const auto distance = [&](int w) { return (position(complex_.sites[w]) - position(from_)).length(); };
     mean_edge_ = 0;
     for(int w : cavity_.link())
       mean_edge_ += distance(w) / double(cavity_.link().size());
     shortest_edge_ = infinity;
-    normal_.setZero();
+    normal_ = Vector_3();
     std::vector<Exchangeable_boundary_3::Facet> around;
     for(int n : complex_.boundary.around(v))
       around.push_back(complex_.boundary.facet(n));
@@ -277,22 +275,22 @@ private:
     for(const Exchangeable_boundary_3::Facet& facet : around)
     {
       const Triple& t = facet.vertices;
-      const Eigen::Vector3d origin = position(complex_.sites[t[0]]);
-      const Eigen::Vector3d area = (position(complex_.sites[t[1]]) - origin).cross(position(complex_.sites[t[2]]) - origin);
+      const Vector_3 origin = position(complex_.sites[t[0]]);
+      const Vector_3 area = (position(complex_.sites[t[1]]) - origin).cross(position(complex_.sites[t[2]]) - origin);
       if(facet.patch == own_patch(v))
-        normal_ += area.dot(normal_) < 0 ? Eigen::Vector3d(-area) : area;
+        normal_ += area.dot(normal_) < 0 ? Vector_3(-area) : area;
       for(int w : t)
         if(w != v)
           shortest_edge_ = (std::min)(shortest_edge_, distance(w));
     }
-    normal_.normalize();
+    normal_ = normal_.normalized();
   }
 
   // Whether a new vertex would be so far from its neighbors, and in no protecting ball of theirs.
   bool has_room(double least_distance) const
   {
     const int vertex = cavity_.vertex();
-    const Eigen::Vector3d p = position(cavity_.site(vertex));
+    const Vector_3 p = position(cavity_.site(vertex));
     const auto is_far = [&](int v)
     {
       return v < 0 || v == vertex || squared_distance(complex_.sites[v], p) > (std::max)(least_distance * least_distance, complex_.sites[v].weight);
@@ -382,7 +380,7 @@ private:
     constexpr double margin = 0.1;
     const std::array<Site, 4> s = cavity_.sites(c.vertices);
     const Cell_products t(s[0], s[1], s[2], s[3]);
-    const Eigen::Vector3d dual = position(s[0]) + Eigen::Vector3d(t.nx, t.ny, t.nz) / (2 * t.determinant);
+    const Vector_3 dual = position(s[0]) + Vector_3(t.nx, t.ny, t.nz) / (2 * t.determinant);
     for(int i = 0; i < 4; ++i)
     {
       if(complex_.is_inserted(c.vertices[i]))
@@ -444,7 +442,7 @@ private:
   Vertex_change change_;                        // what becomes of the number of vertices
   Site from_ = { 0, 0, 0, 0 };
   double mean_edge_ = 0, shortest_edge_ = 0;    // of all, and on the boundary
-  Eigen::Vector3d normal_ = Eigen::Vector3d::Zero();            // zero if there is no facet of the patch
+  Vector_3 normal_;            // zero if there is no facet of the patch
   std::vector<std::pair<double, std::size_t> > doubts_;         // new cells, by what they may lack
   Sliver_count before_, after_;
 };

@@ -15,6 +15,7 @@
 #include <CGAL/Global_odt_mesh_3/internal/door/Mesh_domain_view_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/geometry/Angle_deficit_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/geometry/Site.h>
+#include <CGAL/Global_odt_mesh_3/internal/geometry/Vector_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/interface/Mesh_view_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/parallel/Chunked_loops.h>
 #include <CGAL/Global_odt_mesh_3/internal/parallel/Thread_policy.h>
@@ -227,7 +228,7 @@ private:
     }
   }
 
-  static Bare_point point(const Eigen::Vector3d& p) { return Bare_point(p[0], p[1], p[2]); }
+  static Bare_point point(const Vector_3& p) { return Bare_point(p[0], p[1], p[2]); }
 
   void read_vertices(Mesh_table_3& table)
   {

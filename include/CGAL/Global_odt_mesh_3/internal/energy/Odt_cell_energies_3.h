@@ -16,10 +16,8 @@
 #include <CGAL/Global_odt_mesh_3/internal/density/Polynomial_density_quadrature_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/geometry/Cell_geometry_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/geometry/Site.h>
+#include <CGAL/Global_odt_mesh_3/internal/geometry/Vector_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/parallel/Thread_policy.h>
-
-#include <Eigen/Core>
-#include <Eigen/Geometry>
 
 #include <array>
 #include <vector>
@@ -143,28 +141,28 @@ inline Cell_energy cvt_energy(const Cell_products& t)
   // An edge and the third vertex of a facet which, seen from the fourth vertex, is counterclockwise.
   static constexpr int flags[12][3] = { { 0, 1, 2 }, { 1, 2, 0 }, { 2, 0, 1 }, { 0, 3, 1 }, { 3, 1, 0 }, { 1, 0, 3 },
                                         { 0, 2, 3 }, { 2, 3, 0 }, { 3, 0, 2 }, { 1, 3, 2 }, { 3, 2, 1 }, { 2, 1, 3 } };
-  const std::array<Eigen::Vector3d, 4> x = {{ Eigen::Vector3d::Zero(), Eigen::Vector3d(t.ax, t.ay, t.az),
-                                              Eigen::Vector3d(t.bx, t.by, t.bz), Eigen::Vector3d(t.cx, t.cy, t.cz) }};
-  const Eigen::Vector3d center = Eigen::Vector3d(t.nx, t.ny, t.nz) / (2 * t.determinant);
-  std::array<Eigen::Vector3d, 4> gradient;
-  gradient.fill(Eigen::Vector3d::Zero());
+  const std::array<Vector_3, 4> x = {{ Vector_3(), Vector_3(t.ax, t.ay, t.az),
+                                              Vector_3(t.bx, t.by, t.bz), Vector_3(t.cx, t.cy, t.cz) }};
+  const Vector_3 center = Vector_3(t.nx, t.ny, t.nz) / (2 * t.determinant);
+  std::array<Vector_3, 4> gradient;
+  gradient.fill(Vector_3());
   std::array<double, 4> mass = {{ 0, 0, 0, 0 }};
   Cell_energy r;
   r.energy = 0;
-  Eigen::Vector3d height(0, 0, 0);            // of the center above the facet
+  Vector_3 height(0, 0, 0);            // of the center above the facet
   for(int n = 0; n < 12; ++n)
   {
     const int i = flags[n][0], j = flags[n][1], k = flags[n][2];
     if(n % 3 == 0)
     {
-      const Eigen::Vector3d normal = (x[j] - x[i]).cross(x[k] - x[i]);
-      height = (center - x[i]).dot(normal) / normal.squaredNorm() * normal;
+      const Vector_3 normal = (x[j] - x[i]).cross(x[k] - x[i]);
+      height = (center - x[i]).dot(normal) / normal.squared_length() * normal;
     }
-    const Eigen::Vector3d leg = (x[j] - x[i]) / 2, middle = (x[i] + x[j]) / 2;
-    const Eigen::Vector3d foot = center - height, width = foot - middle;
+    const Vector_3 leg = (x[j] - x[i]) / 2, middle = (x[i] + x[j]) / 2;
+    const Vector_3 foot = center - height, width = foot - middle;
     const double volume = leg.dot(width.cross(height)) / 6;
-    r.energy += volume / 5 * (6 * leg.squaredNorm() + 3 * width.squaredNorm() + height.squaredNorm());
-    const Eigen::Vector3d corners = middle + foot + center;
+    r.energy += volume / 5 * (6 * leg.squared_length() + 3 * width.squared_length() + height.squared_length());
+    const Vector_3 corners = middle + foot + center;
     gradient[i] += volume / 2 * (3 * x[i] - corners);
     gradient[j] += volume / 2 * (3 * x[j] - corners);
     mass[i] += volume;

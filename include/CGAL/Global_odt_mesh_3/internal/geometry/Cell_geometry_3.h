@@ -13,12 +13,10 @@
 #include <CGAL/license/Global_odt_mesh_3.h>
 
 #include <CGAL/Global_odt_mesh_3/internal/geometry/Site.h>
+#include <CGAL/Global_odt_mesh_3/internal/geometry/Vector_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/geometry/Vertex_tuples.h>
 
 #include <CGAL/number_utils.h>
-
-#include <Eigen/Core>
-#include <Eigen/Geometry>
 
 #include <algorithm>
 #include <array>
@@ -97,22 +95,22 @@ struct Cell_shape_3
 
   Cell_shape_3(const Site& s0, const Site& s1, const Site& s2, const Site& s3)
   {
-    const std::array<Eigen::Vector3d, 4> s = {{ position(s0), position(s1), position(s2), position(s3) }};
+    const std::array<Vector_3, 4> s = {{ position(s0), position(s1), position(s2), position(s3) }};
     // Inward normals of the facets opposite to each vertex; their lengths are
     // twice the areas.
-    std::array<Eigen::Vector3d, 4> normal;
+    std::array<Vector_3, 4> normal;
     double area = 0;
     for(int i = 0; i < 4; ++i)
     {
-      const Eigen::Vector3d& a = s[(i + 1) % 4];
+      const Vector_3& a = s[(i + 1) % 4];
       normal[i] = (i % 2 == 0 ? -1. : 1.) * (s[(i + 2) % 4] - a).cross(s[(i + 3) % 4] - a);
-      area += normal[i].norm() / 2;
+      area += normal[i].length() / 2;
     }
     int n = 0;
     for(int i = 0; i < 3; ++i)
       for(int j = i + 1; j < 4; ++j)
         // The angle between the facets is the supplement of that of the normals.
-        angles[n++] = std::atan2(normal[i].cross(normal[j]).norm(), -normal[i].dot(normal[j])) * 180 / CGAL_PI;
+        angles[n++] = std::atan2(normal[i].cross(normal[j]).length(), -normal[i].dot(normal[j])) * 180 / CGAL_PI;
     // r = 3 V / area; R = |N| / (2 det) of the unweighted sites.
     const auto unweighted = [](Site p) { p.weight = 0; return p; };
     const Cell_products t(unweighted(s0), unweighted(s1), unweighted(s2), unweighted(s3));
@@ -126,7 +124,7 @@ struct Cell_shape_3
 // which points to side 1.
 struct Facet_dual_3
 {
-  Eigen::Vector3d center, normal;
+  Vector_3 center, normal;
   double radius;
 
   // With the edges a, b from s0, their lifted heights h_a, h_b and n = a x b, the
@@ -138,27 +136,27 @@ struct Facet_dual_3
   explicit Facet_dual_3(const std::array<Site, 3>& s)
   {
     const Site &s0 = s[0], &s1 = s[1], &s2 = s[2];
-    const Eigen::Vector3d a = position(s1) - position(s0), b = position(s2) - position(s0), n = a.cross(b);
-    const double ha = a.squaredNorm() - s1.weight + s0.weight;
-    const double hb = b.squaredNorm() - s2.weight + s0.weight;
-    const Eigen::Vector3d d = (ha * b.cross(n) + hb * n.cross(a)) / (2 * n.squaredNorm());
+    const Vector_3 a = position(s1) - position(s0), b = position(s2) - position(s0), n = a.cross(b);
+    const double ha = a.squared_length() - s1.weight + s0.weight;
+    const double hb = b.squared_length() - s2.weight + s0.weight;
+    const Vector_3 d = (ha * b.cross(n) + hb * n.cross(a)) / (2 * n.squared_length());
     center = position(s0) + d;
-    normal = n / n.norm();
-    radius = d.norm();
+    normal = n / n.length();
+    radius = d.length();
   }
 
   // The signed height of a point over the plane of the facet, positive on side 1.
-  double height(const Eigen::Vector3d& p) const { return normal.dot(p - center); }
+  double height(const Vector_3& p) const { return normal.dot(p - center); }
 
-  Eigen::Vector3d point_at(double height) const { return center + height * normal; }
+  Vector_3 point_at(double height) const { return center + height * normal; }
 };
 
-inline Eigen::Vector3d centroid(const std::array<Site, 3>& s) { return (position(s[0]) + position(s[1]) + position(s[2])) / 3; }
+inline Vector_3 centroid(const std::array<Site, 3>& s) { return (position(s[0]) + position(s[1]) + position(s[2])) / 3; }
 
-inline Eigen::Vector3d centroid(const Triple& t, const std::vector<Site>& s)
+inline Vector_3 centroid(const Triple& t, const std::vector<Site>& s)
 { return centroid(std::array<Site, 3>{{ s[t[0]], s[t[1]], s[t[2]] }}); }
 
-inline double squared_distance(const Site& s, const Eigen::Vector3d& p) { return (position(s) - p).squaredNorm(); }
+inline double squared_distance(const Site& s, const Vector_3& p) { return (position(s) - p).squared_length(); }
 
 // In degrees.
 inline double smallest_angle_of_facet(const std::array<Site, 3>& s)
@@ -166,9 +164,9 @@ inline double smallest_angle_of_facet(const std::array<Site, 3>& s)
   double smallest = 180;
   for(std::size_t i = 0; i < 3; ++i)
   {
-    const Eigen::Vector3d a = position(s[(i + 1) % 3]) - position(s[i]);
-    const Eigen::Vector3d b = position(s[(i + 2) % 3]) - position(s[i]);
-    smallest = (std::min)(smallest, std::atan2(a.cross(b).norm(), a.dot(b)) * 180 / CGAL_PI);
+    const Vector_3 a = position(s[(i + 1) % 3]) - position(s[i]);
+    const Vector_3 b = position(s[(i + 2) % 3]) - position(s[i]);
+    smallest = (std::min)(smallest, std::atan2(a.cross(b).length(), a.dot(b)) * 180 / CGAL_PI);
   }
   return smallest;
 }

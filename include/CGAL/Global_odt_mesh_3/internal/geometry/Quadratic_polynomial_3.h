@@ -13,8 +13,7 @@
 #include <CGAL/license/Global_odt_mesh_3.h>
 
 #include <CGAL/Global_odt_mesh_3/internal/geometry/Site.h>
-
-#include <Eigen/Core>
+#include <CGAL/Global_odt_mesh_3/internal/geometry/Vector_3.h>
 
 #include <array>
 
@@ -25,9 +24,9 @@ namespace internal {
 // A polynomial of degree two about a center, so that the distance to the origin does not matter.
 struct Quadratic_polynomial_3
 {
-  Eigen::Vector3d center;
+  Vector_3 center;
   double constant;
-  Eigen::Vector3d linear;       // of x, y, z
+  Vector_3 linear;       // of x, y, z
   std::array<double, 6> quadratic;    // of xx, yy, zz, yz, zx, xy
 
   double operator()(const Site& s) const { return polar(s, s); }

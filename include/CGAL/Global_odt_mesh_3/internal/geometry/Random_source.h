@@ -12,7 +12,7 @@
 
 #include <CGAL/license/Global_odt_mesh_3.h>
 
-#include <Eigen/Core>
+#include <CGAL/Global_odt_mesh_3/internal/geometry/Vector_3.h>
 
 #include <cmath>
 #include <cstdint>
@@ -65,7 +65,7 @@ public:
 
   // Uniform on the unit sphere: a point of the disk, lifted (Marsaglia, Choosing a point from
   // the surface of a sphere, 1972). Both its coordinates come from one number.
-  Eigen::Vector3d direction()
+  Vector_3 direction()
   {
     for(;;)
     {

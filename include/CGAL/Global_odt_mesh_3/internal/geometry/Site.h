@@ -12,9 +12,9 @@
 
 #include <CGAL/license/Global_odt_mesh_3.h>
 
-#include <CGAL/number_utils.h>
+#include <CGAL/Global_odt_mesh_3/internal/geometry/Vector_3.h>
 
-#include <Eigen/Core>
+#include <CGAL/number_utils.h>
 
 namespace CGAL {
 namespace Global_odt_mesh_3 {
@@ -28,17 +28,17 @@ struct Site
   double weight;
 };
 
-inline Eigen::Vector3d position(const Site& s) { return Eigen::Vector3d(s.x, s.y, s.z); }
+inline Vector_3 position(const Site& s) { return Vector_3(s.x, s.y, s.z); }
 
 inline bool same_place(const Site& a, const Site& b) { return a.x == b.x && a.y == b.y && a.z == b.z; }
 
-inline Site site_at(const Eigen::Vector3d& p, double weight) { return { p.x(), p.y(), p.z(), weight }; }
+inline Site site_at(const Vector_3& p, double weight) { return { p.x(), p.y(), p.z(), weight }; }
 
 // CGAL's points in double coordinates.
 template <class Point>
-Eigen::Vector3d coordinates(const Point& p)
+Vector_3 coordinates(const Point& p)
 {
-  return Eigen::Vector3d(CGAL::to_double(p.x()), CGAL::to_double(p.y()), CGAL::to_double(p.z()));
+  return Vector_3(CGAL::to_double(p.x()), CGAL::to_double(p.y()), CGAL::to_double(p.z()));
 }
 
 template <class Weighted_point>

@@ -12,10 +12,9 @@
 
 #include <CGAL/license/Global_odt_mesh_3.h>
 
+#include <CGAL/Global_odt_mesh_3/internal/geometry/Vector_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/parallel/Chunked_loops.h>
 #include <CGAL/Global_odt_mesh_3/internal/parallel/Thread_policy.h>
-
-#include <Eigen/Core>
 
 #include <atomic>
 #include <cstddef>
@@ -67,7 +66,7 @@ public:
 class Domain_view_3
 {
 public:
-  typedef Eigen::Vector3d Vector;
+  typedef Vector_3 Vector;
 
   static constexpr int outside = 0;
   static constexpr int other_subdomain = (std::numeric_limits<int>::max)(), other_patch = other_subdomain;
@@ -118,7 +117,7 @@ public:
       return 0;
     ++statistics_.projections;
     const Oracle_stopwatch stopwatch(statistics_);
-    return (p - closest_point(p)).norm();
+    return (p - closest_point(p)).length();
   }
 
   // Moves `p` to where the segment of that half length and direction around it
@@ -129,7 +128,7 @@ public:
     const Oracle_stopwatch stopwatch(statistics_);
     const Vector from = p - half_length * direction, to = p + half_length * direction;
     // That of cospherical cells is a point, which domains do not expect.
-    if((to - from).norm() > 0 && find_intersection(from, to, p, patch))
+    if((to - from).length() > 0 && find_intersection(from, to, p, patch))
       return true;
     ++statistics_.failures;
     return false;
@@ -156,7 +155,7 @@ private:
     const Oracle_stopwatch stopwatch(statistics_);
     int found;
     const Vector q = closest_point(p, found);
-    if((p - q).norm() <= reach && found == patch && patch != other_patch)
+    if((p - q).length() <= reach && found == patch && patch != other_patch)
     {
       p = q;
       return true;

@@ -13,14 +13,13 @@
 #include <CGAL/license/Global_odt_mesh_3.h>
 
 #include <CGAL/Global_odt_mesh_3/internal/geometry/Site.h>
+#include <CGAL/Global_odt_mesh_3/internal/geometry/Vector_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/geometry/Vertex_tuples.h>
 #include <CGAL/Global_odt_mesh_3/internal/interface/User_field_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/parallel/Chunked_loops.h>
 #include <CGAL/Global_odt_mesh_3/internal/parallel/Thread_policy.h>
 
 #include <CGAL/assertions.h>
-
-#include <Eigen/Core>
 
 #include <algorithm>
 #include <array>
@@ -51,7 +50,7 @@ struct Mesh_table_3
   {
     int cell, index;
     int patch;
-    Eigen::Vector3d center;                     // where its dual line meets the surface
+    Vector_3 center;                     // where its dual line meets the surface
     int patch_of_center;                        // no_patch if there is no center
     int source;                                 // the facet of the input whose center it still is, or no_facet
   };

@@ -13,6 +13,7 @@
 #include <CGAL/license/Global_odt_mesh_3.h>
 
 #include <CGAL/Global_odt_mesh_3/internal/geometry/Random_source.h>
+#include <CGAL/Global_odt_mesh_3/internal/geometry/Vector_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/optimization/Odt_objective_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/optimization/Vector_loop.h>
 #include <CGAL/Global_odt_mesh_3/internal/parallel/Chunked_loops.h>
@@ -56,14 +57,14 @@ public:
   // In a random direction, its tangential part on surfaces, of a length uniform between zero and
   // the amplitude times the mean edge. Frozen vertices stay.
   template <class Function>
-  Eigen::Vector3d displacement(const Function& f, int v, double interior_amplitude, double surface_amplitude) const
+  Vector_3 displacement(const Function& f, int v, double interior_amplitude, double surface_amplitude) const
   {
     if(f.is_frozen(v))
-      return Eigen::Vector3d::Zero();
+      return Vector_3();
     Random_numbers<Split_mix_engine> random(Split_mix_engine(seed_, v));
-    const Eigen::Vector3d direction = random.direction();
+    const Vector_3 direction = random.direction();
     const double length = edge_length_[v] * random.uniform();
-    const Eigen::Vector3d* normal = f.normal(v);
+    const Vector_3* normal = f.normal(v);
     if(normal == nullptr)
       return interior_amplitude * length * direction;
     return surface_amplitude * length * (direction - normal->dot(direction) * *normal);
@@ -147,16 +148,15 @@ private:
   // The noise goes into the point from which the step starts, so that it gives no momentum.
   void prepare_step(const Odt_objective_3& f, int v, double interior_amplitude, double surface_amplitude)
   {
-    const int n = 3 * v;
-    Eigen::Vector3d step = schedule_.momentum * velocity_.segment<3>(n)
-                           - schedule_.step_length / f.diagonal()[n] * f.gradient().segment<3>(n);
+    Vector_3 step = schedule_.momentum * vector_at(velocity_, v)
+                    - schedule_.step_length / f.diagonal()[3 * v] * vector_at(f.gradient(), v);
     const double longest = f.is_frozen(v) ? 0 : schedule_.longest_step * noise_.mean_edge_length(v);
-    const double squared_length = step.squaredNorm();
+    const double squared_length = step.squared_length();
     if(squared_length > longest * longest)
       step *= longest / std::sqrt(squared_length);
-    start_.segment<3>(n) = f.point().segment<3>(n)
-                           + noise_.displacement(f, v, interior_amplitude, surface_amplitude);
-    trial_.segment<3>(n) = start_.segment<3>(n) + step;
+    const Vector_3 start = vector_at(f.point(), v) + noise_.displacement(f, v, interior_amplitude, surface_amplitude);
+    set_vector(start_, v, start);
+    set_vector(trial_, v, start + step);
   }
 
   Momentum_annealing_schedule schedule_;
@@ -203,8 +203,7 @@ public:
     start_ = f.point();
     perturbation_.resize(start_.size());
     for(int v = 0; v < f.number_of_vertices(); ++v)
-      perturbation_.segment<3>(3 * v)
-        = noise_.displacement(f, v, schedule_.perturbation, schedule_.perturbation);
+      set_vector(perturbation_, v, noise_.displacement(f, v, schedule_.perturbation, schedule_.perturbation));
     for(int n = 0; n < max_halvings; ++n, perturbation_ /= 2)
     {
       if(f.evaluate(start_ + perturbation_))

@@ -13,6 +13,7 @@
 #include <CGAL/license/Global_odt_mesh_3.h>
 
 #include <CGAL/Global_odt_mesh_3/internal/geometry/Site.h>
+#include <CGAL/Global_odt_mesh_3/internal/geometry/Vector_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/triangulation/Moving_triangulation_3.h>
 
 #include <CGAL/assertions.h>
@@ -30,10 +31,10 @@ namespace Global_odt_mesh_3 {
 namespace internal {
 
 // Leads a site back to within a distance of another one.
-inline void hold_near(const Eigen::Vector3d& center, double farthest, Site& s)
+inline void hold_near(const Vector_3& center, double farthest, Site& s)
 {
-  const Eigen::Vector3d way = position(s) - center;
-  const double length = way.norm();
+  const Vector_3 way = position(s) - center;
+  const double length = way.length();
   if(length > farthest)
     s = site_at(center + farthest / length * way, s.weight);
 }
@@ -42,7 +43,7 @@ inline void hold_near(const Eigen::Vector3d& center, double farthest, Site& s)
 // when the motion begins, within a disk. Without radius, it stays.
 struct Tangential_motion
 {
-  Eigen::Vector3d normal;
+  Vector_3 normal;
   double radius;
   Site center;
 
@@ -51,7 +52,7 @@ struct Tangential_motion
   // The tangential plane says little of the surface farther away.
   void hold_in_disk(Site& s) const { hold_near(position(center), radius, s); }
 
-  Eigen::Vector3d tangential_part(const Eigen::Vector3d& g) const
+  Vector_3 tangential_part(const Vector_3& g) const
   {
     return g - normal.dot(g) * normal;
   }
@@ -123,7 +124,7 @@ public:
       if(v >= mesh_.number_of_interior_vertices)
         motion(v)->hold_in_disk(s);
       else if(!longest_step_.empty())
-        hold_near(point().segment<3>(3 * v), longest_step_[v], s);
+        hold_near(vector_at(point(), v), longest_step_[v], s);
     });
     if(!mesh_.evaluate())
       return false;
@@ -168,7 +169,7 @@ public:
   void mean_edge_lengths(std::vector<double>& length) const { mesh_.mean_edge_lengths(length); }
 
   // The normal of the plane in which the vertex moves, or null if it moves in space.
-  const Eigen::Vector3d* normal(int v) const
+  const Vector_3* normal(int v) const
   {
     return v < mesh_.number_of_interior_vertices || motion(v) == nullptr ? nullptr : &motion(v)->normal;
   }
@@ -180,7 +181,7 @@ public:
     if(!frozen_[v])
       ++number_of_frozen_vertices_;
     frozen_[v] = true;
-    current_.gradient.segment<3>(3 * v).setZero();
+    set_vector(current_.gradient, v, Vector_3());
   }
 
 private:
@@ -229,20 +230,14 @@ private:
       if(v >= mesh_.number_of_movable_vertices)
         return;
       const Site& s = mesh_.sites[v];
-      point.segment<3>(3 * v) << s.x, s.y, s.z;
-      diagonal.segment<3>(3 * v).setConstant(g.diagonal);
-      if(frozen_[v])
-        gradient.segment<3>(3 * v).setZero();
-      else
-        gradient.segment<3>(3 * v) << g.x, g.y, g.z;
+      set_vector(point, v, position(s));
+      set_vector(diagonal, v, { g.diagonal, g.diagonal, g.diagonal });
+      set_vector(gradient, v, frozen_[v] ? Vector_3() : Vector_3(g.x, g.y, g.z));
     });
     if(term_)
       current_.value += term_(mesh_.sites, gradient, diagonal);
     for(int v = mesh_.number_of_interior_vertices; v < mesh_.number_of_movable_vertices; ++v)
-      if(frozen_[v])
-        gradient.segment<3>(3 * v).setZero();
-      else
-        gradient.segment<3>(3 * v) = motion(v)->tangential_part(gradient.segment<3>(3 * v));
+      set_vector(gradient, v, frozen_[v] ? Vector_3() : motion(v)->tangential_part(vector_at(gradient, v)));
   }
 
   Moving_triangulation_3& mesh_;

@@ -12,6 +12,8 @@
 
 #include <CGAL/license/Global_odt_mesh_3.h>
 
+#include <CGAL/Global_odt_mesh_3/internal/geometry/Vector_3.h>
+
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Kd_tree.h>
 #include <CGAL/Mesh_complex_3_in_triangulation_3.h>

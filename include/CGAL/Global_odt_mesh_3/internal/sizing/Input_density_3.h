@@ -13,11 +13,9 @@
 #include <CGAL/license/Global_odt_mesh_3.h>
 
 #include <CGAL/Global_odt_mesh_3/internal/density/Field_density_3.h>
+#include <CGAL/Global_odt_mesh_3/internal/geometry/Vector_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/triangulation/Indexed_triangulation_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/triangulation/Moving_triangulation_3.h>
-
-#include <Eigen/Core>
-#include <Eigen/Geometry>
 
 #include <algorithm>
 #include <array>
@@ -138,9 +136,9 @@ private:
   double volumes(const int* cell, const Site& s, std::array<double, 4>& parts) const
   {
     const Site& origin = sites_[cell[0]];
-    const auto edge = [&origin](const Site& p) { return Eigen::Vector3d(p.x - origin.x, p.y - origin.y, p.z - origin.z); };
-    const Eigen::Vector3d a = edge(sites_[cell[1]]), b = edge(sites_[cell[2]]), c = edge(sites_[cell[3]]), d = edge(s);
-    const Eigen::Vector3d normal = b.cross(c);
+    const auto edge = [&origin](const Site& p) { return Vector_3(p.x - origin.x, p.y - origin.y, p.z - origin.z); };
+    const Vector_3 a = edge(sites_[cell[1]]), b = edge(sites_[cell[2]]), c = edge(sites_[cell[3]]), d = edge(s);
+    const Vector_3 normal = b.cross(c);
     const double all = a.dot(normal);
     parts[1] = d.dot(normal);
     parts[2] = d.dot(c.cross(a));

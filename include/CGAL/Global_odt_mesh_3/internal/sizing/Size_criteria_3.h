@@ -14,14 +14,12 @@
 
 #include <CGAL/Global_odt_mesh_3/internal/geometry/Cell_geometry_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/geometry/Site.h>
+#include <CGAL/Global_odt_mesh_3/internal/geometry/Vector_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/geometry/Vertex_tuples.h>
 #include <CGAL/Global_odt_mesh_3/internal/interface/Domain_view_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/interface/Mesh_view_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/interface/User_field_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/triangulation/Constrained_triangulation_3.h>
-
-#include <Eigen/Core>
-#include <Eigen/Geometry>
 
 #include <algorithm>
 #include <array>
@@ -40,11 +38,11 @@ namespace internal {
 // CGAL's criterion.
 inline double squared_circumradius(const std::array<Site, 4>& s)
 {
-  const Eigen::Vector3d a = position(s[1]) - position(s[0]), b = position(s[2]) - position(s[0]), c = position(s[3]) - position(s[0]);
-  const Eigen::Vector3d bc = b.cross(c);
+  const Vector_3 a = position(s[1]) - position(s[0]), b = position(s[2]) - position(s[0]), c = position(s[3]) - position(s[0]);
+  const Vector_3 bc = b.cross(c);
   const double twice_determinant = 2 * a.dot(bc);
-  const Eigen::Vector3d center = a.squaredNorm() * bc + b.squaredNorm() * c.cross(a) + c.squaredNorm() * a.cross(b);
-  return center.squaredNorm() / (twice_determinant * twice_determinant);
+  const Vector_3 center = a.squared_length() * bc + b.squared_length() * c.cross(a) + c.squared_length() * a.cross(b);
+  return center.squared_length() / (twice_determinant * twice_determinant);
 }
 
 // How large cells may be around each vertex, if there is a bound at all. A cell has the least bound of its vertices.
@@ -243,7 +241,7 @@ private:
     if(!field_)
       return squared_circumradius_.at(c.label);
     // Its circumcenter, where the mesh generator asks, may be outside of the domain.
-    Eigen::Vector3d centroid = Eigen::Vector3d::Zero();
+    Vector_3 centroid;
     for(const Site& s : m.cell_sites(c))
       centroid += position(s) / 4;
     const double size = field_.value(Vertex_stratum::inside(c.label), site_at(centroid, 0));

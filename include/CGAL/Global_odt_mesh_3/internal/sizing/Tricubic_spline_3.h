@@ -13,6 +13,7 @@
 #include <CGAL/license/Global_odt_mesh_3.h>
 
 #include <CGAL/Global_odt_mesh_3/internal/Parameter_check.h>
+#include <CGAL/Global_odt_mesh_3/internal/geometry/Vector_3.h>
 
 #include <CGAL/Bbox_3.h>
 
@@ -36,7 +37,7 @@ namespace internal {
 class Tricubic_spline_3
 {
 public:
-  typedef Eigen::Vector3d Triple;
+  typedef Vector_3 Triple;
 
   // The formula for derivatives at the ends of a line takes that many.
   static constexpr int fewest_nodes = 5;

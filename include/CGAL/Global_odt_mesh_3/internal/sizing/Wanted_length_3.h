@@ -13,10 +13,9 @@
 #include <CGAL/license/Global_odt_mesh_3.h>
 
 #include <CGAL/Global_odt_mesh_3/internal/geometry/Site.h>
+#include <CGAL/Global_odt_mesh_3/internal/geometry/Vector_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/interface/User_field_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/triangulation/Moving_triangulation_3.h>
-
-#include <Eigen/Core>
 
 #include <algorithm>
 #include <array>
@@ -69,7 +68,7 @@ public:
       for(int v : e)
       {
         source_[v] = v;
-        feature_length_[v] = (std::min)(feature_length_[v], (position(sites_[e[0]]) - position(sites_[e[1]])).norm());
+        feature_length_[v] = (std::min)(feature_length_[v], (position(sites_[e[0]]) - position(sites_[e[1]])).length());
       }
     find_sources(neighbors);
   }
@@ -93,7 +92,7 @@ public:
   // At the middle of an edge.
   double operator()(int u, int v) const
   {
-    const Eigen::Vector3d p = (position(sites_[u]) + position(sites_[v])) / 2;
+    const Vector_3 p = (position(sites_[u]) + position(sites_[v])) / 2;
     return (std::min)({ (std::max)(length_[u], length_[v]), graded(source_[u], p), graded(source_[v], p) });
   }
 
@@ -125,10 +124,10 @@ private:
     return least;
   }
 
-  double graded(int source, const Eigen::Vector3d& p) const
+  double graded(int source, const Vector_3& p) const
   {
     return source == none ? infinity : std::hypot(share_of_feature_edge * feature_length_[source],
-                                                  gradation * (position(sites_[source]) - p).norm());
+                                                  gradation * (position(sites_[source]) - p).length());
   }
 
   // By Dijkstra's algorithm: the one of a neighbor that asks for least.

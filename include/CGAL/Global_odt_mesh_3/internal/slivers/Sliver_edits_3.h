@@ -151,7 +151,7 @@ private:
     std::vector<Edge> result;
     for(int i = 0; i < 3; ++i)
       for(int j = i + 1; j < 4; ++j)
-        result.push_back({ (position(complex_.sites[q[i]]) - position(complex_.sites[q[j]])).norm(), q[i], q[j] });
+        result.push_back({ (position(complex_.sites[q[i]]) - position(complex_.sites[q[j]])).length(), q[i], q[j] });
     std::sort(result.begin(), result.end(), [](const Edge& a, const Edge& b)
               { return a.length != b.length ? a.length > b.length : std::make_pair(a.u, a.v) < std::make_pair(b.u, b.v); });
     return result;

@@ -19,12 +19,11 @@
 #include <CGAL/Global_odt_mesh_3/internal/geometry/Angle_deficit_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/geometry/Random_source.h>
 #include <CGAL/Global_odt_mesh_3/internal/geometry/Site.h>
+#include <CGAL/Global_odt_mesh_3/internal/geometry/Vector_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/geometry/Vertex_tuples.h>
 #include <CGAL/Global_odt_mesh_3/internal/interface/Domain_view_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/parallel/Chunked_loops.h>
 #include <CGAL/Global_odt_mesh_3/internal/sizing/Size_criteria_3.h>
-
-#include <Eigen/Core>
 
 #include <algorithm>
 #include <array>
@@ -266,7 +265,7 @@ private:
       const auto random_place = [&](std::size_t n) -> std::optional<Site>
       {
         const double farthest = 2 * n < parameters_.tries_per_vertex ? parameters_.nearest : parameters_.farthest;
-        const Eigen::Vector3d d = trial.mean_edge_length() * random.uniform() * farthest * random.direction();
+        const Vector_3 d = trial.mean_edge_length() * random.uniform() * farthest * random.direction();
         return site_at(position(trial.from()) + d, trial.from().weight);
       };
       if(try_places(trial, v, parameters_.tries_per_vertex, random_place, best))

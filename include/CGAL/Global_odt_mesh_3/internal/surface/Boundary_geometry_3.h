@@ -14,10 +14,8 @@
 
 #include <CGAL/Global_odt_mesh_3/internal/geometry/Cell_geometry_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/geometry/Site.h>
+#include <CGAL/Global_odt_mesh_3/internal/geometry/Vector_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/surface/Boundary_complex_3.h>
-
-#include <Eigen/Core>
-#include <Eigen/Geometry>
 
 #include <algorithm>
 #include <array>
@@ -35,7 +33,7 @@ namespace internal {
 // The shape of an umbrella.
 struct Umbrella_shape
 {
-  Eigen::Vector3d normal = Eigen::Vector3d::Zero();     // of unit length, from labels[0] to labels[1]
+  Vector_3 normal;     // of unit length, from labels[0] to labels[1]
   double shortest_edge = (std::numeric_limits<double>::max)();      // from the vertex
   bool is_smooth = false;                           // closed, oriented, of one patch, not bent too much
 };
@@ -67,13 +65,13 @@ public:
 
   // The subdomain that lies in direction d from the vertex, as the tangential plane tells; no_label if d is closer
   // to that than the sine `margin`, or if the vertex is not one of a single smooth surface that separates subdomains.
-  int label_toward(int v, const Eigen::Vector3d& d, double margin) const
+  int label_toward(int v, const Vector_3& d, double margin) const
   {
     if(complex_->number_of_umbrellas(v) != 1 || !shape(v, 0).is_smooth)
       return no_label;
     const std::array<int, 2>& labels = complex_->umbrella(v, 0).labels;
     const double side = shape(v, 0).normal.dot(d);
-    if(labels[0] == labels[1] || !(std::abs(side) >= margin * d.norm()))
+    if(labels[0] == labels[1] || !(std::abs(side) >= margin * d.length()))
       return no_label;
     return labels[side > 0 ? 1 : 0];
   }
@@ -82,7 +80,7 @@ private:
   void measure(const std::vector<Site>& sites)
   {
     const std::vector<Boundary_facet>& facets = complex_->facets();
-    std::vector<Eigen::Vector3d> area(facets.size());
+    std::vector<Vector_3> area(facets.size());
     for(std::size_t n = 0; n < facets.size(); ++n)
     {
       area[n] = area_vector(facets[n].vertices, sites);
@@ -91,12 +89,12 @@ private:
     }
     for(int n = 0; n < complex_->number_of_umbrellas(); ++n)
     {
-      shapes_[n].normal.normalize();
+      shapes_[n].normal = shapes_[n].normal.normalized();
       shapes_[n].is_smooth = complex_->umbrella(n).is_disk;
     }
     for(std::size_t n = 0; n < facets.size(); ++n)
     {
-      area[n].normalize();
+      area[n] = area[n].normalized();
       for(int k = 0; k < 3; ++k)
         add_bend(static_cast<int>(3 * n) + k, area[n]);
     }
@@ -111,7 +109,7 @@ private:
     return complex_->facets()[corner / 3].labels[0] == umbrella.labels[0] ? 1 : -1;
   }
 
-  void add_corner(int corner, const Eigen::Vector3d& area, const std::vector<Site>& sites)
+  void add_corner(int corner, const Vector_3& area, const std::vector<Site>& sites)
   {
     const std::array<int, 3>& t = complex_->facets()[corner / 3].vertices;
     const Site& s = sites[t[corner % 3]];
@@ -119,12 +117,12 @@ private:
     u.normal += orientation(corner) * area;
     for(int m = 1; m < 3; ++m)
     {
-      const Eigen::Vector3d edge = position(sites[t[(corner + m) % 3]]) - position(s);
-      u.shortest_edge = (std::min)(u.shortest_edge, edge.norm());
+      const Vector_3 edge = position(sites[t[(corner + m) % 3]]) - position(s);
+      u.shortest_edge = (std::min)(u.shortest_edge, edge.length());
     }
   }
 
-  void add_bend(int corner, const Eigen::Vector3d& facet_normal)
+  void add_bend(int corner, const Vector_3& facet_normal)
   {
     Umbrella_shape& u = shape_of_corner(corner);
     if(!(orientation(corner) * facet_normal.dot(u.normal) >= smallest_cosine))
@@ -132,9 +130,9 @@ private:
   }
 
   // Twice the area, pointing to side 1.
-  static Eigen::Vector3d area_vector(const std::array<int, 3>& t, const std::vector<Site>& s)
+  static Vector_3 area_vector(const std::array<int, 3>& t, const std::vector<Site>& s)
   {
-    const Eigen::Vector3d origin = position(s[t[0]]);
+    const Vector_3 origin = position(s[t[0]]);
     return (position(s[t[1]]) - origin).cross(position(s[t[2]]) - origin);
   }
 
@@ -145,7 +143,7 @@ private:
 // Where the dual line meets the surface of which the normals at the vertices are
 // known: on a sphere, and so in second order, half as high over the facet as the
 // tangential planes at the vertices.
-inline Eigen::Vector3d estimated_surface_center(const std::array<int, 3>& t, const Boundary_geometry_3& boundary,
+inline Vector_3 estimated_surface_center(const std::array<int, 3>& t, const Boundary_geometry_3& boundary,
                                                 const std::vector<Site>& sites)
 {
   const Facet_dual_3 dual(t, sites);
@@ -155,7 +153,7 @@ inline Eigen::Vector3d estimated_surface_center(const std::array<int, 3>& t, con
   {
     if(boundary.complex().number_of_umbrellas(v) != 1)
       continue;
-    const Eigen::Vector3d& n = boundary.shape(v, 0).normal;
+    const Vector_3& n = boundary.shape(v, 0).normal;
     const double cosine = n.dot(dual.normal);
     if(std::abs(cosine) < Boundary_geometry_3::smallest_cosine)
       continue;

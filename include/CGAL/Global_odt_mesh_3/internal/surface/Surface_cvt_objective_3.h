@@ -14,6 +14,7 @@
 
 #include <CGAL/Global_odt_mesh_3/internal/energy/Odt_cell_energies_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/geometry/Site.h>
+#include <CGAL/Global_odt_mesh_3/internal/geometry/Vector_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/optimization/Odt_objective_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/parallel/Chunked_loops.h>
 #include <CGAL/Global_odt_mesh_3/internal/parallel/Thread_policy.h>
@@ -50,7 +51,7 @@ namespace internal {
 struct Surface_cvt_contribution_3
 {
   double energy = 0;
-  std::array<Eigen::Vector3d, 3> gradient = {{ Eigen::Vector3d::Zero(), Eigen::Vector3d::Zero(), Eigen::Vector3d::Zero() }};
+  std::array<Vector_3, 3> gradient;
   std::array<double, 3> mass = {{ 0, 0, 0 }};       // of the corners' parts
 
   // Of a facet without area.
@@ -61,14 +62,14 @@ struct Surface_cvt_contribution_3
   // circumcenter's barycentric coordinate at that angle, and A the area of the facet.
   Surface_cvt_contribution_3(const std::array<int, 3>& facet, const std::vector<Site>& sites)
   {
-    std::array<Eigen::Vector3d, 3> edge;            // opposite to the corners
+    std::array<Vector_3, 3> edge;            // opposite to the corners
     for(int k = 0; k < 3; ++k)
       edge[k] = position(sites[facet[(k + 2) % 3]]) - position(sites[facet[(k + 1) % 3]]);
-    const double twice_area = edge[0].cross(edge[1]).norm(), inverse = 1 / twice_area;
+    const double twice_area = edge[0].cross(edge[1]).length(), inverse = 1 / twice_area;
     std::array<double, 3> part;                     // A b / 4
     for(int k = 0; k < 3; ++k)
     {
-      const double squared_length = edge[k].squaredNorm();
+      const double squared_length = edge[k].squared_length();
       const double cotangent = -edge[(k + 1) % 3].dot(edge[(k + 2) % 3]) * inverse;
       part[k] = squared_length * cotangent * 0.125;
       energy += 0.25 * part[k] * squared_length * (1 + third * cotangent * cotangent);
@@ -77,7 +78,7 @@ struct Surface_cvt_contribution_3
     {
       const int j = (i + 1) % 3, k = (i + 2) % 3;
       mass[i] = part[j] + part[k];
-      const Eigen::Vector3d center = 4 * inverse * (part[j] * edge[k] - part[k] * edge[j]);     // from corner i
+      const Vector_3 center = 4 * inverse * (part[j] * edge[k] - part[k] * edge[j]);     // from corner i
       gradient[i] = -third * (part[k] * edge[k] - part[j] * edge[j] + 2 * mass[i] * center);
     }
   }
@@ -87,28 +88,28 @@ struct Surface_cvt_contribution_3
                              const std::array<double, 3>& density)
   {
     // In coordinates on the plane, along the first edge and across.
-    const Eigen::Vector3d a = position(sites[facet[1]]) - position(sites[facet[0]]);
-    const Eigen::Vector3d b = position(sites[facet[2]]) - position(sites[facet[0]]);
-    const double length = a.norm();
-    const Eigen::Vector3d along = a / length;
+    const Vector_3 a = position(sites[facet[1]]) - position(sites[facet[0]]);
+    const Vector_3 b = position(sites[facet[2]]) - position(sites[facet[0]]);
+    const double length = a.length();
+    const Vector_3 along = a / length;
     const double offset = b.dot(along);
-    const Eigen::Vector3d height = b - offset * along;
-    const double width = height.norm();
-    const std::array<Eigen::Vector2d, 3> x = {{ { 0, 0 }, { length, 0 }, { offset, width } }};
+    const Vector_3 height = b - offset * along;
+    const double width = height.length();
+    const std::array<Vector_3, 3> x = {{ { 0, 0, 0 }, { length, 0, 0 }, { offset, width, 0 } }};
     const std::array<double, 3> w = {{ sites[facet[0]].weight, sites[facet[1]].weight, sites[facet[2]].weight }};
-    Eigen::Vector2d slope((density[1] - density[0]) / length, 0);
+    Vector_3 slope((density[1] - density[0]) / length, 0, 0);
     slope[1] = (density[2] - density[0] - slope[0] * offset) / width;
-    Eigen::Vector2d center((length * length + w[0] - w[1]) / (2 * length), 0);
-    center[1] = (x[2].squaredNorm() + w[0] - w[2] - 2 * center[0] * offset) / (2 * width);
+    Vector_3 center((length * length + w[0] - w[1]) / (2 * length), 0, 0);
+    center[1] = (x[2].squared_length() + w[0] - w[2] - 2 * center[0] * offset) / (2 * width);
     for(int i = 0; i < 3; ++i)
     {
-      const Eigen::Vector2d q = center - x[i];
-      Eigen::Vector2d g(0, 0);
+      const Vector_3 q = center - x[i];
+      Vector_3 g(0, 0, 0);
       for(int side = 1; side < 3; ++side)
       {
         const int j = (i + side) % 3;
-        const Eigen::Vector2d edge = x[j] - x[i];
-        const Eigen::Vector2d p = (w[i] == w[j] ? 0.5 : 0.5 + (w[i] - w[j]) / (2 * edge.squaredNorm())) * edge;
+        const Vector_3 edge = x[j] - x[i];
+        const Vector_3 p = (w[i] == w[j] ? 0.5 : 0.5 + (w[i] - w[j]) / (2 * edge.squared_length())) * edge;
         const double area = (p[0] * q[1] - p[1] * q[0]) * (side == 1 ? 0.5 : -0.5);
         g += add_piece(i, w[i], area, p, q, {{ density[i], density[i] + slope.dot(p), density[i] + slope.dot(q) }});
       }
@@ -120,14 +121,14 @@ private:
   static constexpr double third = 1. / 3;         // a constant whatever the rounding mode
 
   // The piece is the triangle of corner i, i + p and i + q, with the density at these points. Gives its gradient.
-  Eigen::Vector2d add_piece(int i, double weight, double area, const Eigen::Vector2d& p, const Eigen::Vector2d& q,
+  Vector_3 add_piece(int i, double weight, double area, const Vector_3& p, const Vector_3& q,
                             const std::array<double, 3>& r)
   {
     const double sum = r[0] + r[1] + r[2];
     const double m = third * area * sum;
     mass[i] += m;
-    energy += third * area * 0.1 * (p.squaredNorm() * (sum + 2 * r[1]) + p.dot(q) * (sum + r[1] + r[2])
-                                    + q.squaredNorm() * (sum + 2 * r[2])) - weight * m;
+    energy += third * area * 0.1 * (p.squared_length() * (sum + 2 * r[1]) + p.dot(q) * (sum + r[1] + r[2])
+                                    + q.squared_length() * (sum + 2 * r[2])) - weight * m;
     return -0.5 * third * area * ((sum + r[1]) * p + (sum + r[2]) * q);
   }
 };
@@ -182,8 +183,8 @@ public:
     });
     sums_.for_each_sum(0, sums_.number_of_blocks(), [&](int n, const Site_gradient& g)
     {
-      gradient.segment<3>(3 * n) << g.x, g.y, g.z;
-      diagonal.segment<3>(3 * n).setConstant(g.diagonal);
+      set_vector(gradient, n, { g.x, g.y, g.z });
+      set_vector(diagonal, n, { g.diagonal, g.diagonal, g.diagonal });
     });
     return std::accumulate(energies.begin(), energies.end(), 0.);
   }
@@ -199,7 +200,7 @@ private:
                                                  const std::vector<double>& densities)
   {
     const Surface_cvt_contribution_3 c = contribution_of_triangle(t, sites, densities);
-    const double sum = c.energy + c.gradient[0].sum() + c.gradient[1].sum() + c.gradient[2].sum() + c.mass[0] + c.mass[1] + c.mass[2];
+    const double sum = c.energy + (c.gradient[0] + c.gradient[1] + c.gradient[2]).squared_length() + c.mass[0] + c.mass[1] + c.mass[2];
     return std::isfinite(sum) ? c : Surface_cvt_contribution_3();
   }
 
@@ -402,14 +403,11 @@ private:
     for(std::size_t n = 0; n < motions_.size(); ++n)
     {
       const Site& s = sites_[first_ + n];
-      e.point.segment<3>(3 * n) << s.x, s.y, s.z;
-      if(motions_[n].is_at_rest())
-        e.gradient.segment<3>(3 * n).setZero();
-      else
-        e.gradient.segment<3>(3 * n) = motions_[n].tangential_part(e.gradient.segment<3>(3 * n));
+      set_vector(e.point, n, position(s));
+      set_vector(e.gradient, n, motions_[n].is_at_rest() ? Vector_3() : motions_[n].tangential_part(vector_at(e.gradient, n)));
       // Cells may be empty where weights are large.
       if(!(e.diagonal[3 * n] > 0))
-        e.diagonal.segment<3>(3 * n).setConstant((std::numeric_limits<double>::max)());
+        set_vector(e.diagonal, n, (std::numeric_limits<double>::max)() * Vector_3(1, 1, 1));
     }
   }
 

@@ -13,15 +13,13 @@
 #include <CGAL/license/Global_odt_mesh_3.h>
 
 #include <CGAL/Global_odt_mesh_3/internal/geometry/Site.h>
+#include <CGAL/Global_odt_mesh_3/internal/geometry/Vector_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/optimization/Odt_objective_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/parallel/Chunked_loops.h>
 #include <CGAL/Global_odt_mesh_3/internal/parallel/Thread_policy.h>
 #include <CGAL/Global_odt_mesh_3/internal/surface/Boundary_complex_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/surface/Boundary_geometry_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/triangulation/Constrained_triangulation_3.h>
-
-#include <Eigen/Core>
-#include <Eigen/Geometry>
 
 #include <algorithm>
 #include <array>
@@ -168,7 +166,7 @@ private:
     return t[0] == v ? 0 : t[1] == v ? 1 : t[2] == v ? 2 : -1;
   }
 
-  static Eigen::Vector3d edge(const Site& a, const Site& b) { return Eigen::Vector3d(b.x - a.x, b.y - a.y, b.z - a.z); }
+  static Vector_3 edge(const Site& a, const Site& b) { return Vector_3(b.x - a.x, b.y - a.y, b.z - a.z); }
 
   // Whether the edge opposite to c is not Delaunay, and the other diagonal may take its place.
   bool is_flippable(int c, const std::vector<Site>& sites) const
@@ -180,19 +178,19 @@ private:
     const Site& s = sites[vertex(d)];
     if(p.weight != 0 || q.weight != 0 || r.weight != 0 || s.weight != 0)
       return false;
-    const Eigen::Vector3d pq = edge(p, q), pr = edge(p, r), sq = edge(s, q), sr = edge(s, r);
+    const Vector_3 pq = edge(p, q), pr = edge(p, r), sq = edge(s, q), sr = edge(s, r);
     const double cosine_p = pq.dot(pr), cosine_s = sq.dot(sr);
     if(cosine_p >= 0 && cosine_s >= 0)
       return false;
-    const Eigen::Vector3d above = pq.cross(pr), below = sr.cross(sq);
-    const double sine_p = above.norm(), sine_s = below.norm();
-    if(!(sine_p * cosine_s + cosine_p * sine_s < -least_sine * pq.norm() * pr.norm() * sq.norm() * sr.norm()))
+    const Vector_3 above = pq.cross(pr), below = sr.cross(sq);
+    const double sine_p = above.length(), sine_s = below.length();
+    if(!(sine_p * cosine_s + cosine_p * sine_s < -least_sine * pq.length() * pr.length() * sq.length() * sr.length()))
       return false;
-    const Eigen::Vector3d ps = edge(p, s), normal = (above + below).normalized();
-    const Eigen::Vector3d first = pq.cross(ps), second = ps.cross(pr);
+    const Vector_3 ps = edge(p, s), normal = (above + below).normalized();
+    const Vector_3 first = pq.cross(ps), second = ps.cross(pr);
     // A flip does not bend the surface more than a smooth umbrella.
     constexpr double cosine = Boundary_geometry_3::smallest_cosine;
-    return first.dot(normal) > cosine * first.norm() && second.dot(normal) > cosine * second.norm()
+    return first.dot(normal) > cosine * first.length() && second.dot(normal) > cosine * second.length()
            && !is_edge(c, vertex(d));
   }
 
