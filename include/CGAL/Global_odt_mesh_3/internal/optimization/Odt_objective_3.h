@@ -29,6 +29,9 @@ namespace CGAL {
 namespace Global_odt_mesh_3 {
 namespace internal {
 
+// Of an energy, which is negative where weights are large.
+inline double relative_rise(double before, double after) { return (after - before) / std::abs(before); }
+
 // Leads a site back to within a distance of another one.
 inline void hold_near(const Eigen::Vector3d& center, double farthest, Site& s)
 {
