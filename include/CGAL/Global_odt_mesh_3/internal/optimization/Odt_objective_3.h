@@ -85,6 +85,12 @@ public:
       mesh_.mean_edge_lengths(longest_step_);
     mesh_.keep();
     is_feasible_ = mesh_.evaluate();
+    if(!is_feasible_)
+    {
+      mesh_.restore();
+      for(int v = 0; v < number_of_vertices(); ++v)
+        freeze(v);
+    }
     gather();
     keep();
   }
@@ -103,7 +109,7 @@ public:
     keep();
   }
 
-  // Whether the triangulation could be made regular where it was.
+  // Whether the triangulation could be made regular where it was. Otherwise it is as before, and all vertices are frozen.
   bool is_feasible() const { return is_feasible_; }
   double value() const { return current_.value; }
   const Eigen::VectorXd& point() const { return current_.point; }
