@@ -250,10 +250,9 @@ private:
   // Whether something has changed.
   bool store(Vertex_edits_3& edits)
   {
-    const std::optional<Mesh_table_3> table = edits.has_changed() ? edits.table() : std::nullopt;
-    if(table)
-      mesh_.write(*table);
-    return table.has_value();
+    if(edits.has_changed())
+      mesh_.write(edits.table());
+    return edits.has_changed();
   }
 
   Tabulated_mesh_3& mesh_;
