@@ -90,9 +90,11 @@ inline std::optional<New_vertex_3> middle_of_edge(const Editable_complex_3& comp
 class Vertex_edits_3
 {
 public:
-  // Surfaces get vertices only if they move. Where there are to be so many times fewer, volumes may change more.
-  explicit Vertex_edits_3(Complex_updater_3& updater, double coarsening = 1)
-    : numbering_(std::make_shared<Vertex_numbering_3>(*updater.snapshot().numbering))
+  // Surfaces get vertices only if they move. It is full with that many. Where there are to be so many times fewer, volumes may
+  // change more.
+  Vertex_edits_3(Complex_updater_3& updater, int most_vertices, double coarsening = 1)
+    : most_vertices_(most_vertices)
+    , numbering_(std::make_shared<Vertex_numbering_3>(*updater.snapshot().numbering))
     , complex_(updater.edit(*numbering_))
     , trial_(complex_)
     , most_of_volume_((std::min)(usual_most_of_volume + most_of_volume_of_coarsening * (coarsening - 1), most_of_volume_ever))
@@ -107,6 +109,9 @@ public:
   // The next one that is inserted gets this number.
   int number_of_vertices() const { return static_cast<int>(complex().sites.size()); }
   int number_of_visible_vertices() const { return number_of_vertices() - number_of_removed_; }
+  // Whether no vertex is to be inserted any more.
+  bool is_full() const { return number_of_visible_vertices() >= most_vertices_; }
+  bool has_too_many_vertices() const { return number_of_visible_vertices() > most_vertices_; }
   bool has_changed() const { return !places_.empty() || number_of_removed_ > 0; }
 
   // Whether the vertex, which is near a cell, may be inserted so far from all others, whatever that does to angles, and has
@@ -358,6 +363,7 @@ private:
     return found.is_exact ? found : known;
   }
 
+  int most_vertices_;
   std::shared_ptr<Vertex_numbering_3> numbering_;
   Editable_complex_3 complex_;
   Vertex_trial_3 trial_;
