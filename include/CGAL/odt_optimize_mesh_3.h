@@ -61,8 +61,8 @@ version of %CGAL in use accepts: `parameters::time_limit = 10, parameters::do_fr
 
 \cgalNamedParamsBegin
   \cgalParamNBegin{time_limit}
-    \cgalParamDescription{the wall time, in seconds, after which no further iteration is begun; 0 means no limit. The
-                          schedule is shortened in advance, so that the noise of the search fades away in time. The valid mesh that has to be
+    \cgalParamDescription{the wall time, in seconds, after which no further iteration is begun, and no vertex inserted or removed;
+                          0 means no limit. The schedule is shortened in advance, so that the noise of the search fades away in time. The valid mesh that has to be
                           made of the last positions may take half as long again.}
     \cgalParamType{`double`}
     \cgalParamPrecondition{`time_limit >= 0`}
@@ -186,7 +186,11 @@ version of %CGAL in use accepts: `parameters::time_limit = 10, parameters::do_fr
                           and, if `do_remove_slivers` is `true`, in and beside cells with
                           angles below `sliver_bound`, or 30 degrees if that is 0, where no move helps. They get the
                           dimension and index of where they are; what else a vertex of `c3t3` has is constructed by
-                          default. Handles to the other vertices stay valid.}
+                          default. Handles to the other vertices stay valid. So that sizes in wrong units do not fill the memory, a
+                          call without `number_of_vertices` inserts only as long as there are fewer than 100,000, or than ten times
+                          those of the input if that is more, and fewer than \f$ 2^{25} \f$. Where that ends it, the edges and cells
+                          that are the largest, compared with their sizes, have been divided, and the function returns
+                          `CGAL::CANT_IMPROVE_ANYMORE`; another call goes on.}
     \cgalParamType{`bool`}
     \cgalParamDefault{`false`}
   \cgalParamNEnd
@@ -203,8 +207,8 @@ version of %CGAL in use accepts: `parameters::time_limit = 10, parameters::do_fr
     \cgalParamDescription{how many vertices the mesh gets, those on features included, as Algorithm 1 of
                           \cgalCite{cgal:cwlls-rodt-14} is given a number: the edges that are the shortest or longest, compared
                           with `sizing_field` or `density` or, without, with the edges around, lose or get
-                          vertices until the number is reached. Where there are to be *k* times fewer vertices, facets may be *k* times
-                          as far from surfaces as those of the input, and the volume of a subdomain may change by 0.1 (*k* - 1) of
+                          vertices until the number is reached, which no insertion passes. Where there are to be *k* times fewer vertices, facets may be
+                          *k* times as far from surfaces as those of the input, and the volume of a subdomain may change by 0.1 (*k* - 1) of
                           it, and 0.3 at most. The number is met within 1 %, or two vertices, unless features, junctions, topology, or
                           volumes do not permit that; then the function returns `CGAL::CANT_IMPROVE_ANYMORE`.}
     \cgalParamType{`std::size_t`}
@@ -223,9 +227,9 @@ version of %CGAL in use accepts: `parameters::time_limit = 10, parameters::do_fr
     \cgalParamDefault{0}
   \cgalParamNEnd
   \cgalParamNBegin{callback}
-    \cgalParamDescription{a functor called before every iteration, and while slivers are removed, with the fraction done, which
-                          never falls, and need not reach 1; when it returns `false` the process stops with the mesh found so
-                          far, as if the time limit were reached.}
+    \cgalParamDescription{a functor called before every iteration, and while slivers are removed and vertices are inserted or
+                          removed, with the fraction done, which never falls, and need not reach 1; when it returns `false` the process stops with
+                          the mesh found so far, as if the time limit were reached.}
     \cgalParamType{a model of `bool(double)`}
     \cgalParamDefault{none}
     \cgalParamExtra{It is spelled `parameters::callback(f)`.}
@@ -247,7 +251,8 @@ version of %CGAL in use accepts: `parameters::time_limit = 10, parameters::do_fr
 - `CGAL::ALL_VERTICES_FROZEN` when `do_freeze` is `true` and all vertices that may move are frozen, also when there are
   none;
 - `CGAL::CANT_IMPROVE_ANYMORE` when neither time nor iterations have run out, and cells below a positive `sliver_bound` are left though
-  `do_remove_slivers` is `true`, also when no vertex may move, when `number_of_vertices` is not met, when no step along the search direction, nor along the gradient, lowers the energy, or when
+  `do_remove_slivers` is `true`, also when no vertex may move, when `number_of_vertices` is not met, when `do_insert_vertices` permits no more vertices,
+  when no step along the search direction, nor along the gradient, lowers the energy, or when
   no valid mesh can be made, or only one with more cells below 10, 20, or 30 degrees, or with a smaller angle below 30, in which cases `c3t3` is
   as before. Angles may become smaller if `do_remove_slivers` is `false`, or with `sizing_field`, `density`, or `number_of_vertices`.
 

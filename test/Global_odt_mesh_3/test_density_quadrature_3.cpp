@@ -13,6 +13,7 @@
 #include <CGAL/Global_odt_mesh_3/internal/density/Polynomial_density_quadrature_3.h>
 
 #include <CGAL/Exact_rational.h>
+#include <CGAL/Real_timer.h>
 #include <CGAL/Simple_cartesian.h>
 
 #include <Eigen/Dense>
@@ -405,6 +406,11 @@ static void cubature_of_jump()
     check::that(questions == 35 + 100 * (most_regions - 1), questions, " questions for ", most_regions, " regions");
     check::that(error < 2 / std::pow(most_regions, 2. / 3), "cubature of a jump, error ", error);
   }
+  const auto rule = make_rule(CUBATURE, [](const Vector& x) { return x.x() < 0.31 ? 1. : 11.; }, 1e-12, 100000);
+  CGAL::Real_timer timer;
+  timer.start();
+  moments(*rule, corner);
+  check::that(timer.time() < 5, "the time is not proportional to the number of regions: ", timer.time(), " s");
 }
 
 // The order of the vertices changes no more than the tolerance allows.

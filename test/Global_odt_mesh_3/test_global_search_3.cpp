@@ -117,6 +117,14 @@ static void perturbation()
   check::that(mesh.is_regular(), "the perturbed triangulation is not regular");
 }
 
+// At its minimum.
+struct Negative_energy
+{
+  double value() const { return -1; }
+  Eigen::VectorXd gradient() const { return Eigen::VectorXd::Constant(3, 1e-9); }
+  Eigen::VectorXd diagonal() const { return Eigen::VectorXd::Ones(3); }
+};
+
 // Acceptance depends on the relative rise over the temperature alone, which falls at rejections.
 static void acceptance()
 {
@@ -149,6 +157,11 @@ static void acceptance()
     check::that(annealing.temperature() == expected, "the temperature is ", annealing.temperature(), " for ", expected);
   }
   check::that(rejections > 40 && rejections < 85, rejections, " of 100 rises by T rejected");
+
+  Metropolis_annealing negative(6);
+  check::that(!negative.accepts(-1, -2), "a negative energy that rises far is accepted");
+  const Negative_energy at_minimum;
+  check::that(negative.is_near_minimum(at_minimum), "a negative energy has no minimum");
 
   Metropolis_annealing small(5), large(5);
   for(int n = 0; n < 100; ++n)

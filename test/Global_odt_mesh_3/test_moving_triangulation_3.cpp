@@ -16,6 +16,8 @@
 #include <CGAL/Global_odt_mesh_3/internal/optimization/Odt_objective_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/triangulation/Flips_3.h>
 
+#include <CGAL/Real_timer.h>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -387,6 +389,55 @@ static void undone_flips(std::mt19937& random)
   check::that(t.is_valid(), "not valid after compaction");
 }
 
+// What cannot be made regular where it is stays as it is, with all vertices, since a trial that fails leaves things half done.
+static void infeasible_beginning(std::mt19937& random)
+{
+  Moving_triangulation_3 mesh = random_cube(3, 60, 0, false, random);
+  mesh.sites[0].z = 1.5;
+  const auto cells = [&mesh]
+  {
+    std::vector<std::array<int, 4> > alive;
+    for(int c = 0; c < mesh.topology.number_of_cell_slots(); ++c)
+      if(mesh.topology.is_alive(c))
+        alive.push_back(mesh.topology.cell(c));
+    return alive;
+  };
+  const auto before = cells();
+  Odt_objective_3 objective(mesh);
+  check::that(!objective.is_feasible() && mesh.statistics().flips > 0, "a vertex outside of the domain is feasible, or nothing is tried");
+  check::that(cells() == before, "a trial that fails leaves a trace");
+  check::that(objective.gradient().isZero(0) && objective.number_of_frozen_vertices() == objective.number_of_vertices(),
+              "vertices of what is not feasible may move");
+  Limited_memory_bfgs().iterate(objective);
+  check::that(cells() == before && mesh.sites[0].z == 1.5, "the minimizer changes what is not feasible");
+}
+
+// As many cells as there may be are found around a vertex in a time that is proportional to their number.
+static void large_star()
+{
+  constexpr int size = 200000;
+  Indexed_triangulation_3 ring;
+  ring.reserve(2 + size, size);
+  for(int c = 0; c < size; ++c)
+    ring.add_cell(0, 1, 2 + c, 2 + (c + 1) % size);
+  for(int c = 0; c < size; ++c)
+  {
+    ring.set_neighbors(Half_facet(c, 2), Half_facet((c + 1) % size, 3));
+    for(int i = 0; i < 2; ++i)
+      ring.set_neighbors(Half_facet(c, i), Half_facet::side(2 * c + i, 0));
+  }
+  std::vector<Half_facet> slots;
+  CGAL::Real_timer timer;
+  timer.start();
+  ring.star(1, slots);
+  check::that(timer.time() < 3, "a star of ", size, " cells takes ", timer.time(), " s");
+  std::set<int> cells;
+  for(Half_facet s : slots)
+    if(ring.vertex(s) == 1)
+      cells.insert(s.cell());
+  check::that(slots.size() == size && cells.size() == size, cells.size(), " cells in a star of ", size);
+}
+
 int main()
 {
   const unsigned int seed = 9;
@@ -400,6 +451,8 @@ int main()
   second_direction(random);
   endless_flips(random);
   undone_flips(random);
+  infeasible_beginning(random);
+  large_star();
   minimization(0, random);
   minimization(1000, random);
   return check::result();

@@ -310,6 +310,7 @@ void test_number(const std::string& name, const C3t3& input, const Domain& domai
                 << ", smallest angle " << quality_of(c3t3).smallest_angle << std::endl;
       const bool has_number = std::abs(after - double(wanted)) <= (std::max)(2., 0.01 * double(wanted));
       check::that(has_number || !is_reached, name, ": ", after, " vertices instead of ", wanted);
+      check::that(after <= (std::max)(before, double(wanted)), name, ": ", after, " vertices, more than ", wanted);
       check::that(has_number || code == CGAL::CANT_IMPROVE_ANYMORE, name, ": the number is not met, but the function says ", code);
     }
 }
@@ -342,6 +343,25 @@ static void test_sizes_by_subdomain(const domains::Labeled_domain& domain)
                 << " % are larger, " << 100 * share_above(1.1) << " % by a tenth" << std::endl;
       check::that(share_above(1 + 1e-5) <= 0.02 && share_above(1.1) <= 0.005, "cells of subdomain ", r.first, " are larger than its size");
     }
+  }
+}
+
+// Sizes in wrong units do not keep the function from asking whether it may go on, and it leaves a valid mesh.
+template <class C3t3, class Domain>
+void test_wrong_units(const C3t3& input, const Domain& domain)
+{
+  for(long most_calls : { 0, 3000 })
+  {
+    Mesh_contract<C3t3, Domain> contract(input, domain, "wrong units");
+    contract.permit(true, false);
+    C3t3 c3t3(input);
+    long calls = 0;
+    const auto code = CGAL::odt_optimize_mesh_3(c3t3, domain, params::do_insert_vertices = true, params::sizing_field = 1e-5,
+                                                params::callback([&](double) { return calls++ < most_calls; }));
+    contract.check_moved(c3t3, surface, 15, 0.3);
+    check::that(code == CGAL::TIME_LIMIT_REACHED && calls == most_calls + 1, "wrong units: ", calls, " calls, code ", code);
+    check::that((c3t3.triangulation().number_of_vertices() > input.triangulation().number_of_vertices()) == (most_calls > 0),
+                "wrong units: ", c3t3.triangulation().number_of_vertices(), " vertices after ", calls, " calls");
   }
 }
 
@@ -501,6 +521,9 @@ int main()
   test_sizes("ball", ball, sphere, 0);
   test_sizes("three subdomains", domains::mesh(three, 0.2), three, 0.02);
   test_sizes_by_subdomain(three);
+  test_wrong_units(ball, sphere);
+  // Slivers at features get vertices only as long as there are fewer.
+  test_number("box with short feature edges", short_edges, box, { 1.25 });
   test_number("ball", ball, sphere, { 0.25, 0.8, 1., 4. });
   test_number("coarse ball", domains::mesh(sphere, 0.3), sphere, { 0.25, 0.5 });
   const domains::Labeled_domain torus = domains::torus();

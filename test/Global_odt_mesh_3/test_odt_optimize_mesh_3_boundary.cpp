@@ -207,6 +207,7 @@ struct Questions
   std::array<long, 3> asked{};
   std::array<long, 3> throws_at{{ -1, -1, -1 }};
   long misses_of_dozen = 0;   // so many intersections in a row are missed, as the first may be tried again
+  double blind_radius = 0;    // around the point where no intersection is found
 
   void ask(Kind kind)
   {
@@ -306,8 +307,10 @@ public:
     {
       Questions& questions = domain.questions;
       questions.ask(Questions::CONSTRUCT_INTERSECTION);
-      return questions.asked[Questions::CONSTRUCT_INTERSECTION] % 12 < questions.misses_of_dozen
-             ? Intersection() : domain.intersection(query);
+      const Intersection found = domain.intersection(query);
+      const bool is_missed = questions.asked[Questions::CONSTRUCT_INTERSECTION] % 12 < questions.misses_of_dozen
+                             || CGAL::squared_distance(std::get<0>(found), Point_3(1, 0, 0)) < CGAL::square(questions.blind_radius);
+      return is_missed ? Intersection() : found;
     }
   };
 
@@ -492,6 +495,26 @@ static void missed_surface_centers(const Ellipsoid_domain& domain, const Ellipso
   domain.questions = Questions();
 }
 
+// Where the domain finds no surface centers, no facets come; vertices are inserted everywhere else.
+static void blind_spot(const Ellipsoid_domain& domain, const Ellipsoid_c3t3& input)
+{
+  const auto vertices_by_radius = [&](double blind_radius)
+  {
+    Mesh_contract<Ellipsoid_c3t3, Ellipsoid_domain> contract(input, domain, "blind spot");
+    contract.permit(true, true);
+    Ellipsoid_c3t3 c3t3(input);
+    domain.questions.blind_radius = blind_radius;
+    CGAL::odt_optimize_mesh_3(c3t3, domain, params::do_insert_vertices = true, params::do_remove_vertices = true,
+                              params::sizing_field = 0.1, params::number_of_rounds = 0);
+    domain.questions = Questions();
+    contract.check_moved(c3t3, surface, 15, 0.3);
+    return c3t3.triangulation().number_of_vertices();
+  };
+  const std::size_t all = vertices_by_radius(0), some = vertices_by_radius(0.2);
+  std::cout << "vertices " << input.triangulation().number_of_vertices() << " -> " << all << ", with a blind spot " << some << std::endl;
+  check::that(5 * some > 4 * all, "a blind spot leaves ", some, " of ", all, " vertices");
+}
+
 // Whatever the domain was asked when it threw, the mesh is as before.
 static void exceptions(const Ellipsoid_domain& domain, const Ellipsoid_c3t3& input)
 {
@@ -644,6 +667,7 @@ int main()
   test("ellipsoid", c3t3, domain);
   missed_intersections(domain, c3t3);
   missed_surface_centers(domain, c3t3);
+  blind_spot(domain, mesh(domain, 0.3));
   homes_are_given_up(domain, c3t3);
   exceptions(domain, mesh(domain, 0.3));
   return check::result();

@@ -30,6 +30,7 @@
 #include <CGAL/remove_slivers_mesh_3.h>
 
 #include <array>
+#include <cmath>
 #include <functional>
 #include <limits>
 #include <set>
@@ -59,6 +60,9 @@ static void refuses(const char* name, const std::function<void()>& call)
 
 static void numbers(Labeled_c3t3& c3t3, const Labeled_domain& domain)
 {
+  // The least of those that are too large.
+  const double too_many = std::ldexp(1., std::numeric_limits<std::size_t>::digits);
+  refuses("max_iteration_number", [&] { CGAL::odt_optimize_mesh_3(c3t3, domain, params::max_iteration_number = too_many); });
   for(double bad : { -1., nan_value, -infinity })
   {
     refuses("time_limit", [&] { CGAL::odt_optimize_mesh_3(c3t3, domain, params::time_limit = bad); });
@@ -106,6 +110,8 @@ static void allowed(const Labeled_c3t3& input, const Labeled_domain& domain)
     catch(const CGAL::Precondition_exception& e) { check::that(false, what, ": ", e.message()); }
   };
   allows("zeros", params::convergence = 0, params::freeze_bound = 0, params::sliver_bound = 0);
+  allows("the largest number", params::number_of_rounds = (std::numeric_limits<std::size_t>::max)(), params::do_freeze = true,
+         params::convergence = 1);
   allows("no weight", params::number_of_rounds = 0, params::surface_weight = 0, params::sliver_bound = 0);
   allows("the largest", params::convergence = 1, params::freeze_bound = 1, params::do_freeze = true);
   allows("the largest angle", params::time_limit = 0.5, params::number_of_rounds = 0, params::sliver_bound = 70.5);

@@ -352,6 +352,47 @@ static void cvt_energy()
   }
 }
 
+// A surface inside a subdomain becomes Delaunay whichever sides its facets are seen from, and no facet is there twice.
+static void surface_inside_a_subdomain(std::mt19937& random)
+{
+  constexpr int size = 20;
+  std::uniform_real_distribution<double> u(-0.2, 0.2);
+  std::vector<Site> sites;
+  std::vector<Boundary_facet> facets;
+  const auto add = [&](int a, int b, int c)
+  {
+    if(random() % 2 == 0)
+      std::swap(b, c);
+    facets.push_back({ {{ a, b, c }}, {{ 1, 1 }}, 0 });
+  };
+  for(int i = 0; i <= size; ++i)
+    for(int j = 0; j <= size; ++j)
+    {
+      sites.push_back({ i + u(random), j + 0.8 * i + u(random), 0, 0 });
+      const int v = static_cast<int>(sites.size()) - 1, below = v - size - 1;
+      if(i == 0 || j == 0)
+        continue;
+      add(below - 1, below, v);
+      add(below - 1, v, v - 1);
+    }
+  Surface_triangulation_3 surface{ Boundary_complex_3(facets, sites.size()) };
+  surface.make_delaunay(sites);
+  std::map<std::array<int, 2>, std::vector<double> > angles;      // opposite to edges
+  std::set<Triple> triangles;
+  for(int f = 0; f < surface.number_of_facets(); ++f)
+  {
+    const std::array<int, 3>& t = surface.vertices(f);
+    triangles.insert(sorted(t));
+    for(int k = 0; k < 3; ++k)
+      angles[sorted(std::array<int, 2>{{ t[(k + 1) % 3], t[(k + 2) % 3] }})].push_back(
+        angle(sites[t[k]], sites[t[(k + 1) % 3]], sites[t[(k + 2) % 3]]));
+  }
+  check::that(triangles.size() == facets.size(), facets.size() - triangles.size(), " of ", facets.size(), " facets are there twice");
+  for(const auto& a : angles)
+    check::that(a.second.size() <= 2 && (a.second.size() < 2 || a.second[0] + a.second[1] < std::acos(-1.) + 1e-6),
+                "edge ", a.first[0], " ", a.first[1], " has ", a.second.size(), " facets, or is not Delaunay");
+}
+
 // A sphere of triangles around the axis through two poles: vertices 0 and 1 and a ring.
 static std::vector<Boundary_facet> double_cone(int ring, int first, int south, int north)
 {
@@ -488,5 +529,7 @@ int main()
   odt_energy_on_sphere_and_plane();
   cvt_energy();
   topology_guard();
+  std::mt19937 random(6);
+  surface_inside_a_subdomain(random);
   return check::result();
 }

@@ -17,8 +17,6 @@
 //
 // Environment: CGAL_DATA_DIR, the directory of CGAL's data.
 
-#define CGAL_GLOBAL_ODT_MESH_3_PROFILING
-
 #include "benchmark_inputs.h"
 #include "cpu_seconds.h"
 #include "odt_of_mesh_3.h"
@@ -40,7 +38,7 @@ static int search_rounds = 10, cgal_iterations = 0;
 
 struct Cost
 {
-  double seconds = 0, oracle_seconds = 0;
+  double seconds = 0;
   std::size_t questions = 0, projections = 0, surface_vertices = 0;
 };
 
@@ -52,8 +50,8 @@ void print(const char* what, const C3t3& c3t3, double input_volume, const Cost& 
               r.largest_angle, r.cells_below[0].second, r.cells_below[1].second,
               100 * (r.total().volume / input_volume - 1), cost.seconds);
   if(cost.surface_vertices > 0)
-    std::printf("  %6.2f %6.2f %5.1f %%", cost.questions / double(cost.surface_vertices),
-                cost.projections / double(cost.surface_vertices), 100 * cost.oracle_seconds / cost.seconds);
+    std::printf("  %6.2f %6.2f", cost.questions / double(cost.surface_vertices),
+                cost.projections / double(cost.surface_vertices));
   std::printf("\n");
   std::fflush(stdout);
 }
@@ -67,7 +65,6 @@ void run(C3t3& c3t3, const Domain& domain, const odt::Odt_parameters& parameters
   odt::Odt_mesh_optimizer_3<C3t3, Domain, Visitor> optimizer(c3t3, domain, task, parameters, visitor);
   cost.seconds += seconds([&] { optimizer(); });
   const odt::Oracle_statistics& s = optimizer.oracle_statistics();
-  cost.oracle_seconds += 1e-9 * double(s.nanoseconds);
   cost.questions += s.locations + s.intersections;
   cost.projections += s.projections;
   const auto& tr = c3t3.triangulation();
@@ -81,7 +78,7 @@ void compare(const char* name, const C3t3& input, const Domain& domain)
   const double volume = CGAL::mesh_quality_report_3(input, { 10 }).total().volume;
   std::printf("\n%s: %zu vertices\n", name, std::size_t(input.triangulation().number_of_vertices()));
   std::printf("  %-22s %-7s %-16s %4s %5s  %-9s %8s  %s\n", "", "3r/R", "dihedral", "<10", "<20", "volume", "CPU",
-              "questions and projections per surface vertex, share of time");
+              "questions and projections per surface vertex");
   print("input", input, volume, Cost());
   {
     C3t3 c3t3(input);

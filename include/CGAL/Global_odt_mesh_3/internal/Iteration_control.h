@@ -120,7 +120,7 @@ private:
   const Odt_parameters& parameters_;
   Optimization_visitor& visitor_;
   Real_timer timer_;
-  int most_iterations_ = 0, number_of_iterations_ = 0, iterations_before_ = 0;
+  int most_iterations_ = 1, number_of_iterations_ = 0, iterations_before_ = 0;
   bool goes_on_ = true, is_canceled_ = false;
   double fraction_ = 0;
   Mesh_optimization_return_code code_ = CANT_IMPROVE_ANYMORE;

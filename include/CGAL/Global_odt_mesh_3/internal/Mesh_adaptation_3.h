@@ -34,7 +34,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <optional>
+#include <cstddef>
 #include <utility>
 #include <vector>
 
@@ -62,6 +62,12 @@ public:
   }
 
   const Mesh_table_3& table() const { return state_.table; }
+  int number_of_input_vertices() const { return number_of_input_vertices_; }
+  int number_of_vertices() const
+  {
+    const std::vector<int>& dimensions = table().dimensions;
+    return static_cast<int>(dimensions.size() - std::count(dimensions.begin(), dimensions.end(), int(Mesh_table_3::removed)));
+  }
   const State& state() const { return state_; }
   const std::vector<std::array<int, 2> >& feature_edges() const { return feature_edges_; }
   bool is_changed() const { return state_.is_changed; }
@@ -119,20 +125,29 @@ private:
 class Mesh_adaptation_3
 {
 public:
+  // That a call leads to: those that the user wants, or, so that a field in wrong units does not fill the memory, not many more
+  // than there were.
+  static int most_vertices(const Odt_parameters& parameters, const Tabulated_mesh_3& mesh)
+  {
+    const std::size_t most = (std::max)(most_growth * mesh.number_of_input_vertices(), fewest_permitted);
+    return static_cast<int>((std::min)(parameters.number_of_vertices > 0 ? parameters.number_of_vertices : most, most_ever));
+  }
+
   // Refers to its arguments.
-  Mesh_adaptation_3(Tabulated_mesh_3& mesh, const Domain_view_3& domain, Facet_bounds_3& bounds, bool boundary_moves,
+  Mesh_adaptation_3(Tabulated_mesh_3& mesh, const Domain_view_3& domain, Facet_bounds_3& bounds, const Odt_parameters& parameters,
                     const Thread_policy& threads)
     : mesh_(mesh)
+    , parameters_(parameters)
     , bounds_(bounds)
-    , complex_(domain, bounds, boundary_moves, threads)
+    , complex_(domain, bounds, parameters.optimize_boundary, threads)
   {
-    complex_.start(Snapshot_reader_3(mesh, threads).read(indexed_, boundary_moves));
+    complex_.start(Snapshot_reader_3(mesh, threads).read(indexed_, parameters.optimize_boundary));
     is_editable_ = mesh.is_changed() || complex_.make_regular();
   }
 
   // Where edges are too short or too long for the sizes that are wanted.
   template <class Predicate>
-  void adapt_sizes(const User_field_3& field, const Odt_parameters& parameters, const Predicate& may_go_on)
+  void adapt_sizes(const User_field_3& field, const Predicate& may_go_on)
   {
     if(!is_editable_)
       return;
@@ -140,7 +155,7 @@ public:
     std::vector<std::array<int, 2> > feature_edges = mesh_.feature_edges();
     for(std::array<int, 2>& e : feature_edges)
       e = {{ number[e[0]], number[e[1]] }};
-    const bool wants_number = parameters.number_of_vertices > 0;
+    const bool wants_number = parameters_.number_of_vertices > 0;
     const bool has_sizes = field && field.meaning == User_field_3::SIZE;
     Wanted_length_3 wanted(indexed_, feature_edges, has_sizes || (field && wants_number) ? size_of(field) : User_field_3::Function(),
                            [this](int v) { return complex_.snapshot().numbering->stratum(v); },
@@ -149,8 +164,8 @@ public:
     Size_tolerance tolerance = of_sizes;
     if(wants_number)
     {
-      tolerance.number_of_vertices = static_cast<int>(parameters.number_of_vertices);
-      wanted.scale(std::cbrt(wanted.number_of_vertices() / double(parameters.number_of_vertices)));
+      tolerance.wants_number = true;
+      wanted.scale(std::cbrt(wanted.number_of_vertices() / double(parameters_.number_of_vertices)));
     }
     else if(has_sizes)
       wanted.scale(edge_over_size);
@@ -159,15 +174,15 @@ public:
       wanted.scale(longest_over_mean);
       tolerance = of_neighbors;
     }
-    const double wanted_number = wants_number ? double(parameters.number_of_vertices)
+    const double wanted_number = wants_number ? double(parameters_.number_of_vertices)
                                : has_sizes ? wanted.number_of_vertices() : number_before;
-    const double coarsening = parameters.do_remove_vertices ? (std::max)(1., number_before / wanted_number) : 1.;
+    const double coarsening = parameters_.do_remove_vertices ? (std::max)(1., number_before / wanted_number) : 1.;
     bounds_.permit_coarsening(coarsening);
-    Vertex_edits_3 edits(complex_, coarsening);
+    Vertex_edits_3 edits(complex_, most_vertices(parameters_, mesh_), coarsening);
     Size_adaptation_3 adaptation(edits, wanted, tolerance);
-    if(parameters.do_remove_vertices)
+    if(parameters_.do_remove_vertices)
       adaptation.remove_vertices(may_go_on);
-    if(parameters.do_insert_vertices)
+    if(parameters_.do_insert_vertices)
       adaptation.insert_vertices(may_go_on);
     store(edits);
   }
@@ -179,11 +194,11 @@ public:
     if(!is_editable_)
       return false;
     const std::vector<int> number = numbers_of_table();
-    Vertex_edits_3 edits(complex_);
+    Vertex_edits_3 edits(complex_, most_vertices(parameters_, mesh_));
     Sliver_edits_3 insertion(edits, true, false, seed);
     for(Size_criteria_3::Violation v : violations)
     {
-      if(!may_go_on())
+      if(edits.is_full() || !may_go_on())
         break;
       for(int& w : v.cell)
         w = number[w];
@@ -194,16 +209,17 @@ public:
 
   // Where that makes the small angles of cells larger; whether there are such places.
   template <class Predicate>
-  bool edit_slivers(bool inserts, bool removes, int step, unsigned int seed, const Predicate& may_go_on)
+  bool edit_slivers(int step, unsigned int seed, const Predicate& may_go_on)
   {
     if(!is_editable_)
       return false;
-    Vertex_edits_3 edits(complex_);
-    Sliver_edits_3(edits, inserts, removes, seed).run(step, may_go_on);
+    Vertex_edits_3 edits(complex_, most_vertices(parameters_, mesh_));
+    Sliver_edits_3(edits, parameters_.do_insert_vertices, parameters_.do_remove_vertices, seed).run(step, may_go_on);
     return store(edits);
   }
 
 private:
+  static constexpr std::size_t most_growth = 10, fewest_permitted = 100000, most_ever = Indexed_triangulation_3::most_cells / 8;
   // Of edges in meshes that the mesh generator makes with these sizes, which bound circumradii.
   static constexpr double edge_over_size = 4 / 3.;
   // Without sizes, only what is far from that: with .3, an elephant keeps 300 vertices more, and its cells are worse.
@@ -250,13 +266,13 @@ private:
   // Whether something has changed.
   bool store(Vertex_edits_3& edits)
   {
-    const std::optional<Mesh_table_3> table = edits.has_changed() ? edits.table() : std::nullopt;
-    if(table)
-      mesh_.write(*table);
-    return table.has_value();
+    if(edits.has_changed())
+      mesh_.write(edits.table());
+    return edits.has_changed();
   }
 
   Tabulated_mesh_3& mesh_;
+  const Odt_parameters& parameters_;
   Facet_bounds_3& bounds_;
   Moving_triangulation_3 indexed_;
   Complex_updater_3 complex_;

@@ -116,8 +116,8 @@ private:
       return optimize(mesh, task);
     const Sliver_census_3 slivers = Optimization_attempt_3::slivers(adapted.table());
     const std::optional<Size_criteria_3> criteria = size_criteria(adapted.table());
-    const auto has_time = [this] { return control_.has_time(); };
-    adaptation(adapted).adapt_sizes(field_, parameters_, has_time);
+    const auto may_go_on = [this] { return control_.may_go_on(); };
+    adaptation(adapted).adapt_sizes(field_, may_go_on);
     std::optional<Outcome> outcome = optimize(adapted, task);
     if(!outcome)
       return outcome;
@@ -126,10 +126,7 @@ private:
     {
       Tabulated_mesh_3::State before = adapted.state();
       const bool is_refined = refine(adapted, criteria, step_on_the_way, n);
-      if(!adaptation(adapted).edit_slivers(parameters_.do_insert_vertices, parameters_.do_remove_vertices,
-                                           last_step_of_edits, parameters_.random_seed + n,
-                                           [this] { return control_.may_go_on(); })
-         && !is_refined)
+      if(!adaptation(adapted).edit_slivers(last_step_of_edits, parameters_.random_seed + n, may_go_on) && !is_refined)
         break;
       if(!optimize(adapted, Odt_task::REMOVE_SLIVERS))
       {
@@ -141,7 +138,7 @@ private:
       control_.may_go_on();
     if(control_.is_stopped())
       outcome = Outcome{ control_.code(), control_.code() };
-    else if(!has_wanted_number(adapted.table()))
+    else if(!has_wanted_number(adapted))
       outcome = Outcome{ CANT_IMPROVE_ANYMORE, CANT_IMPROVE_ANYMORE };
     if(!may_be_worse() && !Optimization_attempt_3::slivers(adapted.table()).is_not_worse_than(slivers))
       return Outcome{ CANT_IMPROVE_ANYMORE, CANT_IMPROVE_ANYMORE };
@@ -150,12 +147,13 @@ private:
     return outcome;
   }
 
-  // Whether there are as many vertices as the user wants, if there is such a number, up to 1 % or two.
-  bool has_wanted_number(const Mesh_table_3& mesh) const
+  // Whether there are as many vertices as the user wants, if there is such a number, up to 1 % or two; or else fewer than there
+  // may be, which are too few for the sizes.
+  bool has_wanted_number(const Tabulated_mesh_3& mesh) const
   {
     const double wanted = double(parameters_.number_of_vertices), tolerance = (std::max)(2., 0.01 * wanted);
-    const auto removed = std::count(mesh.dimensions.begin(), mesh.dimensions.end(), int(Mesh_table_3::removed));
-    return wanted == 0 || std::abs(double(mesh.dimensions.size()) - double(removed) - wanted) <= tolerance;
+    return wanted > 0 ? std::abs(mesh.number_of_vertices() - wanted) <= tolerance
+                      : mesh.number_of_vertices() < Mesh_adaptation_3::most_vertices(parameters_, mesh);
   }
 
   // What cells and facets are to keep in the end, if vertices may be inserted for that: the sizes of the field or of the input.
@@ -172,12 +170,12 @@ private:
       return false;
     const std::vector<Size_criteria_3::Violation> violations = criteria->violations(mesh.table());
     return !violations.empty()
-           && adaptation(mesh).refine(violations, step, parameters_.random_seed + n, [this] { return control_.has_time(); });
+           && adaptation(mesh).refine(violations, step, parameters_.random_seed + n, [this] { return control_.may_go_on(); });
   }
 
   Mesh_adaptation_3 adaptation(Tabulated_mesh_3& mesh)
   {
-    return Mesh_adaptation_3(mesh, domain_, bounds_, parameters_.optimize_boundary, threads_);
+    return Mesh_adaptation_3(mesh, domain_, bounds_, parameters_, threads_);
   }
 
   const Domain_view_3& domain_;

@@ -158,7 +158,7 @@ private:
         energy = (std::numeric_limits<double>::max)();
       previous = stage;
       const double before = std::exchange(energy, rounds_->make_round(complex_.snapshot().boundary));
-      const bool pays = !plan_->stops_without_gain() || energy < (1 - least_gain_of_round) * before;
+      const bool pays = !plan_->stops_without_gain() || relative_rise(before, energy) < -least_gain_of_round;
       plan_->advance();
       if(control_.elapsed() > plan_->end_of_time(stage))
         plan_->skip(stage);

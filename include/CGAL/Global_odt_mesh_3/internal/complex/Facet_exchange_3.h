@@ -70,6 +70,9 @@ public:
     });
   }
 
+  // The facets that would come.
+  const std::vector<Exchangeable_boundary_3::Facet>& added() const { return added_; }
+
   void apply(Editable_complex_3& complex) const { complex.boundary.exchange(removed_, added_); }
 
 private:

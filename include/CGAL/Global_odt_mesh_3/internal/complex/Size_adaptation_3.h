@@ -35,7 +35,7 @@ namespace internal {
 struct Size_tolerance
 {
   double longest = (std::numeric_limits<double>::infinity)(), shortest = 0;
-  std::optional<int> number_of_vertices = std::nullopt;          // that have to be there, whatever becomes of the longest edges
+  bool wants_number = false;      // as many vertices as there may be have to be there, whatever becomes of the longest edges
 };
 
 // Removes vertices at short edges of a complex and inserts vertices into long ones, those first that are so most, inside and on
@@ -60,7 +60,7 @@ public:
     {
       const Edge e = edges.top();
       edges.pop();
-      if(!(-e.rank < tolerance_.shortest) && !has_too_many_vertices())
+      if(!(-e.rank < tolerance_.shortest) && !(tolerance_.wants_number && edits_.has_too_many_vertices()))
         return;
       if(!complex_.working.is_visible(e.u) || !complex_.working.is_visible(e.v))
         continue;
@@ -84,8 +84,7 @@ public:
     {
       const Edge e = edges.top();
       edges.pop();
-      if(!(tolerance_.number_of_vertices ? edits_.number_of_visible_vertices() < *tolerance_.number_of_vertices
-                                         : e.rank > tolerance_.longest))
+      if(edits_.is_full() || !(tolerance_.wants_number || e.rank > tolerance_.longest))
         return;
       const int v = edits_.number_of_vertices();
       if(!split(e))
@@ -110,9 +109,6 @@ private:
     { return rank != o.rank ? rank < o.rank : std::make_pair(u, v) > std::make_pair(o.u, o.v); }
   };
   typedef std::priority_queue<Edge> Edges;
-
-  bool has_too_many_vertices() const
-  { return tolerance_.number_of_vertices && edits_.number_of_visible_vertices() > *tolerance_.number_of_vertices; }
 
   std::vector<std::array<int, 2> > edges_of_complex() const
   {

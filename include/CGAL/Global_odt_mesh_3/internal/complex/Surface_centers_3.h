@@ -49,14 +49,18 @@ public:
   // Puts the center of a facet with these vertices, which is expected where it is, onto the surface, or finds it not exact.
   void search(const Facet& facet, const Triple& t, Surface_center& center) const
   {
+    if(!search_near(t, center) || !is_between_subdomains(facet, t, center))
+      put_on_dual_segment(facet, Facet_dual_3(t, sites_), center);
+  }
+
+  // The same, whatever the cells beside the facet are; whether it is found.
+  bool search_near(const Triple& t, Surface_center& center) const
+  {
     center.is_exact = false;
     const Vector_3 expected = center.point;
     const Facet_dual_3 dual(t, sites_);
-    for(const auto& s : segments_to_search)
-      if(put_on_segment(expected + s[0] * dual.radius * dual.normal, dual.normal, s[1] * dual.radius, center))
-        break;
-    if(!center.is_exact || !is_between_subdomains(facet, t, center))
-      put_on_dual_segment(facet, dual, center);
+    return std::any_of(std::begin(segments_to_search), std::end(segments_to_search), [&](const double (&s)[2])
+                       { return put_on_segment(expected + s[0] * dual.radius * dual.normal, dual.normal, s[1] * dual.radius, center); });
   }
 
   // Whether a center is on the dual segment, unless that is infinite or joins no two subdomains.

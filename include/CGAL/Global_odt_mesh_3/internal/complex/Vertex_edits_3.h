@@ -34,6 +34,8 @@
 #include <CGAL/Global_odt_mesh_3/internal/surface/Boundary_geometry_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/surface/Exchangeable_boundary_3.h>
 
+#include <CGAL/assertions.h>
+
 #include <algorithm>
 #include <array>
 #include <limits>
@@ -87,9 +89,11 @@ inline std::optional<New_vertex_3> middle_of_edge(const Editable_complex_3& comp
 class Vertex_edits_3
 {
 public:
-  // Surfaces get vertices only if they move. Where there are to be so many times fewer, volumes may change more.
-  explicit Vertex_edits_3(Complex_updater_3& updater, double coarsening = 1)
-    : numbering_(std::make_shared<Vertex_numbering_3>(*updater.snapshot().numbering))
+  // Surfaces get vertices only if they move. It is full with that many. Where there are to be so many times fewer, volumes may
+  // change more.
+  Vertex_edits_3(Complex_updater_3& updater, int most_vertices, double coarsening = 1)
+    : most_vertices_(most_vertices)
+    , numbering_(std::make_shared<Vertex_numbering_3>(*updater.snapshot().numbering))
     , complex_(updater.edit(*numbering_))
     , trial_(complex_)
     , most_of_volume_((std::min)(usual_most_of_volume + most_of_volume_of_coarsening * (coarsening - 1), most_of_volume_ever))
@@ -104,6 +108,9 @@ public:
   // The next one that is inserted gets this number.
   int number_of_vertices() const { return static_cast<int>(complex().sites.size()); }
   int number_of_visible_vertices() const { return number_of_vertices() - number_of_removed_; }
+  // Whether no vertex is to be inserted any more.
+  bool is_full() const { return number_of_visible_vertices() >= most_vertices_; }
+  bool has_too_many_vertices() const { return number_of_visible_vertices() > most_vertices_; }
   bool has_changed() const { return !places_.empty() || number_of_removed_ > 0; }
 
   // Whether the vertex, which is near a cell, may be inserted so far from all others, whatever that does to angles, and has
@@ -151,9 +158,8 @@ public:
     return edges_of(cells);
   }
 
-  // The complex, with the vertices that have been inserted after those of the input; or none if the domain finds no surface
-  // center for a facet.
-  std::optional<Mesh_table_3> table()
+  // The complex, with the vertices that have been inserted after those of the input.
+  Mesh_table_3 table()
   {
     Complex_snapshot_3 refined;
     std::vector<int> numbers;
@@ -183,8 +189,7 @@ public:
     {
       const Triple& t = refined.boundary.complex().facets()[n].vertices;
       refined.centers.push_back(center(found[n], estimated_surface_center(t, refined.boundary, refined.sites)));
-      if(!refined.centers.back().is_exact)
-        return std::nullopt;
+      CGAL_assertion(refined.centers.back().is_exact);
     }
     refined.number_facets();
     complex_.working.renumber(numbers);
@@ -252,15 +257,34 @@ private:
   // Whether the vertex is accepted, which is up to the domain, too.
   bool end(bool is_permitted)
   {
-    const bool is_accepted = is_permitted && trial_.accept();
+    const bool is_accepted = is_permitted && accept();
     if(!is_accepted)
       remove_last();
     return is_accepted;
   }
 
+  // Unless there is a facet for which the domain finds no surface center.
+  bool accept()
+  {
+    const Surface_center_search_3 search(complex().sites, complex().triangulation(), complex().domain);
+    std::vector<std::pair<Triple, Complex_snapshot_3::Surface_center> > centers;
+    for(const Exchangeable_boundary_3::Facet& f : trial_.new_facets())
+    {
+      centers.emplace_back(f.vertices, Complex_snapshot_3::Surface_center());
+      centers.back().second.point = Facet_dual_3(f.vertices, complex().sites).center;
+      if(!search.search_near(f.vertices, centers.back().second))
+        return false;
+    }
+    if(!trial_.accept())
+      return false;
+    for(const auto& c : centers)
+      centers_.insert(c.first, c.second);
+    return true;
+  }
+
   bool end_removal(bool is_permitted)
   {
-    if(!is_permitted || !trial_.accept())
+    if(!is_permitted || !accept())
       return false;
     for(const auto& c : changes_of_volume())
       change_of_volume_[c.first] += c.second;
@@ -319,7 +343,8 @@ private:
     return kept;
   }
 
-  // That of the snapshot, unless the dual segment ends before it, or one that is searched for.
+  // That of the snapshot, unless the dual segment ends before it, or one that is searched for, or else the one with which the
+  // facet was accepted.
   Complex_snapshot_3::Surface_center center(const Editable_complex_3::Found_facet& f, const Vector_3& expected) const
   {
     const Surface_center_search_3 search(complex().sites, complex().triangulation(), complex().domain);
@@ -328,16 +353,20 @@ private:
     Complex_snapshot_3::Surface_center known, found;
     if(n >= 0)
       known = complex().snapshot.centers[n];
-    if(known.is_exact && (!complex_.boundary_moves || search.is_between_subdomains(f.facet, t, known)))
+    else if(const auto* accepted = centers_.find(f.key))
+      known = *accepted;
+    if(n >= 0 && known.is_exact && (!complex_.boundary_moves || search.is_between_subdomains(f.facet, t, known)))
       return known;
     found.point = expected;
     search.search(f.facet, t, found);
     return found.is_exact ? found : known;
   }
 
+  int most_vertices_;
   std::shared_ptr<Vertex_numbering_3> numbering_;
   Editable_complex_3 complex_;
   Vertex_trial_3 trial_;
+  Tuple_table<Triple, Complex_snapshot_3::Surface_center> centers_;         // of facets that have come
   std::vector<int> places_;                 // of those that have been inserted
   int number_of_removed_ = 0;
   double most_of_volume_;                   // by which removals may change that of a subdomain

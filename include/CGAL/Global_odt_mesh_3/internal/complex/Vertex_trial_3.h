@@ -204,6 +204,9 @@ public:
   // The cells that go and those that come, as tried last.
   const Vertex_cavity_3& cavity() const { return cavity_; }
 
+  // The facets that come, once it is known that this is permitted.
+  const std::vector<Exchangeable_boundary_3::Facet>& new_facets() const { return exchange_.added(); }
+
   // The sum of the deficits of the new cells.
   double deficit_after() const { return after_.deficit; }
 

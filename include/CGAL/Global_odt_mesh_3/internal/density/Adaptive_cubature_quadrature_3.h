@@ -78,15 +78,20 @@ public:
       regions_[0].corners[i][i] = 1;
     }
     integrate(samples, regions_[0]);
-    while(static_cast<int>(regions_.size()) < most_regions_ && !(total_error() <= tolerance_ * std::abs(total_mass())))
+    double error = regions_[0].error, total_mass = mass(regions_[0].integral);
+    while(static_cast<int>(regions_.size()) < most_regions_ && !(error <= tolerance_ * std::abs(total_mass)))
     {
       std::pop_heap(regions_.begin(), regions_.end(), has_smaller_error);
       const std::array<Region, 2> halves = bisect(samples, regions_.back());
+      error -= regions_.back().error;
+      total_mass -= mass(regions_.back().integral);
       regions_.pop_back();
       for(const Region& half : halves)
       {
         regions_.push_back(half);
         integrate(samples, regions_.back());
+        error += regions_.back().error;
+        total_mass += mass(regions_.back().integral);
         std::push_heap(regions_.begin(), regions_.end(), has_smaller_error);
       }
     }
@@ -143,22 +148,6 @@ private:
       for(int j = 0; j < 4; ++j)
         p[j] += l[i] * r.corners[i][j];
     return p;
-  }
-
-  double total_error() const
-  {
-    double sum = 0;
-    for(const Region& r : regions_)
-      sum += r.error;
-    return sum;
-  }
-
-  double total_mass() const
-  {
-    double sum = 0;
-    for(const Region& r : regions_)
-      sum += mass(r.integral);
-    return sum;
   }
 
   // The sum of all m_ij.

@@ -20,6 +20,7 @@
 
 #include <cstddef>
 #include <limits>
+#include <type_traits>
 
 namespace CGAL {
 namespace Global_odt_mesh_3 {
@@ -31,8 +32,12 @@ void read_count(const Arguments& arguments, std::size_t& count, const char* mess
 {
   if constexpr (Arguments::template has<Tag>)
   {
-    const double number = static_cast<double>(arguments.template get<Tag>());
-    CGAL_GLOBAL_ODT_MESH_3_CHECK_PARAMETER(number >= 0 && number <= double((std::numeric_limits<std::size_t>::max)()), message);
+    const auto& value = arguments.template get<Tag>();
+    const double number = static_cast<double>(value);
+    // What is the largest number becomes the one after it.
+    constexpr bool is_integral = std::is_integral<std::decay_t<decltype(value)> >::value;
+    CGAL_GLOBAL_ODT_MESH_3_CHECK_PARAMETER(
+      number >= 0 && (is_integral || number < double((std::numeric_limits<std::size_t>::max)())), message);
     arguments.template read<Tag>(count);
   }
 }

@@ -21,10 +21,6 @@
 #include <limits>
 #include <vector>
 
-#ifdef CGAL_GLOBAL_ODT_MESH_3_PROFILING
-#  include <chrono>
-#endif
-
 namespace CGAL {
 namespace Global_odt_mesh_3 {
 namespace internal {
@@ -36,27 +32,6 @@ struct Oracle_statistics
   std::atomic<std::size_t> intersections{ 0 };     // construct_intersection
   std::atomic<std::size_t> projections{ 0 };       // closest points from the AABB tree
   std::atomic<std::size_t> failures{ 0 };          // intersections and projections that found nothing of use
-  std::atomic<std::size_t> nanoseconds{ 0 };       // spent in the domain, if CGAL_GLOBAL_ODT_MESH_3_PROFILING is defined
-};
-
-// Adds the time of its life to the statistics.
-class Oracle_stopwatch
-{
-#ifdef CGAL_GLOBAL_ODT_MESH_3_PROFILING
-public:
-  explicit Oracle_stopwatch(Oracle_statistics& s) : statistics_(s), begin_(std::chrono::steady_clock::now()) {}
-  ~Oracle_stopwatch()
-  {
-    statistics_.nanoseconds += std::chrono::nanoseconds(std::chrono::steady_clock::now() - begin_).count();
-  }
-
-private:
-  Oracle_statistics& statistics_;
-  std::chrono::steady_clock::time_point begin_;
-#else
-public:
-  explicit Oracle_stopwatch(Oracle_statistics&) {}
-#endif
 };
 
 // The domain of the user, whatever its type, with numbers for subdomains (labels) and surface patches: those that the mesh
@@ -99,7 +74,6 @@ public:
   int label(const Vector& p) const
   {
     ++statistics_.locations;
-    const Oracle_stopwatch stopwatch(statistics_);
     return find_label(p);
   }
 
@@ -116,7 +90,6 @@ public:
     if(!has_tree_)
       return 0;
     ++statistics_.projections;
-    const Oracle_stopwatch stopwatch(statistics_);
     return (p - closest_point(p)).length();
   }
 
@@ -125,7 +98,6 @@ public:
   bool intersect(Vector& p, const Vector& direction, double half_length, int& patch) const
   {
     ++statistics_.intersections;
-    const Oracle_stopwatch stopwatch(statistics_);
     const Vector from = p - half_length * direction, to = p + half_length * direction;
     // That of cospherical cells is a point, which domains do not expect.
     if((to - from).length() > 0 && find_intersection(from, to, p, patch))
@@ -152,7 +124,6 @@ private:
   bool project_by_tree(Vector& p, double reach, int patch) const
   {
     ++statistics_.projections;
-    const Oracle_stopwatch stopwatch(statistics_);
     int found;
     const Vector q = closest_point(p, found);
     if((p - q).length() <= reach && found == patch && patch != other_patch)

@@ -190,7 +190,7 @@ public:
   bool is_near_minimum(const Function& f) const
   {
     const double gain = (f.gradient().array().square() / f.diagonal().array()).sum();
-    return gain <= small_part * temperature_ * f.value();
+    return gain <= small_part * temperature_ * std::abs(f.value());
   }
 
   // Step (3): the perturbed point becomes the current one. Noise that breaks the triangulation
@@ -220,8 +220,7 @@ public:
   {
     if(energy_after <= energy_before)
       return true;
-    const double rise = (energy_after - energy_before) / energy_before;
-    if(std::exp(-rise / temperature_) > random_.uniform())
+    if(std::exp(-relative_rise(energy_before, energy_after) / temperature_) > random_.uniform())
       return true;
     temperature_ *= schedule_.cooling;
     return false;

@@ -30,6 +30,9 @@ namespace CGAL {
 namespace Global_odt_mesh_3 {
 namespace internal {
 
+// Of an energy, which is negative where weights are large.
+inline double relative_rise(double before, double after) { return (after - before) / std::abs(before); }
+
 // Leads a site back to within a distance of another one.
 inline void hold_near(const Vector_3& center, double farthest, Site& s)
 {
@@ -83,6 +86,12 @@ public:
       mesh_.mean_edge_lengths(longest_step_);
     mesh_.keep();
     is_feasible_ = mesh_.evaluate();
+    if(!is_feasible_)
+    {
+      mesh_.restore();
+      for(int v = 0; v < number_of_vertices(); ++v)
+        freeze(v);
+    }
     gather();
     keep();
   }
@@ -101,7 +110,7 @@ public:
     keep();
   }
 
-  // Whether the triangulation could be made regular where it was.
+  // Whether the triangulation could be made regular where it was. Otherwise it is as before, and all vertices are frozen.
   bool is_feasible() const { return is_feasible_; }
   double value() const { return current_.value; }
   const Eigen::VectorXd& point() const { return current_.point; }

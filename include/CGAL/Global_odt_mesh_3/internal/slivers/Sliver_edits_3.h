@@ -110,7 +110,7 @@ private:
   void improve(const Sliver_3& s)
   {
     Best best;
-    if(inserts_)
+    if(inserts_ && !edits_.is_full())
       try_insertions(s.vertices, s.cell, best);
     if(removes_ && try_removals(s.vertices, best.change))
       return;

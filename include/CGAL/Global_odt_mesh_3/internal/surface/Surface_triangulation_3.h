@@ -48,17 +48,17 @@ public:
     for(const Boundary_facet& f : facets)
     {
       vertices_.push_back(f.vertices);
-      // All facets of a surface are oriented alike.
       if(f.labels[0] > f.labels[1])
         std::swap(vertices_.back()[1], vertices_.back()[2]);
     }
+    orient(boundary);
     opposite_.assign(3 * facets.size(), no_corner);
     for(std::size_t n = 0; n < facets.size(); ++n)
       for(int k = 0; k < 3; ++k)
       {
         const int v = facets[n].vertices[k];
         const int beyond = boundary.facet_beyond(static_cast<int>(3 * n) + k);
-        if(beyond < 0)
+        if(beyond < 0 || has_common_direction(static_cast<int>(n), beyond))
           continue;
         const int corner = static_cast<int>(3 * n) + index(static_cast<int>(n), v);
         for(int m = 0; m < 3; ++m)
@@ -216,6 +216,39 @@ private:
       const int across = opposite_[previous(e)];
       e = across == no_corner ? int(no_corner) : previous(across);
     }
+    return false;
+  }
+
+  // All facets of a surface are oriented alike, as those between two subdomains are by their labels already. On a surface inside
+  // a subdomain with one side only, some edges are left of which that is not so.
+  void orient(const Boundary_complex_3& boundary)
+  {
+    std::vector<char> is_reached(vertices_.size(), false);
+    std::vector<int> stack;
+    for(int n = 0; n < number_of_facets(); ++n)
+      for(stack.push_back(n); !stack.empty(); )
+      {
+        const int f = stack.back();
+        stack.pop_back();
+        is_reached[f] = true;
+        for(int corner = 3 * f; corner < 3 * f + 3; ++corner)
+        {
+          const int beyond = boundary.facet_beyond(corner);
+          if(beyond < 0 || std::exchange(is_reached[beyond], true))
+            continue;
+          if(has_common_direction(f, beyond))
+            std::swap(vertices_[beyond][1], vertices_[beyond][2]);
+          stack.push_back(beyond);
+        }
+      }
+  }
+
+  // Whether both go along their common edge in the same direction.
+  bool has_common_direction(int f, int g) const
+  {
+    for(int c = 3 * f; c < 3 * f + 3; ++c)
+      if(const int k = index(g, vertex(c)); k >= 0 && vertex(next(3 * g + k)) == vertex(next(c)))
+        return true;
     return false;
   }
 

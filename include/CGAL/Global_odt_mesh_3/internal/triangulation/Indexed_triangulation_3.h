@@ -251,23 +251,22 @@ public:
   void star(int vertex, std::vector<Half_facet>& slots) const
   {
     slots.clear();
-    const int first = incident_cell(vertex);
-    if(first < 0)
-      return;
-    slots.push_back(slot(first, vertex));
+    Tuple_table<std::array<int, 1>, int> reached;
+    const auto reach = [&](int cell)
+    {
+      if(cell >= 0)
+        reached.insert({{ cell }}, 0);
+      if(reached.entries().size() > slots.size())
+        slots.push_back(slot(cell, vertex));
+    };
+    reach(incident_cell(vertex));
     for(std::size_t n = 0; n < slots.size(); ++n)
       for(int i = 0; i < 4; ++i)
       {
         if(i == slots[n].index())
           continue;
-        Half_facet across = neighbor(slots[n].in_cell(i));
-        if(across.is_side())
-          across = constrained_half_facet(across.other_side());
-        if(across.is_none())
-          continue;
-        const Half_facet s = slot(across.cell(), vertex);
-        if(std::find(slots.begin(), slots.end(), s) == slots.end())
-          slots.push_back(s);
+        const Half_facet across = neighbor(slots[n].in_cell(i));
+        reach((across.is_side() ? constrained_half_facet(across.other_side()) : across).cell());
       }
   }
 

@@ -94,11 +94,14 @@ private:
     for(int c : mesh_.stuck_cells())
       vertices.insert(vertices.end(), mesh_.topology.vertices(c), mesh_.topology.vertices(c) + 4);
     mesh_.topology.undo_trial();
-    for(int ring = 0; ring < rings; ++ring)
+    for(int ring = 0; ; ++ring)
+    {
+      std::sort(vertices.begin(), vertices.end());
+      vertices.erase(std::unique(vertices.begin(), vertices.end()), vertices.end());
+      if(ring == rings)
+        return vertices;
       add_neighbors(vertices);
-    std::sort(vertices.begin(), vertices.end());
-    vertices.erase(std::unique(vertices.begin(), vertices.end()), vertices.end());
-    return vertices;
+    }
   }
 
   // Appends the neighbors of the movable vertices in `vertices`.
