@@ -1,4 +1,4 @@
-# Two programs print the same, and enough. One of them is merged with others, and told which is meant.
+# Two programs print the same, and enough.
 foreach(name FIRST SECOND)
   execute_process(COMMAND ${${name}} optimize_ball RESULT_VARIABLE result OUTPUT_VARIABLE output_of_${name})
   if(NOT result EQUAL 0)
