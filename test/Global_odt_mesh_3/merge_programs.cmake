@@ -1,5 +1,6 @@
 # merge_programs(target name...): one program of the sources name.cpp, each with a main() of its own, so that the headers and instances
-# that they share are compiled once. Its first argument names the main() to be called, with the arguments that follow.
+# that they share are compiled once. Its first argument names the main() to be called, with the arguments that follow. A source that
+# stands alone, as those do that define macros before headers or operators of all, is compiled as it is.
 function(merge_programs target)
   set(includes "")
   set(bodies "")
@@ -13,6 +14,10 @@ function(merge_programs target)
     string(APPEND bodies "namespace ${name} {\n#include \"${source}\"\n}\n")
     string(APPEND calls "  if(name == \"${name}\")\n    return call(${name}::main, argc - 1, argv + 1);\n")
   endforeach()
+  list(LENGTH ARGN number)
+  if(number GREATER 1)
+    set(source ${CMAKE_CURRENT_BINARY_DIR}/${target}.cpp)
+  endif()
   list(REMOVE_DUPLICATES includes)
   # First, so that headers are not included in namespaces; those that are included for some versions of CGAL only, always.
   string(REPLACE ";" "\n" includes "${includes}")
@@ -33,7 +38,7 @@ ${calls}  std::cerr << \"no program has the name \" << name << std::endl;
   return 2;
 }
 ")
-  add_executable(${target} ${CMAKE_CURRENT_BINARY_DIR}/${target}.cpp)
+  add_executable(${target} ${source})
   target_include_directories(${target} PRIVATE ${CMAKE_CURRENT_SOURCE_DIR})
   target_compile_features(${target} PRIVATE cxx_std_17)
   target_link_libraries(${target} PRIVATE CGAL::CGAL CGAL::Data)
