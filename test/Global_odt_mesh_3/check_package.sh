@@ -27,6 +27,15 @@ for example in examples/Global_odt_mesh_3/*.cpp; do
   grep -q "^.cgalExample{$name}$" doc/Global_odt_mesh_3/*.txt || complain "$name is not shown in the manual"
 done
 
+# For tests, examples are compiled together, but each includes what it names of what any of them includes. Kernels include Bbox_3.h.
+headers=$(grep -hE '^#include <CGAL/' examples/Global_odt_mesh_3/*.{cpp,h} | grep -v Bbox_3 | sort -u)
+for source in examples/Global_odt_mesh_3/*.{cpp,h}; do
+  for name in $(grep -oE '\bCGAL::[A-Za-z0-9_]+' "$source" | sort -u); do
+    line="#include <CGAL/${name#CGAL::}.h>"
+    ! grep -qF "$line" <<< "$headers" || grep -qF "$line" "$source" || complain "$source names $name and does not include its header"
+  done
+done
+
 for header in include/CGAL/*.h; do
   grep -q "^#include <CGAL/Global_odt_mesh_3/internal/Requirements.h>$" "$header" || complain "$header does not include Requirements.h"
 done

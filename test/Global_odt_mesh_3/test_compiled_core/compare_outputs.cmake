@@ -1,6 +1,6 @@
 # Two programs print the same, and enough.
 foreach(name FIRST SECOND)
-  execute_process(COMMAND ${${name}} RESULT_VARIABLE result OUTPUT_VARIABLE output_of_${name})
+  execute_process(COMMAND ${${name}} optimize_ball RESULT_VARIABLE result OUTPUT_VARIABLE output_of_${name})
   if(NOT result EQUAL 0)
     message(FATAL_ERROR "${${name}}: ${result}")
   endif()

@@ -39,4 +39,5 @@ int main()
   std::printf("%d\n", code);
   for(const auto& v : c3t3.triangulation().finite_vertex_handles())
     std::printf("%a %a %a\n", v->point().x(), v->point().y(), v->point().z());
+  return 0;
 }

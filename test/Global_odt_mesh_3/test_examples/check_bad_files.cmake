@@ -1,7 +1,7 @@
-# Runs the example PROGRAM on files of the kind SURFACE or IMAGE that it cannot use, made in the current directory, and checks that it
+# Runs the EXAMPLE in PROGRAM on files of the kind SURFACE or IMAGE that it cannot use, made in the current directory, and checks that it
 # says why, and fails in an orderly way.
 function(refuses name complaint)
-  execute_process(COMMAND ${PROGRAM} ${name} RESULT_VARIABLE result ERROR_VARIABLE errors OUTPUT_VARIABLE output)
+  execute_process(COMMAND ${PROGRAM} ${EXAMPLE} ${name} RESULT_VARIABLE result ERROR_VARIABLE errors OUTPUT_VARIABLE output)
   if(NOT result STREQUAL 1)
     message(SEND_ERROR "${name}: the exit code is ${result}")
   endif()
@@ -29,7 +29,7 @@ refuses(cube.off "has facets that are not triangles")
 # Two tetrahedra, one of which sticks out of the other: what comes out of them need not be waited for.
 file(WRITE crossing.off "OFF\n8 8 0\n0 0 0\n3 0 0\n0 3 0\n0 0 3\n0.5 0.5 0.5\n3.5 0.5 0.5\n0.5 3.5 0.5\n0.5 0.5 3.5\n"
                         "3 0 2 1\n3 0 1 3\n3 0 3 2\n3 1 2 3\n3 4 6 5\n3 4 5 7\n3 4 7 6\n3 5 6 7\n")
-execute_process(COMMAND ${PROGRAM} crossing.off TIMEOUT 3 ERROR_VARIABLE errors OUTPUT_VARIABLE output)
+execute_process(COMMAND ${PROGRAM} ${EXAMPLE} crossing.off TIMEOUT 3 ERROR_VARIABLE errors OUTPUT_VARIABLE output)
 if(NOT errors MATCHES "crossing.off intersects itself")
   message(SEND_ERROR "crossing.off: ${errors}")
 endif()
