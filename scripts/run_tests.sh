@@ -6,7 +6,7 @@
 #
 #   [JOBS=n] [BUILD=directory] run_tests.sh [system] [trixie] [testing]
 #
-# A compiler needs up to 5 GB, hence two jobs at a time if nothing else is said.
+# A compiler needs up to 6 GB, hence two jobs at a time if nothing else is said.
 set -euo pipefail
 cd "$(dirname "$0")/.."
 [ $# -gt 0 ] || set -- system
