@@ -27,9 +27,10 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <functional>
 #include <map>
 #include <memory>
-#include <variant>
+#include <type_traits>
 #include <vector>
 
 namespace CGAL {
@@ -83,13 +84,12 @@ struct Numbered_cells_3
   std::vector<Cell_vertices> cells;
 };
 
-template <class C3t3>
-double odt_energy(const C3t3& c3t3, const User_fields_3<C3t3>& fields, Quadrature_choice choice)
+// The rule is null if the energy is to be as exact as can be.
+template <class C3t3, class Rule>
+double odt_energy(const C3t3& c3t3, const User_fields_3<C3t3>& fields, const Rule* rule)
 {
   fields.check();
-  check(choice);
-  if(std::holds_alternative<std::monostate>(choice) && !fields.quadratic_density)
-    choice = Adaptive_cubature_3{ 1e-8 };
+  const Quadrature_maker make_quadrature = rule != nullptr ? quadrature_maker(*rule) : make_usual_quadrature;
   const Numbered_cells_3<C3t3> mesh(c3t3);
   const auto uniform = [](const Cell_vertices&) { return linear_density_moments({{ 1, 1, 1, 1 }}); };
   if(!fields)
@@ -99,9 +99,10 @@ double odt_energy(const C3t3& c3t3, const User_fields_3<C3t3>& fields, Quadratur
   const auto value = [&](int v, const Site& s) { return field.value({ v, vertex(v)->in_dimension(), 0 }, s); };
   Field_density_3 density(field.meaning, value, mesh.sites, field.polynomial);
   const double unit = density.unit_density();
-  if(const auto* cubature = std::get_if<Adaptive_cubature_3>(&choice))
-    return unit * reference_energy(mesh.sites, mesh.cells, density, *cubature);
-  const std::unique_ptr<Density_quadrature_3> quadrature = make_density_quadrature_3(choice, density, mesh.sites);
+  if constexpr (std::is_same<Rule, Adaptive_cubature_3>::value)
+    if(rule != nullptr || density.polynomial() == nullptr)
+      return unit * reference_energy(mesh.sites, mesh.cells, density, rule != nullptr ? *rule : Adaptive_cubature_3{ 1e-8 });
+  const std::unique_ptr<Density_quadrature_3> quadrature = make_quadrature(density, mesh.sites);
   if(quadrature == nullptr)
     return unit * mesh.energy(uniform);
   return unit * mesh.energy([&](const Cell_vertices& v) { return quadrature->moments(0, v.data(), mesh.sites.data()); });
@@ -159,9 +160,10 @@ double odt_energy_3(const C3T3& c3t3, const NamedParameters&... np)
   const auto arguments = odt::named_arguments<odt::Energy_parameters>(np...);
   odt::User_fields_3<C3T3> fields;
   fields.read(arguments);
-  odt::Quadrature_choice quadrature;
-  arguments.template read<internal_np::quadrature_t>(quadrature);
-  return odt::odt_energy(c3t3, fields, quadrature);
+  if constexpr (std::decay_t<decltype(arguments)>::template has<internal_np::quadrature_t>)
+    return odt::odt_energy(c3t3, fields, &std::cref(arguments.template get<internal_np::quadrature_t>()).get());
+  else
+    return odt::odt_energy(c3t3, fields, static_cast<const Adaptive_cubature_3*>(nullptr));
 }
 
 } // namespace CGAL

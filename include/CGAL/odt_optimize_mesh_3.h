@@ -170,7 +170,6 @@ version of %CGAL in use accepts: `parameters::time_limit = 10, parameters::do_fr
     \cgalParamType{`double`}
     \cgalParamPrecondition{`0 <= sliver_bound <= 70.5`, the regular tetrahedron having angles of 70.53 degrees}
     \cgalParamDefault{0}
-    \cgalParamExtra{From \cgal 5.6 on also called `lower_sliver_bound`.}
   \cgalParamNEnd
   \cgalParamNBegin{do_remove_slivers}
     \cgalParamDescription{whether slivers are removed; otherwise the mesh is left where its energy has converged.}

@@ -104,7 +104,7 @@ static void parameter_styles(const Labeled_c3t3& input, const Labeled_domain& do
   {
     Labeled_c3t3 c(input);
     CGAL::odt_optimize_mesh_3(c, domain, params::time_limit(100).max_iteration_number(5).convergence(0.001)
-                                               .freeze_bound(0.0005).do_freeze(false));
+                                               .freeze_bound(0.0005).do_freeze(false).sliver_bound(0));
     compare(c, "a chain");
   }
   {

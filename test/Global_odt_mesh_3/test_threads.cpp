@@ -21,6 +21,7 @@
 #include <CGAL/tags.h>
 
 #include <tbb/global_control.h>
+#include <tbb/parallel_for.h>
 #include <tbb/task_arena.h>
 
 #include <algorithm>
@@ -201,7 +202,8 @@ struct Visitor
   void after_sliver_removal(std::size_t) const { count(); }
 };
 
-// The work is that of the caller's arena, and callback and visitor are called from the thread that calls.
+// The work is that of the caller's arena, and callback and visitor are called from the thread that calls, the callback not while it
+// runs, even if it waits for threads.
 static void in_an_arena(const std::string& mesh, const Domain& domain, Caller& caller, std::atomic<int>& arenas,
                         const Coordinates& expected)
 {
@@ -215,17 +217,21 @@ static void in_an_arena(const std::string& mesh, const Domain& domain, Caller& c
       C3t3 c3t3 = read<C3t3>(mesh);
       caller.start_over();
       Caller caller_of_callback, caller_of_visitor;
-      int calls = 0, callbacks = 0;
+      int calls = 0, callbacks = 0, running = 0, most_running = 0;
       const Visitor visitor = { &caller_of_visitor, &calls };
       CGAL::odt_optimize_mesh_3(c3t3, domain, params::number_of_rounds = 1, params::domain_is_thread_safe = true,
                                 params::visitor(visitor), params::callback([&](double)
                                 {
                                   caller_of_callback.check();
                                   ++callbacks;
+                                  most_running = (std::max)(most_running, ++running);
+                                  tbb::parallel_for(0, 16, [](int) { std::this_thread::sleep_for(std::chrono::microseconds(200)); });
+                                  --running;
                                   return true;
                                 }));
       check::that(calls > 0 && callbacks > 0 && !caller_of_visitor.is_other && !caller_of_callback.is_other,
                   "callback or visitor are called from another thread, or not at all");
+      check::that(most_running == 1, "the callback is called while it runs");
       check::that(coordinates(c3t3) == expected, "in an arena of ", threads, " the mesh becomes another one");
     });
     check::that(arenas == 1 << threads, "threads of another arena work than that of the caller, of ", threads);

@@ -44,7 +44,7 @@ struct Odt_parameters
   double freeze_bound = parameters::default_values_for_mesh_3::odt_freeze_ratio;
   bool do_freeze = true;
   bool optimize_boundary = true;
-  Quadrature_choice quadrature;
+  Quadrature_maker make_quadrature = make_usual_quadrature;
   Annealing_schedule annealing_schedule;
   std::size_t number_of_rounds = usual_number_of_rounds;    // of the schedule
   double surface_weight = 1.2;
@@ -61,7 +61,6 @@ struct Odt_parameters
     CGAL_GLOBAL_ODT_MESH_3_CHECK_PARAMETER(time_limit >= 0, "time_limit must be a number of seconds, not negative");
     CGAL_GLOBAL_ODT_MESH_3_CHECK_PARAMETER(convergence >= 0 && convergence <= 1, "convergence must be in [0, 1]");
     CGAL_GLOBAL_ODT_MESH_3_CHECK_PARAMETER(freeze_bound >= 0 && freeze_bound <= 1, "freeze_bound must be in [0, 1]");
-    internal::check(quadrature);
     std::visit([](const auto& schedule) { schedule.check(); }, annealing_schedule);
     CGAL_GLOBAL_ODT_MESH_3_CHECK_PARAMETER(surface_weight >= 0 && std::isfinite(surface_weight),
                                            "surface_weight must be finite, not negative");

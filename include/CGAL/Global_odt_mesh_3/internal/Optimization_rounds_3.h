@@ -119,7 +119,7 @@ public:
   Mesh_density_3& operator=(const Mesh_density_3&) = delete;
 
   // Refers to the field and the numbering.
-  void prepare(Moving_triangulation_3& mesh, const User_field_3& field, const Quadrature_choice& quadrature,
+  void prepare(Moving_triangulation_3& mesh, const User_field_3& field, const Quadrature_maker& make_quadrature,
                const Vertex_numbering_3& numbering)
   {
     const auto in_input = [&field, &numbering](int v, const Site& s) { return field.value(numbering.stratum(v), s); };
@@ -129,7 +129,7 @@ public:
       density_ = std::make_unique<Input_density_3>(mesh);
     // The density of the input is what it is at vertices, but a field may vary between them.
     if(!density_->is_uniform() || field)
-      quadrature_ = make_density_quadrature_3(quadrature, *density_, mesh.sites);
+      quadrature_ = make_quadrature(*density_, mesh.sites);
     mesh.set_quadrature(quadrature_.get());
     if(!density_->is_uniform())
       on_surface_ = [this](int v, const Site& s) { return density_->on_surface(v, s); };
@@ -165,7 +165,7 @@ public:
     , threads_(threads)
   {
     const auto in_stage = during(Stage_clock::DENSITY);
-    density_.prepare(mesh_, field, parameters_.quadrature, numbering);
+    density_.prepare(mesh_, field, parameters_.make_quadrature, numbering);
     minimizer_parameters_ = minimizer_parameters(mesh_.quadrature());
     surface_term_ = std::make_unique<Surface_cvt_term_3>(mesh_.number_of_interior_vertices, mesh_.number_of_surface_vertices(),
                                                          parameters_.surface_weight, density_.on_surface(), threads_);

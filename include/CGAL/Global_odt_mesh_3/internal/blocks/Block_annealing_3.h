@@ -106,7 +106,7 @@ public:
     threads_.for_each_chunk(number_of_blocks_, [&](int)
     {
       const int n = order[number_of_begun++];
-      if(std::this_thread::get_id() == caller && !may_go_on())
+      if(std::this_thread::get_id() == caller && !threads_.call_isolated(may_go_on))
         stops = true;
       Moving_triangulation_3 part;
       blocks.load(n, part);

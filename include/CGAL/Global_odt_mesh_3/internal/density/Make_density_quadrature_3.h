@@ -23,10 +23,10 @@
 
 #include <array>
 #include <cstddef>
+#include <functional>
 #include <limits>
 #include <memory>
 #include <utility>
-#include <variant>
 #include <vector>
 
 namespace CGAL {
@@ -89,38 +89,53 @@ private:
   std::size_t number_of_quadratures_ = 0;
 };
 
-// Without a word of the caller, the linear rule, or exact integrals where the density allows them.
-typedef std::variant<std::monostate, Linear_density_rule_3, Four_point_rule_3, Fifteen_point_rule_3, Adaptive_cubature_3>
-  Quadrature_choice;
+// Makes a quadrature of a density for a mesh with vertices there; null if that is to say that the density is one. It refers to
+// the density. As each rule has a maker of its own, programs that do not name a rule do not compile it.
+typedef std::function<std::unique_ptr<Density_quadrature_3>(Density_3&, const std::vector<Site>&)> Quadrature_maker;
 
-inline void check(const Quadrature_choice& choice)
+inline std::unique_ptr<Density_quadrature_3> make_linear_quadrature(Density_3& rho, const std::vector<Site>& sites)
 {
-  if(const auto* cubature = std::get_if<Adaptive_cubature_3>(&choice))
-    cubature->check();
-}
-
-// The quadrature that the caller has chosen, for a mesh with vertices there; null if that is to say that the
-// density is one. It refers to the density.
-inline std::unique_ptr<Density_quadrature_3> make_density_quadrature_3(const Quadrature_choice& choice, Density_3& rho,
-                                                                       const std::vector<Site>& sites)
-{
-  if(std::holds_alternative<std::monostate>(choice) && rho.polynomial() != nullptr)
-    return std::make_unique<Quadratic_density_quadrature_3>(*rho.polynomial());
-  const Density_quadrature_3::Density density = [&rho](int v, const Site& s) { return rho.in_cell(v, s); };
-  std::unique_ptr<Density_quadrature_3> quadrature;
-  if(std::holds_alternative<Four_point_rule_3>(choice))
-    quadrature = std::make_unique<Point_rule_quadrature_3>(Point_rule_quadrature_3::four_points(), density);
-  else if(std::holds_alternative<Fifteen_point_rule_3>(choice))
-    quadrature = std::make_unique<Point_rule_quadrature_3>(Point_rule_quadrature_3::fifteen_points(), density);
-  else if(const auto* cubature = std::get_if<Adaptive_cubature_3>(&choice))
-    quadrature = std::make_unique<Adaptive_cubature_quadrature_3>(density, cubature->tolerance,
-                                                                  cubature->most_regions);
-  if(quadrature != nullptr)
-    return std::make_unique<Density_moment_cache_3>(std::move(quadrature));
   if(rho.is_uniform())
     return nullptr;
   return std::make_unique<Linear_density_quadrature_3>([&rho](int v, const Site& s) { return rho.in_volume(v, s); }, sites,
                                                        rho.is_safe_for_threads());
+}
+
+// Without a word of the caller: the linear rule, or exact integrals where the density allows them.
+inline std::unique_ptr<Density_quadrature_3> make_usual_quadrature(Density_3& rho, const std::vector<Site>& sites)
+{
+  if(rho.polynomial() != nullptr)
+    return std::make_unique<Quadratic_density_quadrature_3>(*rho.polynomial());
+  return make_linear_quadrature(rho, sites);
+}
+
+// Of a rule that asks for the density at points of cells, and is made of it by f.
+template <class F>
+Quadrature_maker maker_with_cache(const F& f)
+{
+  return [f](Density_3& rho, const std::vector<Site>&)
+  { return std::make_unique<Density_moment_cache_3>(f([&rho](int v, const Site& s) { return rho.in_cell(v, s); })); };
+}
+
+inline Quadrature_maker quadrature_maker(const Linear_density_rule_3&) { return make_linear_quadrature; }
+
+inline Quadrature_maker quadrature_maker(const Four_point_rule_3&)
+{
+  return maker_with_cache([](const Density_quadrature_3::Density& density)
+                          { return std::make_unique<Point_rule_quadrature_3>(Point_rule_quadrature_3::four_points(), density); });
+}
+
+inline Quadrature_maker quadrature_maker(const Fifteen_point_rule_3&)
+{
+  return maker_with_cache([](const Density_quadrature_3::Density& density)
+                          { return std::make_unique<Point_rule_quadrature_3>(Point_rule_quadrature_3::fifteen_points(), density); });
+}
+
+inline Quadrature_maker quadrature_maker(const Adaptive_cubature_3& cubature)
+{
+  cubature.check();
+  return maker_with_cache([cubature](const Density_quadrature_3::Density& density)
+  { return std::make_unique<Adaptive_cubature_quadrature_3>(density, cubature.tolerance, cubature.most_regions); });
 }
 
 } // namespace internal

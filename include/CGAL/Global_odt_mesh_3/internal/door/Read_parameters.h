@@ -52,7 +52,8 @@ Odt_parameters read_parameters(const Arguments& arguments)
   arguments.template read<tags::freeze_bound>(p.freeze_bound);
   arguments.template read<tags::do_freeze>(p.do_freeze);
   arguments.template read<internal_np::optimize_boundary_t>(p.optimize_boundary);
-  arguments.template read<internal_np::quadrature_t>(p.quadrature);
+  if constexpr (Arguments::template has<internal_np::quadrature_t>)
+    p.make_quadrature = quadrature_maker(arguments.template get<internal_np::quadrature_t>());
   arguments.template read<internal_np::annealing_schedule_t>(p.annealing_schedule);
   read_count<internal_np::number_of_rounds_t>(arguments, p.number_of_rounds, "number_of_rounds must be a number, not negative");
   arguments.template read<internal_np::surface_weight_t>(p.surface_weight);

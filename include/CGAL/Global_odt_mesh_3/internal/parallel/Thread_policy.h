@@ -20,12 +20,14 @@
 #  include <tbb/parallel_invoke.h>
 #  include <tbb/parallel_sort.h>
 #  include <tbb/partitioner.h>
+#  include <tbb/task_arena.h>
 #  include <tbb/task_group.h>
 #endif
 
 #include <algorithm>
 #include <array>
 #include <chrono>
+#include <cstdint>
 #include <type_traits>
 #include <utility>
 
@@ -157,20 +159,11 @@ public:
   {
     const Stage_clock::In_loop in_loop(number_of_chunks > 1 ? clock_ : nullptr);
 #ifdef CGAL_LINKED_WITH_TBB
-    if(is_parallel_ && number_of_chunks > 1)
-    {
-      tbb::task_group_context context(tbb::task_group_context::bound, context_traits());
-      const auto run = [&f](const tbb::blocked_range<int>& chunks)
-      {
-        for(int n = chunks.begin(); n < chunks.end(); ++n)
-          f(n);
-      };
-      tbb::parallel_for(tbb::blocked_range<int>(0, number_of_chunks, 1), run, tbb::simple_partitioner(), context);
-      return;
-    }
-#endif
+    run_chunks(number_of_chunks, &f, [](const void* g, int n) { (*static_cast<const F*>(g))(n); });
+#else
     for(int n = 0; n < number_of_chunks; ++n)
       f(n);
+#endif
   }
 
   // Calls f and g, which know nothing of each other, at the same time if there are threads. Only one of them may have loops.
@@ -187,6 +180,17 @@ public:
 #endif
     f();
     g();
+  }
+
+  // Calls f, what the user has given, from within a loop: while threads of its own are waited for, no other chunk is begun.
+  template <class F>
+  auto call_isolated(const F& f) const
+  {
+#ifdef CGAL_LINKED_WITH_TBB
+    return tbb::this_task_arena::isolate(f);
+#else
+    return f();
+#endif
   }
 
   // Of elements that are all different, so that there is one order.
@@ -207,7 +211,22 @@ public:
 private:
 #ifdef CGAL_LINKED_WITH_TBB
   // All threads round as the one that calls.
-  static auto context_traits() { return tbb::task_group_context::default_traits | tbb::task_group_context::fp_settings; }
+  static std::uintptr_t context_traits() { return tbb::task_group_context::default_traits | tbb::task_group_context::fp_settings; }
+
+  // One function for all loops, as what TBB makes of each takes time to compile.
+  void run_chunks(int number_of_chunks, const void* f, void (*call)(const void*, int)) const
+  {
+    const auto run = [f, call](const tbb::blocked_range<int>& chunks)
+    {
+      for(int n = chunks.begin(); n < chunks.end(); ++n)
+        call(f, n);
+    };
+    const tbb::blocked_range<int> chunks(0, number_of_chunks, 1);
+    if(!is_parallel_ || number_of_chunks == 1)
+      return run(chunks);
+    tbb::task_group_context context(tbb::task_group_context::bound, context_traits());
+    tbb::parallel_for(chunks, run, tbb::simple_partitioner(), context);
+  }
 #endif
 
   bool is_parallel_ = false;
