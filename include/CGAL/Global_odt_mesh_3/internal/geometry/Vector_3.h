@@ -14,9 +14,7 @@
 
 #include <Eigen/Core>
 
-#include <algorithm>
 #include <cmath>
-#include <cstddef>
 
 namespace CGAL {
 namespace Global_odt_mesh_3 {
@@ -64,9 +62,9 @@ private:
 };
 
 // Long vectors have three entries for each vertex.
-inline Vector_3 vector_at(const Eigen::VectorXd& x, std::size_t v) { return { x[3 * v], x[3 * v + 1], x[3 * v + 2] }; }
+inline Vector_3 vector_at(const Eigen::VectorXd& x, Eigen::Index v) { return { x[3 * v], x[3 * v + 1], x[3 * v + 2] }; }
 
-inline void set_vector(Eigen::VectorXd& x, std::size_t v, const Vector_3& y)
+inline void set_vector(Eigen::VectorXd& x, Eigen::Index v, const Vector_3& y)
 {
   for(int i = 0; i < 3; ++i)
     x[3 * v + i] = y[i];
