@@ -39,12 +39,12 @@ public:
 
   double time() const { return timer_.time(); }
 
-  // The mesh has been read since then. It takes no longer to adopt what has been done to slivers and to write it, and about twice
-  // as long to rebuild it, until that is measured.
+  // The mesh has been read since then. It takes about half as long to adopt what has been done to slivers and to write it, and,
+  // until that is measured, twice as long to rebuild it.
   void has_read(double begin)
   {
-    writing_ = (std::max)(writing_, time() - begin);
-    rebuilding_ = (std::max)(rebuilding_, 2 * writing_);
+    writing_ = (std::max)(writing_, (time() - begin) / 2);
+    rebuilding_ = (std::max)(rebuilding_, 4 * writing_);
   }
   void has_rebuilt(double begin) { rebuilding_ = time() - begin; }
 
@@ -66,6 +66,9 @@ public:
   // False once time or iterations are used up, or the user has said so; then code() says why.
   bool goes_on() const { return goes_on_; }
   Mesh_optimization_return_code code() const { return code_; }
+
+  // Whether the user has said so.
+  bool is_canceled() const { return is_canceled_; }
 
   // Whether the time is used up, or the user has said so; what needs no iterations may be done as long as that is not so.
   bool is_stopped() const { return is_canceled_ || !has_time(); }

@@ -214,13 +214,16 @@ private:
   {
     const auto in_stage = during(Stage_clock::REMOVE_SLIVERS);
     // Vertices can be tried in a regular complex only.
-    if(control_.may_go_on() && !complex_.make_regular())
+    if(control_.has_time() && !complex_.make_regular())
       return false;
     Circumradius_bound_3 size_bound;
     if(largest_cells_)
       size_bound = largest_cells_->bound(mesh_, local_size());
     Sliver_stage_3 stage(complex_, size_bound, parameters_.sliver_bound, parameters_.random_seed);
-    stage.run([this] { return control_.has_time(); }, [this] { return control_.may_go_on(); });
+    const auto has_time = [this] { return control_.has_time(); };
+    // Where the user has ended the iterations, the first step keeps them from being in vain, for the slivers that they leave.
+    bool may_begin = control_.is_canceled();
+    stage.run(has_time, [&] { return control_.may_go_on() || (std::exchange(may_begin, false) && has_time()); });
     if(!control_.goes_on())
       code_ = control_.code();
     return true;
