@@ -123,7 +123,7 @@ public:
   }
 
 private:
-  static constexpr double share_of_slivers = 0.25;
+  static constexpr double share_of_slivers = 0.3;
 
   bool may_go_on(bool is_in_time)
   {
