@@ -61,9 +61,9 @@ version of %CGAL in use accepts: `parameters::time_limit = 10, parameters::do_fr
 
 \cgalNamedParamsBegin
   \cgalParamNBegin{time_limit}
-    \cgalParamDescription{the wall time, in seconds, after which no further iteration is begun, and no vertex inserted or removed;
-                          0 means no limit. The schedule is shortened in advance, so that the noise of the search fades away in time. The valid mesh that has to be
-                          made of the last positions may take half as long again.}
+    \cgalParamDescription{the wall time, in seconds, that the call may take; 0 means no limit. The schedule is shortened in advance, so that the noise of the
+                          search fades away while there is time to make a valid mesh, to remove slivers, and to write. What cannot be interrupted may take
+                          longer by 30 %, or by 0.3 seconds for each 10,000 vertices if that is more.}
     \cgalParamType{`double`}
     \cgalParamPrecondition{`time_limit >= 0`}
     \cgalParamDefault{0}
@@ -228,7 +228,7 @@ version of %CGAL in use accepts: `parameters::time_limit = 10, parameters::do_fr
   \cgalParamNBegin{callback}
     \cgalParamDescription{a functor called before every iteration, and while slivers are removed and vertices are inserted or
                           removed, with the fraction done, which never falls, and need not reach 1; when it returns `false` the process stops with
-                          the mesh found so far, as if the time limit were reached.}
+                          the mesh found so far. Where it has ended iterations or insertion, a first step of the removal of slivers follows.}
     \cgalParamType{a model of `bool(double)`}
     \cgalParamDefault{none}
     \cgalParamExtra{It is spelled `parameters::callback(f)`.}

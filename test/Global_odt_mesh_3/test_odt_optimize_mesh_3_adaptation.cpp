@@ -455,6 +455,31 @@ static void go_on(const domains::Polyhedral_c3t3& input, const domains::Polyhedr
   check::that(c3t3.triangulation().is_valid(), "perturbation fails");
 }
 
+// Whenever the callback ends the call, also while vertices are inserted, the result is valid, and no angle is smaller than before.
+static void early_ends(const domains::Labeled_c3t3& input, const domains::Labeled_domain& domain)
+{
+  const CGAL::Mesh_constant_domain_field_3<domains::Kernel, domains::Labeled_domain::Index> size(0.12);
+  Mesh_contract<domains::Labeled_c3t3, domains::Labeled_domain> contract(input, domain, "early ends");
+  contract.permit(true, true);
+  const double before = quality_of(input).smallest_angle;
+  std::set<std::size_t> numbers;
+  for(int most : { 1, 100, 1000, 2000, 3000, 3200, 3300, 3500, 3700, 4000 })
+  {
+    domains::Labeled_c3t3 c3t3(input);
+    int calls = 0;
+    const auto code = CGAL::odt_optimize_mesh_3(c3t3, domain, params::do_insert_vertices = true, params::do_remove_vertices = true,
+                                                params::sizing_field = size, params::callback([&](double) { return ++calls < most; }));
+    check::that(calls < most || code == CGAL::TIME_LIMIT_REACHED, "early end: return code ", code);
+    contract.check_moved(c3t3, surface);
+    const double after = quality_of(c3t3).smallest_angle;
+    check::that(after >= before - 1e-6, "an end at call ", most, " makes the smallest angle ", after, " of ", before);
+    numbers.insert(c3t3.triangulation().number_of_vertices());
+    std::cout << "early end at call " << calls << ": " << c3t3.triangulation().number_of_vertices() << " vertices, smallest angle "
+              << before << " -> " << after << std::endl;
+  }
+  check::that(numbers.size() > 4, "insertion is not interrupted: the test is too weak");
+}
+
 // Nothing has happened if the domain throws, whenever that is, or the callback does.
 static void exceptions()
 {
@@ -537,6 +562,7 @@ int main()
   test_where_fields_are_asked("torus", domains::mesh(torus, 0.25), torus);
 
   go_on(short_edges, box, 0.5);
+  early_ends(ball, sphere);
   exceptions();
   return check::result();
 }

@@ -502,6 +502,50 @@ static void time_limit()
   check::that(cells_below(limited, 20) < cells_below(input, 20) / 2, "the time is spent in vain");
 }
 
+static double smallest_angle(const Labeled_c3t3& c3t3)
+{
+  return CGAL::mesh_quality_report_3(c3t3, {}).smallest_angle;
+}
+
+// Whenever the call ends, by a callback or a limit, its result is valid, and has no smaller angle than the input. Slivers are
+// removed once there have been iterations.
+static void early_ends(const char* name, const Labeled_c3t3& input, const Labeled_domain& domain)
+{
+  const Contract contract(input, domain, name);
+  const double before = smallest_angle(input);
+  const auto check_end = [&](const std::string& what, const Labeled_c3t3& c3t3)
+  {
+    check_moved(contract, c3t3);
+    const double after = smallest_angle(c3t3);
+    check::that(after >= before - 1e-6, name, ", ", what, ": the smallest angle goes from ", before, " to ", after);
+    return after;
+  };
+  for(int most : { 1, 3, 30, 90, 170, 200, 220, 230 })
+  {
+    Labeled_c3t3 c(input);
+    int calls = 0;
+    const auto code = CGAL::odt_optimize_mesh_3(c, domain, params::callback([&](double) { return ++calls < most; }));
+    check::that(calls < most || code == CGAL::TIME_LIMIT_REACHED, name, ", end by callback: return code ", code);
+    check::that(calls <= most, name, ": the callback is asked again");
+    check::that(check_end("callback " + std::to_string(most), c) > 10 || most == 1, name, ": slivers are left by the end at call ", most);
+  }
+  CGAL::Real_timer timer;
+  timer.start();
+  Labeled_c3t3 unlimited(input);
+  CGAL::odt_optimize_mesh_3(unlimited, domain);
+  const double all = timer.time();
+  for(double share : { 0.01, 0.05, 0.25, 0.5 })
+  {
+    Labeled_c3t3 c(input);
+    timer.reset();
+    CGAL::odt_optimize_mesh_3(c, domain, params::time_limit = share * all);
+    const double taken = timer.time();
+    const double after = check_end("time limit", c);
+    std::cout << name << ": " << taken << " s of " << share * all << ", smallest angle " << before << " -> " << after << std::endl;
+    check::that(taken < 1.3 * share * all + 2, name, ": the call takes ", taken, " s for a limit of ", share * all);
+  }
+}
+
 static void exceptions(const Labeled_c3t3& input)
 {
   // A domain that starts to throw after so many questions.
@@ -847,6 +891,8 @@ int main()
   slivers_that_cannot_move();
   fine_mesh();
   time_limit();
+  early_ends("early ends in a ball", domains::mesh(domain, 0.1), domain);
+  early_ends("early ends in three subdomains", domains::mesh(domains::three_subdomains(), 0.12), domains::three_subdomains());
   throwing_fields(mesh, domain);
   exceptions(mesh);
   vertices_stay(mesh, domain);

@@ -37,9 +37,21 @@ public:
     timer_.start();
   }
 
-  // For an attempt with that many iterations at most, unless the user says otherwise.
-  void start(int usual_most_iterations)
+  double time() const { return timer_.time(); }
+
+  // The mesh has been read since then. It takes about half as long to adopt what has been done to slivers and to write it, and,
+  // until that is measured, twice as long to rebuild it.
+  void has_read(double begin)
   {
+    writing_ = (std::max)(writing_, (time() - begin) / 2);
+    rebuilding_ = (std::max)(rebuilding_, 4 * writing_);
+  }
+  void has_rebuilt(double begin) { rebuilding_ = time() - begin; }
+
+  // For an attempt with that many iterations at most, unless the user says otherwise.
+  void start(int usual_most_iterations, bool removes_slivers)
+  {
+    share_of_moves_ = removes_slivers ? 1 - share_of_slivers : 1.;
     const std::size_t most = parameters_.max_iteration_number;
     most_iterations_ = most == 0 ? usual_most_iterations
                      : static_cast<int>((std::min)(most, std::size_t((std::numeric_limits<int>::max)())));
@@ -55,11 +67,21 @@ public:
   bool goes_on() const { return goes_on_; }
   Mesh_optimization_return_code code() const { return code_; }
 
-  // Whether the time is used up, or the user has said so; what needs no iterations may be done as long as that is not so.
-  bool is_stopped() const { return !goes_on_ && code_ == TIME_LIMIT_REACHED; }
+  // Whether the user has said so.
+  bool is_canceled() const { return is_canceled_; }
 
-  // The fraction of the time that has passed, or 0 if there is no limit.
-  double elapsed() const { return parameters_.time_limit > 0 ? timer_.time() / parameters_.time_limit : 0.; }
+  // Whether the time is used up, or the user has said so; what needs no iterations may be done as long as that is not so.
+  bool is_stopped() const { return is_canceled_ || !has_time(); }
+
+  // The fraction of the time for iterations that has passed, or will have after a rebuilding; 0 if there is no limit. The rest is
+  // for the last rebuilding, for slivers, and for writing.
+  double elapsed(bool after_rebuilding = false) const
+  {
+    if(!(parameters_.time_limit > 0))
+      return 0;
+    const double end = share_of_moves_ * (parameters_.time_limit - writing_ - rebuilding_);
+    return end > 0 ? (time() + (after_rebuilding ? rebuilding_ : 0)) / end : (std::numeric_limits<double>::infinity)();
+  }
 
   // The part that has passed of the time between two fractions of it; all if it was over when it began.
   double progress_between(double begin, double end) const
@@ -70,17 +92,13 @@ public:
   // The largest fraction reported so far.
   double reported() const { return fraction_; }
 
-  bool has_time() const { return elapsed() <= 1; }
+  // Besides that for writing.
+  bool has_time() const { return !(parameters_.time_limit > 0) || time() + writing_ <= parameters_.time_limit; }
 
   // Whether time and user permit to do more than iterations; changes goes_on() if not.
-  bool may_go_on()
-  {
-    if(has_time() && report(fraction_))
-      return true;
-    goes_on_ = false;
-    code_ = TIME_LIMIT_REACHED;
-    return false;
-  }
+  bool may_go_on() { return may_go_on(has_time()); }
+  // The same in the time for iterations.
+  bool may_move() { return may_go_on(elapsed() <= 1); }
 
   // Before each iteration, with the fraction of the work that is done; gives goes_on().
   bool begin_iteration(double progress)
@@ -90,7 +108,7 @@ public:
     if(number_of_iterations_ >= most_iterations_)
       return false;
     code_ = TIME_LIMIT_REACHED;
-    if(!has_time() || !report(progress))
+    if(elapsed() > 1 || !report(progress))
       return false;
     goes_on_ = true;
     visitor_.after_compute_moves();
@@ -105,6 +123,17 @@ public:
   }
 
 private:
+  static constexpr double share_of_slivers = 0.3;
+
+  bool may_go_on(bool is_in_time)
+  {
+    if(is_in_time && report(fraction_))
+      return true;
+    goes_on_ = false;
+    code_ = TIME_LIMIT_REACHED;
+    return false;
+  }
+
   // The fraction done is the largest of those of the work, the iterations and the time. A callback that has said no is not asked
   // again.
   bool report(double progress)
@@ -112,7 +141,8 @@ private:
     if(!parameters_.callback || is_canceled_)
       return !is_canceled_;
     const double iterations = double(number_of_iterations_) / most_iterations_;
-    fraction_ = (std::max)(fraction_, (std::min)(1., (std::max)({ progress, iterations, elapsed() })));
+    const double elapsed = parameters_.time_limit > 0 ? time() / parameters_.time_limit : 0.;
+    fraction_ = (std::max)(fraction_, (std::min)(1., (std::max)({ progress, iterations, elapsed })));
     is_canceled_ = !parameters_.callback(fraction_);
     return !is_canceled_;
   }
@@ -122,7 +152,8 @@ private:
   Real_timer timer_;
   int most_iterations_ = 1, number_of_iterations_ = 0, iterations_before_ = 0;
   bool goes_on_ = true, is_canceled_ = false;
-  double fraction_ = 0;
+  double fraction_ = 0, share_of_moves_ = 1 - share_of_slivers;
+  double writing_ = 0, rebuilding_ = 0;     // seconds
   Mesh_optimization_return_code code_ = CANT_IMPROVE_ANYMORE;
 };
 

@@ -99,8 +99,15 @@ private:
     if(!attempt.run())
       return std::nullopt;
     if(!attempt.commit(task == Odt_task::REMESH_BOUNDARY || may_be_worse()))
-      return Outcome{ CANT_IMPROVE_ANYMORE, CANT_IMPROVE_ANYMORE };
+      return incomplete();
     return Outcome{ attempt.code(0), attempt.code(1) };
+  }
+
+  // If there was no time for more, or the mesh stays as it was.
+  Outcome incomplete() const
+  {
+    const Mesh_optimization_return_code code = control_.is_stopped() ? TIME_LIMIT_REACHED : CANT_IMPROVE_ANYMORE;
+    return { code, code };
   }
 
   // Whether cells may have smaller angles than those of the input, since the user wants other sizes, or slivers.
@@ -111,13 +118,14 @@ private:
   std::optional<Outcome> adapt_and_optimize(User_mesh_view_3& mesh, Odt_task task)
   {
     Tabulated_mesh_3 adapted(mesh, threads_);
+    control_.has_read(0);
     const auto is_inside = [](const Mesh_table_3::Cell& c) { return c.label != Domain_view_3::outside; };
     if(std::none_of(adapted.table().cells.begin(), adapted.table().cells.end(), is_inside))
       return optimize(mesh, task);
     const Sliver_census_3 slivers = Optimization_attempt_3::slivers(adapted.table());
     const std::optional<Size_criteria_3> criteria = size_criteria(adapted.table());
     const auto may_go_on = [this] { return control_.may_go_on(); };
-    adaptation(adapted).adapt_sizes(field_, may_go_on);
+    adaptation(adapted).adapt_sizes(field_, [this] { return control_.may_move(); });
     std::optional<Outcome> outcome = optimize(adapted, task);
     if(!outcome)
       return outcome;
@@ -137,11 +145,12 @@ private:
     for(unsigned int n = 0; n < most_adaptations && !control_.is_stopped() && refine(adapted, criteria, last_step, n); ++n)
       control_.may_go_on();
     if(control_.is_stopped())
-      outcome = Outcome{ control_.code(), control_.code() };
+      outcome = incomplete();
     else if(!has_wanted_number(adapted))
       outcome = Outcome{ CANT_IMPROVE_ANYMORE, CANT_IMPROVE_ANYMORE };
-    if(!may_be_worse() && !Optimization_attempt_3::slivers(adapted.table()).is_not_worse_than(slivers))
-      return Outcome{ CANT_IMPROVE_ANYMORE, CANT_IMPROVE_ANYMORE };
+    const bool is_cut_short = parameters_.do_remove_slivers && control_.is_stopped();
+    if(!Optimization_attempt_3::is_acceptable(adapted.table(), slivers, may_be_worse(), is_cut_short))
+      return incomplete();
     if(adapted.is_changed())
       mesh.write(adapted.table());
     return outcome;

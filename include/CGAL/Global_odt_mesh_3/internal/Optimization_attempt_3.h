@@ -67,9 +67,11 @@ public:
     , complex_(domain, bounds, boundary_moves, threads)
   {
     const auto in_stage = during(Stage_clock::READ);
+    const double begin = control.time();
     Snapshot_reader_3 reader(input, threads);
     slivers_of_input_ = slivers(reader.table());
     complex_.start(reader.read(mesh_, boundary_moves));
+    control.has_read(begin);
     plan_ = std::make_unique<Round_plan>(task, parameters, number_of_surface_vertices() > 0);
     code_ = parameters_.do_freeze && plan_->optimizes() ? ALL_VERTICES_FROZEN : CONVERGENCE_REACHED;
   }
@@ -83,7 +85,7 @@ public:
   {
     if(mesh_.number_of_movable_vertices == 0)
       return true;
-    control_.start(plan_->usual_most_iterations());
+    control_.start(plan_->usual_most_iterations(), removes_slivers());
     if(plan_->is_done())
     {
       if(parameters_.do_insert_vertices)
@@ -106,7 +108,7 @@ public:
       return true;
     const Mesh_table_3 table = Snapshot_tabulation_3(complex_.snapshot(), complex_.triangulation(), threads_)();
     complex_.release_triangulation();
-    if(!may_be_worse && !slivers(table).is_not_worse_than(slivers_of_input_))
+    if(!is_acceptable(table, slivers_of_input_, may_be_worse, removes_slivers() && control_.is_stopped()))
       return false;
     input_.write(table);
     return true;
@@ -119,6 +121,12 @@ public:
       if(c.label != Domain_view_3::outside)
         census.add(mesh.cell_sites(c));
     return census;
+  }
+
+  // Also a mesh that may be worse has no smaller angles if there was no time to remove slivers.
+  static bool is_acceptable(const Mesh_table_3& mesh, const Sliver_census_3& before, bool may_be_worse, bool is_cut_short)
+  {
+    return (may_be_worse && !is_cut_short) || slivers(mesh).is_not_worse_than(before, !may_be_worse);
   }
 
   // If so many cells are left below the bound.
@@ -160,8 +168,8 @@ private:
       const double before = std::exchange(energy, rounds_->make_round(complex_.snapshot().boundary));
       const bool pays = !plan_->stops_without_gain() || relative_rise(before, energy) < -least_gain_of_round;
       plan_->advance();
-      if(control_.elapsed() > plan_->end_of_time(stage))
-        plan_->skip(stage);
+      while(!plan_->is_done() && control_.elapsed(boundary_moves()) > plan_->end_of_time(plan_->stage()))
+        plan_->skip(plan_->stage());
       if(control_.goes_on() && pays && !plan_->is_done())
       {
         if(boundary_moves())
@@ -175,9 +183,11 @@ private:
   // A round that leads to no valid complex is lost, and the next needs the memory more than the triangulation.
   void store_round()
   {
+    const double begin = control_.time();
     complex_.advance(mesh_, false);
     complex_.load_into(mesh_);
     complex_.release_triangulation();
+    control_.has_rebuilt(begin);
   }
 
   // After the last round: the interior goes to its minimum, or to where the parameters say, slivers are removed,
@@ -198,20 +208,22 @@ private:
     return !removes_slivers() || remove_slivers();
   }
 
-  bool removes_slivers() const
-  { return parameters_.do_remove_slivers && plan_->removes_slivers() && !control_.is_stopped(); }
+  bool removes_slivers() const { return parameters_.do_remove_slivers && plan_->removes_slivers(); }
 
   bool remove_slivers()
   {
     const auto in_stage = during(Stage_clock::REMOVE_SLIVERS);
     // Vertices can be tried in a regular complex only.
-    if(!complex_.make_regular())
+    if(control_.has_time() && !complex_.make_regular())
       return false;
     Circumradius_bound_3 size_bound;
     if(largest_cells_)
       size_bound = largest_cells_->bound(mesh_, local_size());
     Sliver_stage_3 stage(complex_, size_bound, parameters_.sliver_bound, parameters_.random_seed);
-    stage.run([this] { return control_.has_time(); }, [this] { return control_.may_go_on(); });
+    const auto has_time = [this] { return control_.has_time(); };
+    // Where the user has ended the iterations, the first step keeps them from being in vain, for the slivers that they leave.
+    bool may_begin = control_.is_canceled();
+    stage.run(has_time, [&] { return control_.may_go_on() || (std::exchange(may_begin, false) && has_time()); });
     if(!control_.goes_on())
       code_ = control_.code();
     return true;

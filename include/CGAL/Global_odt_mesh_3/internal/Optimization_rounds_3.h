@@ -281,7 +281,7 @@ private:
       std::vector<double> done;
       for(int k = 0; k < steps; ++k)
         done.push_back(search_progress(n + double(k) * iterations / steps));
-      search_in_blocks_->iterate(done, [this] { return control_.may_go_on(); });
+      search_in_blocks_->iterate(done, [this, n] { return search_progress(n) < 1 && control_.may_go_on(); });
       control_.end_iteration();
       // Those that have been made along with it.
       for(int k = 1; k < iterations && control_.goes_on() && begin_iteration(); ++k)

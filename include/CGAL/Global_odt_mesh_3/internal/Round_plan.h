@@ -61,12 +61,12 @@ public:
   void advance() { --rounds_[stage()]; }
   void skip(Stage s) { rounds_[s] = 0; }
 
-  // The fraction of the time, if there is a limit, after which no round of the stage is begun.
+  // The fraction of the time for iterations, if there is a limit, after which no round of the stage is begun.
   double end_of_time(Stage s) const
   {
-    if(!optimizes() || s == MINIMIZE)
+    if(!optimizes())
       return (std::numeric_limits<double>::infinity)();
-    return s == REMESH ? 0.2 : 0.65;
+    return s == REMESH ? 0.25 : s == SEARCH ? 0.7 : 1;
   }
 
   // The fraction of the search that is behind at iteration n of the round.

@@ -227,7 +227,9 @@ public:
     count_.add({ 0, smallest }, steps);
   }
 
-  bool is_not_worse_than(const Sliver_census_3& other) const { return count_.is_not_worse_than(other.count_, steps); }
+  // In the smallest angle and, if these matter, the numbers below the steps.
+  bool is_not_worse_than(const Sliver_census_3& other, bool counts) const
+  { return count_.is_not_worse_than(other.count_, counts ? steps : 0); }
 
 private:
   static constexpr int steps = 3;
