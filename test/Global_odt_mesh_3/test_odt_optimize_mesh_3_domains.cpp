@@ -117,6 +117,14 @@ void test(const std::string& name, const C3t3& input, const Domain& domain, bool
     CGAL::odt_optimize_mesh_3(again, domain);
     contract.check_moved(again, surface);
     check_not_worse(name + ", call " + std::to_string(call), once, again);
+    // No larger cells for nothing.
+    const auto radii_of_once = largest_circumradii(once);
+    const auto below_30 = [](const C3t3& c) { return CGAL::mesh_quality_report_3(c, { 20, 30 }).cells_below; };
+    const auto slivers = below_30(once);
+    if(slivers[0].second == 0 && 2 * below_30(again)[1].second >= slivers[1].second)
+      for(const auto& after : largest_circumradii(again))
+        check::that(after.second <= (slivers[1].second > 0 ? 1.1001 : 1.0001) * radii_of_once.at(after.first),
+                    name, ", call ", call, ": a larger cell than before");
   }
 }
 

@@ -149,7 +149,7 @@ private:
     else if(!has_wanted_number(adapted))
       outcome = Outcome{ CANT_IMPROVE_ANYMORE, CANT_IMPROVE_ANYMORE };
     const bool is_cut_short = parameters_.do_remove_slivers && control_.is_stopped();
-    if(!Optimization_attempt_3::is_acceptable(adapted.table(), slivers, may_be_worse(), is_cut_short))
+    if(!Optimization_attempt_3::is_acceptable(adapted.table(), slivers, parameters_, may_be_worse(), is_cut_short))
       return incomplete();
     if(adapted.is_changed())
       mesh.write(adapted.table());

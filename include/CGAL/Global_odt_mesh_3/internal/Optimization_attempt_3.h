@@ -108,7 +108,7 @@ public:
       return true;
     const Mesh_table_3 table = Snapshot_tabulation_3(complex_.snapshot(), complex_.triangulation(), threads_)();
     complex_.release_triangulation();
-    if(!is_acceptable(table, slivers_of_input_, may_be_worse, removes_slivers() && control_.is_stopped()))
+    if(!is_acceptable(table, slivers_of_input_, parameters_, may_be_worse, removes_slivers() && control_.is_stopped()))
       return false;
     input_.write(table);
     return true;
@@ -119,14 +119,20 @@ public:
     Sliver_census_3 census;
     for(const Mesh_table_3::Cell& c : mesh.cells)
       if(c.label != Domain_view_3::outside)
-        census.add(mesh.cell_sites(c));
+        census.add(mesh.cell_sites(c), c.label);
     return census;
   }
 
-  // Also a mesh that may be worse has no smaller angles if there was no time to remove slivers.
-  static bool is_acceptable(const Mesh_table_3& mesh, const Sliver_census_3& before, bool may_be_worse, bool is_cut_short)
+  // Also a mesh that may be worse has no smaller angles if there was no time to remove slivers. Who wants a bound for angles
+  // does not mind sizes.
+  static bool is_acceptable(const Mesh_table_3& mesh, const Sliver_census_3& before, const Odt_parameters& parameters,
+                            bool may_be_worse, bool is_cut_short)
   {
-    return (may_be_worse && !is_cut_short) || slivers(mesh).is_not_worse_than(before, !may_be_worse);
+    if(may_be_worse && !is_cut_short)
+      return true;
+    const Sliver_census_3 after = slivers(mesh);
+    return after.is_not_worse_than(before, !may_be_worse)
+           && (may_be_worse || parameters.sliver_bound > 0 || after.is_not_coarser_than(before));
   }
 
   // If so many cells are left below the bound.

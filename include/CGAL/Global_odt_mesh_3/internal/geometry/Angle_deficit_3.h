@@ -12,6 +12,7 @@
 
 #include <CGAL/license/Global_odt_mesh_3.h>
 
+#include <CGAL/Global_odt_mesh_3/internal/geometry/Cell_geometry_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/geometry/Site.h>
 #include <CGAL/Global_odt_mesh_3/internal/geometry/Vector_3.h>
 
@@ -21,6 +22,8 @@
 #include <array>
 #include <cmath>
 #include <functional>
+#include <map>
+#include <utility>
 
 namespace CGAL {
 namespace Global_odt_mesh_3 {
@@ -216,12 +219,14 @@ struct Sliver_count
   }
 };
 
-// Of the cells of a mesh, for the first steps, up to 30 degrees; larger angles do not count.
+// Of the cells of a mesh, for the first steps, up to 30 degrees; larger angles do not count. And how large cells are.
 class Sliver_census_3
 {
 public:
-  void add(const std::array<Site, 4>& cell)
+  void add(const std::array<Site, 4>& cell, int label)
   {
+    double& largest = largest_[label];
+    largest = (std::max)(largest, squared_circumradius(cell));
     double smallest = Cell_lack().smallest;
     deficit_.for_each_lack(cell, [&](double lack) { smallest = (std::min)(smallest, deficit_.bound() - lack); });
     count_.add({ 0, smallest }, steps);
@@ -231,9 +236,24 @@ public:
   bool is_not_worse_than(const Sliver_census_3& other, bool counts) const
   { return count_.is_not_worse_than(other.count_, counts ? steps : 0); }
 
+  // Whether cells that are larger than the largest of their subdomain are worth it: if there were angles below 20 degrees, or half of
+  // the cells below 30 have gone. Otherwise they are larger by a tenth at most and, if no angle was below 30, not at all.
+  bool is_not_coarser_than(const Sliver_census_3& other) const
+  {
+    if(other.count_.below[1] > 0 || 2 * count_.below[2] < other.count_.below[2])
+      return true;
+    const double most = other.count_.below[2] > 0 ? 1.1 * 1.1 : 1 + 1e-9;
+    return std::all_of(largest_.begin(), largest_.end(), [&](const std::pair<const int, double>& l)
+    {
+      const auto before = other.largest_.find(l.first);
+      return before == other.largest_.end() || !(l.second > most * before->second);
+    });
+  }
+
 private:
   static constexpr int steps = 3;
 
+  std::map<int, double> largest_;     // the squared circumradius, by label
   Angle_deficit_3 deficit_ = Angle_deficit_3(Sliver_steps::angles[steps - 1]);
   Sliver_count count_;
 };

@@ -34,17 +34,6 @@ namespace CGAL {
 namespace Global_odt_mesh_3 {
 namespace internal {
 
-// The square of the circumradius of a cell, infinite or not a number if it is flat. Weights do not count, as they do not for
-// CGAL's criterion.
-inline double squared_circumradius(const std::array<Site, 4>& s)
-{
-  const Vector_3 a = position(s[1]) - position(s[0]), b = position(s[2]) - position(s[0]), c = position(s[3]) - position(s[0]);
-  const Vector_3 bc = b.cross(c);
-  const double twice_determinant = 2 * a.dot(bc);
-  const Vector_3 center = a.squared_length() * bc + b.squared_length() * c.cross(a) + c.squared_length() * a.cross(b);
-  return center.squared_length() / (twice_determinant * twice_determinant);
-}
-
 // How large cells may be around each vertex, if there is a bound at all. A cell has the least bound of its vertices.
 class Circumradius_bound_3
 {
