@@ -62,7 +62,7 @@ struct Tetrahedral_mesh
   {
     using namespace CGAL::Global_odt_mesh_3::internal;
     double sum = 0;
-    const auto site = [this](int v) { return site_at(points[v], 0); };
+    const auto site = [this](int v) { return site_at(coordinates(points[v]), 0); };
     for(const std::array<int, 4>& c : cells)
       sum += Cell_shape_3(site(c[0]), site(c[1]), site(c[2]), site(c[3])).radius_ratio;
     return sum / double(cells.size());

@@ -22,7 +22,6 @@
 #include <CGAL/Density_quadratures_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/optimization/Annealing.h>
 #include <CGAL/Global_odt_mesh_3/internal/optimization/Limited_memory_bfgs.h>
-#include <CGAL/Global_odt_mesh_3/internal/slivers/Sliver_removal_3.h>
 
 #include <cmath>
 #include <cstddef>

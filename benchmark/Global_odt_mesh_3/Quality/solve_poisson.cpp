@@ -22,7 +22,6 @@
 #include "random_points.h"
 
 #include <CGAL/Annealing_schedules_3.h>
-#include <CGAL/Global_odt_mesh_3/internal/slivers/Sliver_removal_3.h>
 
 #include <algorithm>
 #include <array>
@@ -84,14 +83,11 @@ typedef std::map<std::string, std::vector<Mean_errors> > Errors;
 
 // What a method, made with these arguments, makes of the cube.
 template <class M, class... Arguments>
-Tetrahedral_mesh run_on(const Moving_triangulation_3& cube, unsigned int seed, int iterations, bool removes_slivers,
-                        const Arguments&... arguments)
+Tetrahedral_mesh run_on(const Moving_triangulation_3& cube, unsigned int seed, int iterations, const Arguments&... arguments)
 {
   Moving_triangulation_3 mesh = cube;
   M method(arguments...);
   run(method, mesh, seed, iterations);
-  if(removes_slivers)
-    Sliver_removal_3(mesh, 20, seed).run();
   return tetrahedral_mesh(mesh);
 }
 
@@ -123,10 +119,10 @@ static void measure(std::size_t vertices, unsigned int seeds, const std::string&
           add(peer.name, mesh);
       }
     }
-    add("AVV", run_on<Averaging>(cube, seed, 499, false, Energy::ODT));
-    add("L-BFGS", run_on<Quasi_newton>(cube, seed, 300, false, Energy::ODT));
-    add("Algorithm 2", run_on<Global_search_method>(cube, seed, 100, false, Energy::ODT, CGAL::Metropolis_annealing_schedule()));
-    add(ours, run_on<Global_search_method>(cube, seed, 100, true, Energy::ODT, CGAL::Momentum_annealing_schedule()));
+    add("AVV", run_on<Averaging>(cube, seed, 499, Energy::ODT));
+    add("L-BFGS", run_on<Quasi_newton>(cube, seed, 300, Energy::ODT));
+    add("Algorithm 2", run_on<Global_search_method>(cube, seed, 100, Energy::ODT, CGAL::Metropolis_annealing_schedule()));
+    add(ours, run_on<Global_search_method>(cube, seed, 100, Energy::ODT, CGAL::Momentum_annealing_schedule()));
   }
   for(const auto& a : all)
     errors[a.first].push_back(a.second);
