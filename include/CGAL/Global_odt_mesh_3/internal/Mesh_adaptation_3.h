@@ -130,7 +130,7 @@ public:
   static int most_vertices(const Odt_parameters& parameters, const Tabulated_mesh_3& mesh)
   {
     const std::size_t most = (std::max)(most_growth * mesh.number_of_input_vertices(), fewest_permitted);
-    return static_cast<int>((std::min)(parameters.number_of_vertices > 0 ? parameters.number_of_vertices : most, most_ever));
+    return static_cast<int>(parameters.number_of_vertices > 0 ? parameters.number_of_vertices : (std::min)(most, Odt_parameters::most_vertices));
   }
 
   // Refers to its arguments.
@@ -219,7 +219,7 @@ public:
   }
 
 private:
-  static constexpr std::size_t most_growth = 10, fewest_permitted = 100000, most_ever = Indexed_triangulation_3::most_cells / 8;
+  static constexpr std::size_t most_growth = 10, fewest_permitted = 100000;
   // Of edges in meshes that the mesh generator makes with these sizes, which bound circumradii.
   static constexpr double edge_over_size = 4 / 3.;
   // Without sizes, only what is far from that: with .3, an elephant keeps 300 vertices more, and its cells are worse.

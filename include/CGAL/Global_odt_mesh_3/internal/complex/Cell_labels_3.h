@@ -21,8 +21,6 @@
 #include <CGAL/Global_odt_mesh_3/internal/interface/Domain_view_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/parallel/Chunked_loops.h>
 
-#include <Eigen/Core>
-
 #include <algorithm>
 #include <cmath>
 #include <utility>

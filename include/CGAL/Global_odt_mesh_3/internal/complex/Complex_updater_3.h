@@ -27,8 +27,6 @@
 #include <CGAL/Global_odt_mesh_3/internal/parallel/Thread_policy.h>
 #include <CGAL/Global_odt_mesh_3/internal/triangulation/Moving_triangulation_3.h>
 
-#include <Eigen/Core>
-
 #include <cstddef>
 #include <optional>
 #include <utility>

@@ -158,7 +158,7 @@ public:
       m[i][i] += damping * trace;
     const Vector_3 minors = m[1].cross(m[2]);
     const Vector_3 step = Vector_3(minors.dot(right_side_), m[2].cross(m[0]).dot(right_side_),
-                                                 m[0].cross(m[1]).dot(right_side_)) / m[0].dot(minors);
+                                   m[0].cross(m[1]).dot(right_side_)) / m[0].dot(minors);
     const double length = step.length();
     if(!std::isfinite(length))
       return Vector_3();

@@ -12,9 +12,8 @@
 
 #include <CGAL/license/Global_odt_mesh_3.h>
 
-#include <Eigen/Core>
-
 #include <cmath>
+#include <cstddef>
 
 namespace CGAL {
 namespace Global_odt_mesh_3 {
@@ -26,7 +25,6 @@ class Vector_3
 public:
   Vector_3() : c_{ 0, 0, 0 } {}
   Vector_3(double x, double y, double z) : c_{ x, y, z } {}
-
 
   double x() const { return c_[0]; }
   double y() const { return c_[1]; }
@@ -61,10 +59,12 @@ private:
   double c_[3];
 };
 
-// Long vectors have three entries for each vertex.
-inline Vector_3 vector_at(const Eigen::VectorXd& x, Eigen::Index v) { return { x[3 * v], x[3 * v + 1], x[3 * v + 2] }; }
+// Long vectors, which are those of Eigen, have three entries for each vertex.
+template <class Long_vector>
+Vector_3 vector_at(const Long_vector& x, std::ptrdiff_t v) { return { x[3 * v], x[3 * v + 1], x[3 * v + 2] }; }
 
-inline void set_vector(Eigen::VectorXd& x, Eigen::Index v, const Vector_3& y)
+template <class Long_vector>
+void set_vector(Long_vector& x, std::ptrdiff_t v, const Vector_3& y)
 {
   for(int i = 0; i < 3; ++i)
     x[3 * v + i] = y[i];

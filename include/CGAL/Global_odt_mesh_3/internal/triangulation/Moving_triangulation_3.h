@@ -289,7 +289,6 @@ private:
     });
   }
 
-
   std::array<int, 3> flip_2_3(Half_facet s)
   {
     ++statistics_.flips;
