@@ -23,6 +23,7 @@
 #include <cstddef>
 #include <iomanip>
 #include <map>
+#include <numeric>
 #include <optional>
 #include <ostream>
 #include <sstream>
@@ -75,6 +76,11 @@ struct Mesh_quality_report_3
   std::map<std::string, Subdomain> subdomains;   ///< the subdomains, by their indices as they are printed
   /// the numbers of cells and facets that the criteria of the mesh generator call bad, if criteria are given
   std::optional<std::pair<std::size_t, std::size_t> > bad_cells_and_facets;
+  /// the numbers of cells that violate each of the criteria for cells, as far as these are set: for `Mesh_cell_criteria_3`, the size
+  /// and the radius-edge ratio, in this order. A cell counts for the first criterion that it violates
+  std::vector<std::size_t> bad_cells_by_criterion;
+  /// the same for facets: for `Mesh_facet_criteria_3`, the angle, the size, the distance, and the topology, as far as these are set
+  std::vector<std::size_t> bad_facets_by_criterion;
 
   /// returns the sum over all subdomains.
   Subdomain total() const
@@ -130,6 +136,30 @@ void add_facets(Mesh_quality_report_3& report, const C3T3& c3t3)
   }
   if(report.number_of_facets > 0)
     report.mean_facet_angle = sum / double(report.number_of_facets);
+}
+
+// The number of the criterion that calls a cell or a facet bad, or 0 if that is not told.
+template <class Is_bad>
+std::size_t violated_criterion(const Is_bad& is_bad) { return static_cast<std::size_t>(is_bad->first); }
+inline std::size_t violated_criterion(bool) { return 0; }
+
+template <class Is_bad>
+void count_violation(const Is_bad& is_bad, std::vector<std::size_t>& by_criterion)
+{
+  if(!is_bad)
+    return;
+  const std::size_t n = violated_criterion(is_bad);
+  by_criterion.resize((std::max)(by_criterion.size(), n + 1));
+  ++by_criterion[n];
+}
+
+inline std::string printed_violations(const char* of, const std::vector<std::size_t>& by_criterion)
+{
+  std::ostringstream s;
+  s << std::accumulate(by_criterion.begin(), by_criterion.end(), std::size_t(0)) << ' ' << of;
+  for(std::size_t n = 0; by_criterion.size() > 1 && n < by_criterion.size(); ++n)
+    s << (n == 0 ? " (" : " + ") << by_criterion[n] << (n + 1 == by_criterion.size() ? ")" : "");
+  return s.str();
 }
 
 } // namespace internal
@@ -203,12 +233,14 @@ Mesh_quality_report_3 mesh_quality_report_3(const C3T3& c3t3, const MeshCriteria
                                             const std::vector<double>& bounds = { 5, 10, 15, 20, 30 })
 {
   Mesh_quality_report_3 report = mesh_quality_report_3(c3t3, bounds);
-  std::size_t cells = 0, facets = 0;
+  namespace odt = Global_odt_mesh_3::internal;
+  std::vector<std::size_t> &cells = report.bad_cells_by_criterion, &facets = report.bad_facets_by_criterion;
   for(auto c = c3t3.cells_in_complex_begin(); c != c3t3.cells_in_complex_end(); ++c)
-    cells += criteria.cell_criteria_object()(c3t3.triangulation(), c) ? 1 : 0;
+    odt::count_violation(criteria.cell_criteria_object()(c3t3.triangulation(), c), cells);
   for(auto f = c3t3.facets_in_complex_begin(); f != c3t3.facets_in_complex_end(); ++f)
-    facets += criteria.facet_criteria_object()(c3t3.triangulation(), *f) ? 1 : 0;
-  report.bad_cells_and_facets = std::make_pair(cells, facets);
+    odt::count_violation(criteria.facet_criteria_object()(c3t3.triangulation(), *f), facets);
+  report.bad_cells_and_facets = std::make_pair(std::accumulate(cells.begin(), cells.end(), std::size_t(0)),
+                                               std::accumulate(facets.begin(), facets.end(), std::size_t(0)));
   return report;
 }
 
@@ -231,7 +263,8 @@ inline std::ostream& operator<<(std::ostream& out, const Mesh_quality_report_3& 
     s << "smallest angle of a facet " << r.smallest_facet_angle << " - " << r.largest_facet_angle << " degrees, mean "
       << r.mean_facet_angle << '\n';
   if(r.bad_cells_and_facets)
-    s << "beyond the criteria " << r.bad_cells_and_facets->first << " cells, " << r.bad_cells_and_facets->second << " facets\n";
+    s << "beyond the criteria " << Global_odt_mesh_3::internal::printed_violations("cells", r.bad_cells_by_criterion) << ", "
+      << Global_odt_mesh_3::internal::printed_violations("facets", r.bad_facets_by_criterion) << '\n';
   s << "cells with an angle below" << std::defaultfloat << std::setprecision(6);
   for(const auto& b : r.cells_below)
     s << "  " << b.first << ": " << b.second;

@@ -11,6 +11,7 @@
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Labeled_mesh_domain_3.h>
 #include <CGAL/Mesh_complex_3_in_triangulation_3.h>
+#include <CGAL/Mesh_criteria_3.h>
 #include <CGAL/Mesh_quality_report_3.h>
 #include <CGAL/Mesh_triangulation_3.h>
 
@@ -24,6 +25,7 @@ typedef CGAL::Exact_predicates_inexact_constructions_kernel Kernel;
 typedef Kernel::Point_3 Point_3;
 typedef CGAL::Mesh_triangulation_3<CGAL::Labeled_mesh_domain_3<Kernel> >::type Triangulation;
 typedef CGAL::Mesh_complex_3_in_triangulation_3<Triangulation> C3t3;
+typedef CGAL::Mesh_criteria_3<Triangulation> Criteria;
 
 // The triangulation of the points, all cells in subdomain 1.
 static C3t3 complex(const std::vector<Point_3>& points)
@@ -189,6 +191,23 @@ int main()
     out << r;
     check::that(out.str().find("beyond the criteria 1 cells, 3 facets\n") != std::string::npos, "the report of criteria");
     check::that(!CGAL::mesh_quality_report_3(c3t3, std::vector<double>{ 20 }).bad_cells_and_facets, "criteria that are not given");
+  }
+  {
+    // Criteria that are not set have no number.
+    const C3t3 c3t3 = with_facets(corner);
+    for(auto f = c3t3.facets_in_complex_begin(); f != c3t3.facets_in_complex_end(); ++f)
+      f->first->set_facet_surface_center(f->second, Point_3(5, 5, 5));
+    const Criteria by_size(CGAL::parameters::facet_angle = 1, CGAL::parameters::facet_size = 0.1, CGAL::parameters::cell_size = 0.1),
+      by_angle(CGAL::parameters::facet_angle = 50), by_ratio(CGAL::parameters::cell_radius_edge_ratio = 0.5, CGAL::parameters::cell_size = 10);
+    const auto size = CGAL::mesh_quality_report_3(c3t3, by_size), angle = CGAL::mesh_quality_report_3(c3t3, by_angle),
+      ratio = CGAL::mesh_quality_report_3(c3t3, by_ratio);
+    typedef std::vector<std::size_t> Counts;
+    check::that(size.bad_cells_by_criterion == Counts{ 1 } && size.bad_facets_by_criterion == Counts{ 0, 4 }, "cells and facets by size");
+    check::that(angle.bad_cells_by_criterion.empty() && angle.bad_facets_by_criterion == Counts{ 3 }, "facets by angle");
+    check::that(ratio.bad_cells_by_criterion == Counts{ 0, 1 } && ratio.bad_facets_by_criterion.empty(), "cells by radius-edge ratio");
+    std::ostringstream out;
+    out << size;
+    check::that(out.str().find("beyond the criteria 1 cells, 4 facets (0 + 4)\n") != std::string::npos, "the report by criterion");
   }
   check::that(CGAL::mesh_quality_report_3(C3t3()).number_of_cells == 0, "empty complex");
   return check::result();
