@@ -51,8 +51,9 @@ struct Sliver_removal_parameters
   double share_of_failures = 0.2;                   // of the tries
   std::size_t tries_of_failure = 150;
   int most_passes = 30;                     // with each bound
-  int most_failures_of_worst = 40;         // for the cell with the smallest angle, which should rise by so many degrees:
-  double rise_of_worst = 2;
+  int most_trials_of_worst = 120;          // of the cell with the smallest angle, until that has risen by so many degrees:
+  double least_rise = 0.1;
+  double rise_of_worst = 2;                // that is tried for
   std::size_t tries_of_start = 4;                 // to look at another vertex takes as long as so many tries
 };
 
@@ -100,7 +101,8 @@ public:
     for(int step = 0; step <= step_ && make_passes(step, most_tries, may_go_on); ++step) {}
   }
 
-  // Raises the smallest angle as far as the step, as long as the worst cell can be made better and there are tries.
+  // Raises the smallest angle as far as the step, as long as that gets on and there are tries: cells that only take turns in being the
+  // worst one would use them up.
   // No more cells than before are below the steps before.
   template <class Predicate>
   void raise_smallest_angle(std::size_t most_tries, const Predicate& may_go_on)
@@ -108,7 +110,8 @@ public:
     most_tries += number_of_tries_;
     const auto is_better = [](const Sliver_3& a, const Sliver_3& b) { return b < a; };
     std::make_heap(slivers_.begin(), slivers_.end(), is_better);
-    for(int failures = 0; !slivers_.empty() && failures < parameters_.most_failures_of_worst; )
+    double reached = 0;
+    for(int failures = 0, trials = 0; !slivers_.empty(); )
     {
       const Sliver_3 worst = slivers_.front();
       if(!complex_.has(worst))
@@ -117,7 +120,12 @@ public:
         slivers_.pop_back();
         continue;
       }
-      if(number_of_tries_ >= most_tries || !may_go_on())
+      if(worst.angle >= reached + parameters_.least_rise)
+      {
+        reached = worst.angle;
+        trials = 0;
+      }
+      if(trials++ >= parameters_.most_trials_of_worst || number_of_tries_ >= most_tries || !may_go_on())
         return;
       set_goal(Sliver_goal((std::min)(worst.angle + parameters_.rise_of_worst, Sliver_steps::angles[step_]), step_));
       const Proposal proposal = propose(trial_, worst, failures);
