@@ -28,6 +28,7 @@
 #include <cstddef>
 #include <functional>
 #include <iterator>
+#include <tuple>
 #include <type_traits>
 #include <utility>
 #include <vector>
@@ -38,6 +39,7 @@ namespace internal {
 
 // Reads and writes a c3t3.
 //
+// Vertices and cells are read in an order that depends on positions alone, since files do not keep that of the triangulation.
 // Vertices stay, with all that the c3t3 says of them, unless the table has removed them: they get their points. Those that have
 // been inserted are created. Cells are new, in the memory of the old ones.
 template <class C3t3, class Mesh_domain>
@@ -70,17 +72,16 @@ public:
     const Triangulation& tr = c3t3_.triangulation();
     if(tr.dimension() != 3)
       return table;
-    const std::vector<Cell_handle> cells = all_cells(tr);
-    read_vertices(table);
-    read_cells(cells, threads, table);
+    read_vertices(threads, table);
+    const std::vector<Cell_handle> cells = read_cells(threads, table);
     for(std::size_t n = 0; n < cells.size(); ++n)
     {
       table.cells[n].label = domain_.number_subdomain(cells[n]->subdomain_index());
       for(int i = 0; i < 4; ++i)
-        if(cells[n]->is_facet_on_surface(i))
+        if(const Facet f(cells[n], index_in(cells[n], table.cells[n].vertices[i])); f.first->is_facet_on_surface(f.second))
         {
           table.cells[n].facets |= 1 << i;
-          table.facets.push_back(read_facet(cells[n], static_cast<int>(n), i));
+          table.facets.push_back(read_facet(f, static_cast<int>(n), i));
         }
     }
     return table;
@@ -117,6 +118,7 @@ public:
         if(const int w = number[a.first]; static_cast<int>(v) < w)
           edges.push_back({{ static_cast<int>(v), w }});
     }
+    std::sort(edges.begin(), edges.end());
     return edges;
   }
 
@@ -230,13 +232,18 @@ private:
 
   static Bare_point point(const Vector_3& p) { return Bare_point(p[0], p[1], p[2]); }
 
-  void read_vertices(Mesh_table_3& table)
+  void read_vertices(const Thread_policy& threads, Mesh_table_3& table)
   {
+    std::vector<std::pair<Site, Vertex_handle> > vertices;
     for(auto v = c3t3_.triangulation().finite_vertices_begin(); v != c3t3_.triangulation().finite_vertices_end(); ++v)
+      vertices.emplace_back(weighted_site(v->point()), v);
+    threads.sort(vertices.begin(), vertices.end(), [](const auto& a, const auto& b)
+                 { return std::tie(a.first.x, a.first.y, a.first.z) < std::tie(b.first.x, b.first.y, b.first.z); });
+    for(const auto& v : vertices)
     {
-      vertices_.push_back(v);
-      table.sites.push_back(weighted_site(v->point()));
-      table.dimensions.push_back(v->in_dimension());
+      vertices_.push_back(v.second);
+      table.sites.push_back(v.first);
+      table.dimensions.push_back(v.second->in_dimension());
     }
   }
 
@@ -248,28 +255,37 @@ private:
     return number;
   }
 
-  void read_cells(const std::vector<Cell_handle>& cells, const Thread_policy& threads, Mesh_table_3& table) const
+  std::vector<Cell_handle> read_cells(const Thread_policy& threads, Mesh_table_3& table) const
   {
-    const Vertex_numbers vertex_number = vertex_numbers();
-    CGAL::Unique_hash_map<Cell_handle, int, Hash> cell_number(-1, cells.size());
-    for(std::size_t n = 0; n < cells.size(); ++n)
-      cell_number[cells[n]] = static_cast<int>(n);
-    table.cells.resize(cells.size());
-    for_each_in_chunks(static_cast<int>(cells.size()), threads,
-                       [&, &v = vertex_number, &c = std::as_const(cell_number)](int n)
+    const Vertex_numbers v = vertex_numbers();
+    std::vector<std::pair<Quadruple, Cell_handle> > sorted_cells;
+    for(Cell_handle c : all_cells(c3t3_.triangulation()))
+      sorted_cells.emplace_back(in_canonical_order({{ v[c->vertex(0)], v[c->vertex(1)], v[c->vertex(2)], v[c->vertex(3)] }}), c);
+    threads.sort(sorted_cells.begin(), sorted_cells.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
+    std::vector<Cell_handle> cells;
+    CGAL::Unique_hash_map<Cell_handle, int, Hash> cell_number(-1, sorted_cells.size());
+    for(const auto& c : sorted_cells)
     {
+      cell_number[c.second] = static_cast<int>(cells.size());
+      cells.push_back(c.second);
+    }
+    table.cells.resize(cells.size());
+    for_each_in_chunks(static_cast<int>(cells.size()), threads, [&, &number = std::as_const(cell_number)](int n)
+    {
+      table.cells[n].vertices = sorted_cells[n].first;
       for(int i = 0; i < 4; ++i)
-      {
-        table.cells[n].vertices[i] = v[cells[n]->vertex(i)];
-        table.cells[n].neighbors[i] = c[cells[n]->neighbor(i)];
-      }
+        table.cells[n].neighbors[i] = number[cells[n]->neighbor(index_in(cells[n], sorted_cells[n].first[i]))];
     });
+    return cells;
   }
 
-  Mesh_table_3::Facet read_facet(Cell_handle c, int n, int i)
+  int index_in(Cell_handle c, int v) const
+  { return c->index(v == Mesh_table_3::infinite ? c3t3_.triangulation().infinite_vertex() : vertices_[v]); }
+
+  Mesh_table_3::Facet read_facet(const Facet& f, int n, int i)
   {
-    const int patch = domain_.number_patch(c->surface_patch_index(i));
-    const Center center(c->get_facet_surface_center(i), c->get_facet_surface_center_index(i));
+    const int patch = domain_.number_patch(f.first->surface_patch_index(f.second));
+    const Center center(f.first->get_facet_surface_center(f.second), f.first->get_facet_surface_center_index(f.second));
     const bool is_center = center.second == domain_.index(patch);
     centers_.push_back(center);
     return { n, i, patch, coordinates(center.first), is_center ? patch : int(Mesh_table_3::no_patch),
