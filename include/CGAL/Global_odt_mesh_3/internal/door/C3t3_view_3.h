@@ -14,8 +14,10 @@
 
 #include <CGAL/Global_odt_mesh_3/internal/door/Mesh_domain_view_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/geometry/Angle_deficit_3.h>
+#include <CGAL/Global_odt_mesh_3/internal/geometry/Cell_geometry_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/geometry/Site.h>
 #include <CGAL/Global_odt_mesh_3/internal/geometry/Vector_3.h>
+#include <CGAL/Global_odt_mesh_3/internal/geometry/Vertex_tuples.h>
 #include <CGAL/Global_odt_mesh_3/internal/interface/Mesh_view_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/parallel/Chunked_loops.h>
 #include <CGAL/Global_odt_mesh_3/internal/parallel/Thread_policy.h>
@@ -25,9 +27,9 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstddef>
 #include <functional>
-#include <iterator>
 #include <tuple>
 #include <type_traits>
 #include <utility>
@@ -103,20 +105,20 @@ public:
     { return deficit({{ site(c.vertex(0)), site(c.vertex(1)), site(c.vertex(2)), site(c.vertex(3)) }}) > 0; });
   }
 
+  // Files do not keep them, but the mesh generator protects features by balls, which overlap where they follow each other.
   std::vector<std::array<int, 2> > feature_edges() const override
   {
     const Vertex_numbers number = vertex_numbers();
+    const Triangulation& tr = c3t3_.triangulation();
     std::vector<std::array<int, 2> > edges;
-    std::vector<std::pair<Vertex_handle, typename C3t3::Curve_index> > adjacent;
-    for(std::size_t v = 0; v < vertices_.size(); ++v)
+    if(vertices_.empty())
+      return edges;
+    for(auto e = tr.finite_edges_begin(); e != tr.finite_edges_end(); ++e)
     {
-      if(vertices_[v]->in_dimension() < 0 || vertices_[v]->in_dimension() > 1)
-        continue;
-      adjacent.clear();
-      c3t3_.adjacent_vertices_in_complex(vertices_[v], std::back_inserter(adjacent));
-      for(const auto& a : adjacent)
-        if(const int w = number[a.first]; static_cast<int>(v) < w)
-          edges.push_back({{ static_cast<int>(v), w }});
+      const Vertex_handle v = e->first->vertex(e->second), w = e->first->vertex(e->third);
+      if(is_on_feature(v) && is_on_feature(w)
+         && (c3t3_.is_in_complex(v, w) || do_balls_overlap(weighted_site(v->point()), weighted_site(w->point()))))
+        edges.push_back(sorted(std::array<int, 2>{{ number[v], number[w] }}));
     }
     std::sort(edges.begin(), edges.end());
     return edges;
@@ -230,6 +232,11 @@ private:
     }
   }
 
+  static bool is_on_feature(Vertex_handle v) { return v->in_dimension() == 0 || v->in_dimension() == 1; }
+
+  static bool do_balls_overlap(const Site& a, const Site& b)
+  { return squared_distance(a, position(b)) < std::pow(std::sqrt(a.weight) + std::sqrt(b.weight), 2); }
+
   static Bare_point point(const Vector_3& p) { return Bare_point(p[0], p[1], p[2]); }
 
   void read_vertices(const Thread_policy& threads, Mesh_table_3& table)
@@ -284,12 +291,8 @@ private:
 
   Mesh_table_3::Facet read_facet(const Facet& f, int n, int i)
   {
-    const int patch = domain_.number_patch(f.first->surface_patch_index(f.second));
-    const Center center(f.first->get_facet_surface_center(f.second), f.first->get_facet_surface_center_index(f.second));
-    const bool is_center = center.second == domain_.index(patch);
-    centers_.push_back(center);
-    return { n, i, patch, coordinates(center.first), is_center ? patch : int(Mesh_table_3::no_patch),
-             static_cast<int>(centers_.size()) - 1 };
+    centers_.emplace_back(f.first->get_facet_surface_center(f.second), f.first->get_facet_surface_center_index(f.second));
+    return { n, i, domain_.number_patch(f.first->surface_patch_index(f.second)), static_cast<int>(centers_.size()) - 1, Vector_3(), 0 };
   }
 
   std::vector<Center> centers_of(const Mesh_table_3& table) const
