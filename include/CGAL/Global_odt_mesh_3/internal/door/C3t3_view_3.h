@@ -21,6 +21,7 @@
 #include <CGAL/Global_odt_mesh_3/internal/interface/Mesh_view_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/parallel/Chunked_loops.h>
 #include <CGAL/Global_odt_mesh_3/internal/parallel/Thread_policy.h>
+#include <CGAL/Global_odt_mesh_3/internal/triangulation/Cell_order.h>
 
 #include <CGAL/Time_stamper.h>
 #include <CGAL/Unique_hash_map.h>
@@ -30,6 +31,7 @@
 #include <cmath>
 #include <cstddef>
 #include <functional>
+#include <iterator>
 #include <tuple>
 #include <type_traits>
 #include <utility>
@@ -109,16 +111,18 @@ public:
   std::vector<std::array<int, 2> > feature_edges() const override
   {
     const Vertex_numbers number = vertex_numbers();
-    const Triangulation& tr = c3t3_.triangulation();
     std::vector<std::array<int, 2> > edges;
-    if(vertices_.empty())
-      return edges;
-    for(auto e = tr.finite_edges_begin(); e != tr.finite_edges_end(); ++e)
+    std::vector<Vertex_handle> adjacent;
+    for(std::size_t n = 0; n < vertices_.size(); ++n)
     {
-      const Vertex_handle v = e->first->vertex(e->second), w = e->first->vertex(e->third);
-      if(is_on_feature(v) && is_on_feature(w)
-         && (c3t3_.is_in_complex(v, w) || do_balls_overlap(weighted_site(v->point()), weighted_site(w->point()))))
-        edges.push_back(sorted(std::array<int, 2>{{ number[v], number[w] }}));
+      const Vertex_handle v = vertices_[n];
+      adjacent.clear();
+      if(is_on_feature(v))
+        c3t3_.triangulation().finite_adjacent_vertices(v, std::back_inserter(adjacent));
+      for(Vertex_handle w : adjacent)
+        if(static_cast<int>(n) < number[w] && is_on_feature(w)
+           && (c3t3_.is_in_complex(v, w) || do_balls_overlap(weighted_site(v->point()), weighted_site(w->point()))))
+          edges.push_back({{ static_cast<int>(n), number[w] }});
     }
     std::sort(edges.begin(), edges.end());
     return edges;
@@ -264,26 +268,30 @@ private:
 
   std::vector<Cell_handle> read_cells(const Thread_policy& threads, Mesh_table_3& table) const
   {
-    const Vertex_numbers v = vertex_numbers();
-    std::vector<std::pair<Quadruple, Cell_handle> > sorted_cells;
-    for(Cell_handle c : all_cells(c3t3_.triangulation()))
-      sorted_cells.emplace_back(in_canonical_order({{ v[c->vertex(0)], v[c->vertex(1)], v[c->vertex(2)], v[c->vertex(3)] }}), c);
-    threads.sort(sorted_cells.begin(), sorted_cells.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
-    std::vector<Cell_handle> cells;
-    CGAL::Unique_hash_map<Cell_handle, int, Hash> cell_number(-1, sorted_cells.size());
-    for(const auto& c : sorted_cells)
+    const Vertex_numbers vertex_number = vertex_numbers();
+    const std::vector<Cell_handle> cells = all_cells(c3t3_.triangulation());
+    std::vector<Quadruple> vertices(cells.size());
+    for_each_in_chunks(static_cast<int>(cells.size()), threads, [&, &v = vertex_number](int n)
     {
-      cell_number[c.second] = static_cast<int>(cells.size());
-      cells.push_back(c.second);
-    }
-    table.cells.resize(cells.size());
-    for_each_in_chunks(static_cast<int>(cells.size()), threads, [&, &number = std::as_const(cell_number)](int n)
-    {
-      table.cells[n].vertices = sorted_cells[n].first;
-      for(int i = 0; i < 4; ++i)
-        table.cells[n].neighbors[i] = number[cells[n]->neighbor(index_in(cells[n], sorted_cells[n].first[i]))];
+      const Cell_handle c = cells[n];
+      // From 0, the infinite one.
+      vertices[n] = in_canonical_order({{ v[c->vertex(0)] + 1, v[c->vertex(1)] + 1, v[c->vertex(2)] + 1, v[c->vertex(3)] + 1 }});
     });
-    return cells;
+    const Canonical_order order(std::move(vertices), static_cast<int>(vertices_.size()) + 1, threads);
+    table.cells.resize(cells.size());
+    order.for_each_facet([&table](int, Half_facet s, Half_facet t)
+    {
+      table.cells[s.cell()].neighbors[s.index()] = t.cell();
+      table.cells[t.cell()].neighbors[t.index()] = s.cell();
+    });
+    std::vector<Cell_handle> sorted_cells(cells.size());
+    for_each_in_chunks(static_cast<int>(cells.size()), threads, [&](int n)
+    {
+      sorted_cells[n] = cells[order.number(n)];
+      for(int i = 0; i < 4; ++i)
+        table.cells[n].vertices[i] = order.vertices()[Half_facet(n, i).id()] - 1;
+    });
+    return sorted_cells;
   }
 
   int index_in(Cell_handle c, int v) const
