@@ -67,37 +67,23 @@ public:
     Tr& tr = c3t3_.triangulation();
     for(auto v = tr.finite_vertices_begin(); v != tr.finite_vertices_end(); ++v)
       set(v, 3, domain.index_from_subdomain_index(v->cell()->subdomain_index()));
-    std::map<std::array<Vertex_handle, 2>, std::vector<std::pair<int, Vector> > > around;      // patches and normals of facets at edges
+    std::map<Edge, Facets_around> around;
     for(std::size_t n = 0; n < patches_.size(); ++n)
       for(const Facet& f : patches_[n])
-      {
-        const int patch = static_cast<int>(n) + 1;
-        c3t3_.add_to_complex(f, patch);
-        const std::array<Vertex_handle, 3> t = vertices(f);
-        const Vector normal = CGAL::cross_product(point(t[1]) - point(t[0]), point(t[2]) - point(t[0]));
-        for(int k = 0; k < 3; ++k)
-        {
-          set(t[k], 2, domain.index_from_surface_patch_index(patch));
-          around[{{ (std::min)(t[k], t[(k + 1) % 3]), (std::max)(t[k], t[(k + 1) % 3]) }}].emplace_back(patch, normal);
-        }
-      }
+        add_facet(f, static_cast<int>(n) + 1, domain, around);
     std::map<std::set<int>, int> curves;                  // by the patches that meet there
-    std::map<Vertex_handle, std::vector<int> > at_vertex; // curves of edges
+    std::map<Vertex_handle, std::vector<int> > at_vertex; // the curves of edges
     for(const auto& e : around)
-    {
-      std::set<int> patches;
-      for(const auto& f : e.second)
-        patches.insert(f.first);
-      const auto& f = e.second;
-      const bool is_flat = f.size() == 2 && patches.size() == 1
-                           && f[0].second * f[1].second >= smallest_cosine * CGAL::sqrt(f[0].second * f[0].second * (f[1].second * f[1].second));
-      if(is_flat)
-        continue;
-      const int curve = curves.emplace(patches, static_cast<int>(curves.size()) + 1).first->second;
-      c3t3_.add_to_complex(e.first[0], e.first[1], curve);
-      for(Vertex_handle v : e.first)
-        at_vertex[v].push_back(curve);
-    }
+      if(is_feature(e.second, smallest_cosine))
+      {
+        std::set<int> patches;
+        for(const auto& f : e.second)
+          patches.insert(f.first);
+        const int curve = curves.emplace(patches, static_cast<int>(curves.size()) + 1).first->second;
+        c3t3_.add_to_complex(e.first[0], e.first[1], curve);
+        for(Vertex_handle v : e.first)
+          at_vertex[v].push_back(curve);
+      }
     int corner = 0;
     for(const auto& v : at_vertex)
       if(v.second.size() == 2 && v.second[0] == v.second[1])
@@ -115,6 +101,8 @@ private:
   typedef typename Tr::Vertex_handle Vertex_handle;
   typedef typename Domain::Point_3 Point;
   typedef typename Domain::R::Vector_3 Vector;
+  typedef std::array<Vertex_handle, 2> Edge;
+  typedef std::vector<std::pair<int, Vector> > Facets_around;     // patches and normals
 
   static const Point& point(Vertex_handle v) { return v->point().point(); }
 
@@ -123,6 +111,27 @@ private:
   {
     c3t3_.set_dimension(v, dimension);
     c3t3_.set_index(v, index);
+  }
+
+  void add_facet(const Facet& f, int patch, const Domain& domain, std::map<Edge, Facets_around>& around)
+  {
+    c3t3_.add_to_complex(f, patch);
+    const std::array<Vertex_handle, 3> t = vertices(f);
+    const Vector normal = CGAL::cross_product(point(t[1]) - point(t[0]), point(t[2]) - point(t[0]));
+    for(int k = 0; k < 3; ++k)
+    {
+      const Vertex_handle v = t[k], w = t[(k + 1) % 3];
+      set(v, 2, domain.index_from_surface_patch_index(patch));
+      around[Edge{{ (std::min)(v, w), (std::max)(v, w) }}].emplace_back(patch, normal);
+    }
+  }
+
+  static bool is_feature(const Facets_around& f, double smallest_cosine)
+  {
+    if(f.size() != 2 || f[0].first != f[1].first)
+      return true;
+    const Vector &a = f[0].second, &b = f[1].second;
+    return a * b < smallest_cosine * CGAL::sqrt((a * a) * (b * b));
   }
 
   // Counterclockwise, seen from outside of the cell.
