@@ -16,7 +16,10 @@
 #include <CGAL/Density_quadratures_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/geometry/Cell_geometry_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/geometry/Site.h>
+#include <CGAL/Global_odt_mesh_3/internal/interface/Mesh_view_3.h>
+#include <CGAL/Global_odt_mesh_3/internal/parallel/Thread_policy.h>
 #include <CGAL/Global_odt_mesh_3/internal/sizing/Input_density_3.h>
+#include <CGAL/IO/File_binary_mesh_3.h>
 #include <CGAL/Mesh_quality_report_3.h>
 #include <CGAL/Quadratic_density_3.h>
 #include <CGAL/Random.h>
@@ -28,8 +31,10 @@
 #include <cmath>
 #include <functional>
 #include <iostream>
+#include <map>
 #include <random>
 #include <set>
+#include <sstream>
 #include <string>
 #include <utility>
 #include <vector>
@@ -412,6 +417,108 @@ static void random_meshes()
   }
 }
 
+// What a file keeps of a mesh.
+template <class C3t3>
+C3t3 reloaded(const C3t3& c3t3)
+{
+  std::stringstream file;
+  CGAL::IO::save_binary_file(file, c3t3);
+  C3t3 result;
+  check::that(CGAL::IO::load_binary_file(file, result), "a saved mesh cannot be loaded");
+  return result;
+}
+
+// With vertices, cells, and the vertices of cells in random orders, and without surface centers and edges of features.
+template <class C3t3>
+C3t3 shuffled(const C3t3& c3t3, unsigned int seed)
+{
+  typedef typename C3t3::Triangulation Triangulation;
+  typedef typename C3t3::Vertex_handle Vertex_handle;
+  typedef typename C3t3::Cell_handle Cell_handle;
+  std::mt19937 random(seed);
+  const Triangulation& from = c3t3.triangulation();
+  std::vector<Vertex_handle> vertices;
+  for(auto v = from.finite_vertices_begin(); v != from.finite_vertices_end(); ++v)
+    vertices.push_back(v);
+  std::vector<Cell_handle> cells = odt::all_cells(from);
+  std::shuffle(vertices.begin(), vertices.end(), random);
+  std::shuffle(cells.begin(), cells.end(), random);
+  C3t3 result;
+  Triangulation& tr = result.triangulation();
+  tr.tds().cells().clear();
+  tr.tds().set_dimension(3);
+  std::map<Vertex_handle, int> number = {{ from.infinite_vertex(), int(odt::Mesh_table_3::infinite) }};
+  std::vector<Vertex_handle> new_vertices;
+  for(Vertex_handle v : vertices)
+  {
+    number.emplace(v, static_cast<int>(new_vertices.size()));
+    new_vertices.push_back(tr.tds().create_vertex());
+    new_vertices.back()->set_point(v->point());
+    new_vertices.back()->set_dimension(v->in_dimension());
+    new_vertices.back()->set_index(v->index());
+  }
+  std::map<Cell_handle, int> place;
+  for(Cell_handle c : cells)
+    place.emplace(c, static_cast<int>(place.size()));
+  odt::Mesh_table_3 table;
+  std::vector<Cell_handle> new_cells;
+  for(Cell_handle c : cells)
+  {
+    std::array<int, 4> order = {{ 0, 1, 2, 3 }};
+    std::rotate(order.begin(), order.begin() + random() % 3, order.begin() + 3);
+    if(random() % 2)
+      order = {{ order[1], order[0], order[3], order[2] }};
+    new_cells.push_back(tr.tds().create_cell());
+    new_cells.back()->set_subdomain_index(c->subdomain_index());
+    table.cells.emplace_back();
+    for(int i = 0; i < 4; ++i)
+    {
+      new_cells.back()->set_surface_patch_index(i, c->surface_patch_index(order[i]));
+      table.cells.back().vertices[i] = number[c->vertex(order[i])];
+      table.cells.back().neighbors[i] = place[c->neighbor(order[i])];
+    }
+  }
+  odt::connect_cells(table, new_vertices, new_cells, odt::Thread_policy(), tr);
+  check::that(tr.is_valid(), "a mesh in another order is not valid");
+  result.rescan_after_load_of_triangulation();
+  return result;
+}
+
+// The points of the cells, and their labels.
+template <class C3t3>
+std::set<std::pair<std::set<domains::Point_3>, int> > labeled_cells(const C3t3& c3t3)
+{
+  std::set<std::pair<std::set<domains::Point_3>, int> > cells;
+  for(auto c = c3t3.cells_in_complex_begin(); c != c3t3.cells_in_complex_end(); ++c)
+  {
+    std::set<domains::Point_3> points;
+    for(int i = 0; i < 4; ++i)
+      points.insert(c->vertex(i)->point().point());
+    cells.emplace(points, c->subdomain_index());
+  }
+  return cells;
+}
+
+// A mesh that comes from a file, or is in another order, becomes the same, to the last bit.
+template <class C3t3, class Domain>
+void order_of_input(const std::string& name, const C3t3& input, const Domain& domain, const Domain& made_anew)
+{
+  for(const unsigned int seed : { 0, 1 })
+    for(const bool may_insert : { false, true })
+    {
+      const auto optimized = [&](C3t3 c3t3, const Domain& of)
+      {
+        CGAL::odt_optimize_mesh_3(c3t3, of, params::random_seed(seed), params::do_insert_vertices = may_insert);
+        return labeled_cells(c3t3);
+      };
+      const auto expected = optimized(input, domain);
+      check::that(expected != labeled_cells(input), name, ": nothing has changed");
+      check::that(optimized(reloaded(input), made_anew) == expected, name, ": a mesh from a file becomes another one, insertion ", may_insert);
+      check::that(optimized(shuffled(input, seed), domain) == expected, name, ": a mesh in another order becomes another one, insertion ",
+                  may_insert);
+    }
+}
+
 int main()
 {
   using namespace domains;
@@ -429,6 +536,7 @@ int main()
   {
     const Labeled_domain domain = three_subdomains();
     test("three subdomains", mesh(domain, 0.2), domain);
+    order_of_input("three subdomains", mesh(domain, 0.2), domain, three_subdomains());
   }
   {
     const Labeled_domain domain = thin_plate();
@@ -450,6 +558,9 @@ int main()
     test("polyhedron", mesh(domain, 0.3, false), domain);
     domain.detect_features();
     test("polyhedron with features", mesh(domain, 0.25, true), domain);
+    Polyhedral_domain made_anew(box);
+    made_anew.detect_features();
+    order_of_input("polyhedron with features", mesh(domain, 0.25, true), domain, made_anew);
   }
   holes();
   random_meshes();

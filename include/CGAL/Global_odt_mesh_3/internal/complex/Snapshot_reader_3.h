@@ -30,7 +30,6 @@
 #include <CGAL/Global_odt_mesh_3/internal/triangulation/Moving_triangulation_3.h>
 
 #include <algorithm>
-#include <cmath>
 #include <cstddef>
 #include <memory>
 #include <utility>
@@ -116,8 +115,6 @@ public:
   }
 
 private:
-  static_assert(int(Mesh_table_3::no_patch) == int(Boundary_facet::no_patch), "facets without a patch");
-
   // Of the table until vertices have numbers of their own.
   std::size_t number_of_vertices() const { return snapshot_.sites.empty() ? table_.sites.size() : snapshot_.sites.size(); }
 
@@ -175,9 +172,8 @@ private:
     numbering_->input_sites = snapshot_.sites;
   }
 
-  // A complex that was not made by the mesher, or comes from a file, may lack surface centers, which is seen from their
-  // indices: the points are then not even numbers that are the same each time. A point of the dual line stands in,
-  // without being told to anybody.
+  // Those of the user's mesh go back to facets that stay, and otherwise do not count: files do not keep them, and a complex that
+  // was not made by the mesher may lack them. A point of the dual line stands in.
   void read_surface_centers(const Constrained_facets& facets)
   {
     for(const Constrained_facet& f : facets)
@@ -185,27 +181,13 @@ private:
       const Mesh_table_3::Facet* const on_surface = table_.facet(f.cell, f.index);
       // One that has been found since the user's mesh is right, even if it is on another patch.
       const bool is_found = on_surface != nullptr && on_surface->source == Mesh_table_3::no_facet;
-      const bool has_center = is_found || (on_surface != nullptr && on_surface->patch_of_center == on_surface->patch
-                                           && is_on_dual_line(on_surface->center, f.vertices));
-      const Vector_3 point = has_center ? on_surface->center
-                                               : estimated_surface_center(f.vertices, snapshot_.boundary, snapshot_.sites);
+      const Vector_3 point = is_found ? on_surface->center
+                                      : estimated_surface_center(f.vertices, snapshot_.boundary, snapshot_.sites);
       const int patch = is_found ? on_surface->patch_of_center
                                  : on_surface != nullptr ? on_surface->patch : int(Boundary_facet::no_patch);
       const int source = on_surface != nullptr ? on_surface->source : int(Mesh_table_3::no_facet);
       snapshot_.centers.push_back({ point, patch, source, true, true });
     }
-  }
-
-  bool is_on_dual_line(const Vector_3& point, const Triple& facet) const
-  {
-    constexpr double most_spread = 1e-4;      // of the powers of the center with respect to the vertices
-    std::array<double, 3> power;
-    for(int k = 0; k < 3; ++k)
-    {
-      const Site& s = snapshot_.sites[facet[k]];
-      power[k] = squared_distance(s, point) - s.weight;
-    }
-    return (std::max)({ power[0], power[1], power[2] }) - (std::min)({ power[0], power[1], power[2] }) <= most_spread * std::abs(power[0]);
   }
 
   void read_labels()

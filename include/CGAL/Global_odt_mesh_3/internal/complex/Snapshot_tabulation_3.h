@@ -256,7 +256,7 @@ private:
         continue;
       const Complex_snapshot_3::Surface_center& c = snapshot_.centers[n];
       const int patch_of_center = c.patch < 0 || c.patch == Domain_view_3::other_patch ? patch : c.patch;
-      table.facets.push_back({ facets_[n].first->label(), facets_[n].second, patch, c.point, patch_of_center, c.source });
+      table.facets.push_back({ facets_[n].first->label(), facets_[n].second, patch, c.source, c.point, patch_of_center });
     }
   }
 

@@ -14,20 +14,26 @@
 
 #include <CGAL/Global_odt_mesh_3/internal/door/Mesh_domain_view_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/geometry/Angle_deficit_3.h>
+#include <CGAL/Global_odt_mesh_3/internal/geometry/Cell_geometry_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/geometry/Site.h>
 #include <CGAL/Global_odt_mesh_3/internal/geometry/Vector_3.h>
+#include <CGAL/Global_odt_mesh_3/internal/geometry/Vertex_tuples.h>
 #include <CGAL/Global_odt_mesh_3/internal/interface/Mesh_view_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/parallel/Chunked_loops.h>
 #include <CGAL/Global_odt_mesh_3/internal/parallel/Thread_policy.h>
+#include <CGAL/Global_odt_mesh_3/internal/triangulation/Cell_order.h>
+#include <CGAL/Global_odt_mesh_3/internal/triangulation/Indexed_triangulation_3.h>
 
 #include <CGAL/Time_stamper.h>
 #include <CGAL/Unique_hash_map.h>
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstddef>
 #include <functional>
 #include <iterator>
+#include <tuple>
 #include <type_traits>
 #include <utility>
 #include <vector>
@@ -38,6 +44,7 @@ namespace internal {
 
 // Reads and writes a c3t3.
 //
+// Vertices and cells are read in an order that depends on positions alone, since files do not keep that of the triangulation.
 // Vertices stay, with all that the c3t3 says of them, unless the table has removed them: they get their points. Those that have
 // been inserted are created. Cells are new, in the memory of the old ones.
 template <class C3t3, class Mesh_domain>
@@ -70,17 +77,16 @@ public:
     const Triangulation& tr = c3t3_.triangulation();
     if(tr.dimension() != 3)
       return table;
-    const std::vector<Cell_handle> cells = all_cells(tr);
-    read_vertices(table);
-    read_cells(cells, threads, table);
+    read_vertices(threads, table);
+    const std::vector<Cell_handle> cells = read_cells(threads, table);
     for(std::size_t n = 0; n < cells.size(); ++n)
     {
       table.cells[n].label = domain_.number_subdomain(cells[n]->subdomain_index());
       for(int i = 0; i < 4; ++i)
-        if(cells[n]->is_facet_on_surface(i))
+        if(const Facet f(cells[n], index_in(cells[n], table.cells[n].vertices[i])); f.first->is_facet_on_surface(f.second))
         {
           table.cells[n].facets |= 1 << i;
-          table.facets.push_back(read_facet(cells[n], static_cast<int>(n), i));
+          table.facets.push_back(read_facet(f, static_cast<int>(n), i));
         }
     }
     return table;
@@ -102,21 +108,24 @@ public:
     { return deficit({{ site(c.vertex(0)), site(c.vertex(1)), site(c.vertex(2)), site(c.vertex(3)) }}) > 0; });
   }
 
+  // Files do not keep them, but the mesh generator protects features by balls, which overlap where they follow each other.
   std::vector<std::array<int, 2> > feature_edges() const override
   {
     const Vertex_numbers number = vertex_numbers();
     std::vector<std::array<int, 2> > edges;
-    std::vector<std::pair<Vertex_handle, typename C3t3::Curve_index> > adjacent;
-    for(std::size_t v = 0; v < vertices_.size(); ++v)
+    std::vector<Vertex_handle> adjacent;
+    for(std::size_t n = 0; n < vertices_.size(); ++n)
     {
-      if(vertices_[v]->in_dimension() < 0 || vertices_[v]->in_dimension() > 1)
-        continue;
+      const Vertex_handle v = vertices_[n];
       adjacent.clear();
-      c3t3_.adjacent_vertices_in_complex(vertices_[v], std::back_inserter(adjacent));
-      for(const auto& a : adjacent)
-        if(const int w = number[a.first]; static_cast<int>(v) < w)
-          edges.push_back({{ static_cast<int>(v), w }});
+      if(is_on_feature(v))
+        c3t3_.triangulation().finite_adjacent_vertices(v, std::back_inserter(adjacent));
+      for(Vertex_handle w : adjacent)
+        if(static_cast<int>(n) < number[w] && is_on_feature(w)
+           && (c3t3_.is_in_complex(v, w) || do_balls_overlap(weighted_site(v->point()), weighted_site(w->point()))))
+          edges.push_back({{ static_cast<int>(n), number[w] }});
     }
+    std::sort(edges.begin(), edges.end());
     return edges;
   }
 
@@ -228,15 +237,25 @@ private:
     }
   }
 
+  static bool is_on_feature(Vertex_handle v) { return v->in_dimension() == 0 || v->in_dimension() == 1; }
+
+  static bool do_balls_overlap(const Site& a, const Site& b)
+  { return squared_distance(a, position(b)) < std::pow(std::sqrt(a.weight) + std::sqrt(b.weight), 2); }
+
   static Bare_point point(const Vector_3& p) { return Bare_point(p[0], p[1], p[2]); }
 
-  void read_vertices(Mesh_table_3& table)
+  void read_vertices(const Thread_policy& threads, Mesh_table_3& table)
   {
+    std::vector<std::pair<Site, Vertex_handle> > vertices;
     for(auto v = c3t3_.triangulation().finite_vertices_begin(); v != c3t3_.triangulation().finite_vertices_end(); ++v)
+      vertices.emplace_back(weighted_site(v->point()), v);
+    threads.sort(vertices.begin(), vertices.end(), [](const auto& a, const auto& b)
+                 { return std::tie(a.first.x, a.first.y, a.first.z) < std::tie(b.first.x, b.first.y, b.first.z); });
+    for(const auto& v : vertices)
     {
-      vertices_.push_back(v);
-      table.sites.push_back(weighted_site(v->point()));
-      table.dimensions.push_back(v->in_dimension());
+      vertices_.push_back(v.second);
+      table.sites.push_back(v.first);
+      table.dimensions.push_back(v.second->in_dimension());
     }
   }
 
@@ -248,32 +267,41 @@ private:
     return number;
   }
 
-  void read_cells(const std::vector<Cell_handle>& cells, const Thread_policy& threads, Mesh_table_3& table) const
+  std::vector<Cell_handle> read_cells(const Thread_policy& threads, Mesh_table_3& table) const
   {
     const Vertex_numbers vertex_number = vertex_numbers();
-    CGAL::Unique_hash_map<Cell_handle, int, Hash> cell_number(-1, cells.size());
-    for(std::size_t n = 0; n < cells.size(); ++n)
-      cell_number[cells[n]] = static_cast<int>(n);
-    table.cells.resize(cells.size());
-    for_each_in_chunks(static_cast<int>(cells.size()), threads,
-                       [&, &v = vertex_number, &c = std::as_const(cell_number)](int n)
+    const std::vector<Cell_handle> cells = all_cells(c3t3_.triangulation());
+    std::vector<Quadruple> vertices(cells.size());
+    for_each_in_chunks(static_cast<int>(cells.size()), threads, [&, &v = vertex_number](int n)
     {
-      for(int i = 0; i < 4; ++i)
-      {
-        table.cells[n].vertices[i] = v[cells[n]->vertex(i)];
-        table.cells[n].neighbors[i] = c[cells[n]->neighbor(i)];
-      }
+      const Cell_handle c = cells[n];
+      // From 0, the infinite one.
+      vertices[n] = in_canonical_order({{ v[c->vertex(0)] + 1, v[c->vertex(1)] + 1, v[c->vertex(2)] + 1, v[c->vertex(3)] + 1 }});
     });
+    const Canonical_order order(std::move(vertices), static_cast<int>(vertices_.size()) + 1, threads);
+    table.cells.resize(cells.size());
+    order.for_each_facet([&table](int, Half_facet s, Half_facet t)
+    {
+      table.cells[s.cell()].neighbors[s.index()] = t.cell();
+      table.cells[t.cell()].neighbors[t.index()] = s.cell();
+    });
+    std::vector<Cell_handle> sorted_cells(cells.size());
+    for_each_in_chunks(static_cast<int>(cells.size()), threads, [&](int n)
+    {
+      sorted_cells[n] = cells[order.number(n)];
+      for(int i = 0; i < 4; ++i)
+        table.cells[n].vertices[i] = order.vertices()[Half_facet(n, i).id()] - 1;
+    });
+    return sorted_cells;
   }
 
-  Mesh_table_3::Facet read_facet(Cell_handle c, int n, int i)
+  int index_in(Cell_handle c, int v) const
+  { return c->index(v == Mesh_table_3::infinite ? c3t3_.triangulation().infinite_vertex() : vertices_[v]); }
+
+  Mesh_table_3::Facet read_facet(const Facet& f, int n, int i)
   {
-    const int patch = domain_.number_patch(c->surface_patch_index(i));
-    const Center center(c->get_facet_surface_center(i), c->get_facet_surface_center_index(i));
-    const bool is_center = center.second == domain_.index(patch);
-    centers_.push_back(center);
-    return { n, i, patch, coordinates(center.first), is_center ? patch : int(Mesh_table_3::no_patch),
-             static_cast<int>(centers_.size()) - 1 };
+    centers_.emplace_back(f.first->get_facet_surface_center(f.second), f.first->get_facet_surface_center_index(f.second));
+    return { n, i, domain_.number_patch(f.first->surface_patch_index(f.second)), static_cast<int>(centers_.size()) - 1, Vector_3(), 0 };
   }
 
   std::vector<Center> centers_of(const Mesh_table_3& table) const

@@ -35,7 +35,7 @@ namespace internal {
 struct Mesh_table_3
 {
   static constexpr int infinite = -1;           // the number of that vertex
-  static constexpr int no_facet = -1, no_patch = -1;
+  static constexpr int no_facet = -1;
   static constexpr int removed = -2;            // not -1, the dimension of CGAL's far points
 
   struct Cell
@@ -50,9 +50,9 @@ struct Mesh_table_3
   {
     int cell, index;
     int patch;
-    Vector_3 center;                     // where its dual line meets the surface
-    int patch_of_center;                        // no_patch if there is no center
-    int source;                                 // the facet of the input whose center it still is, or no_facet
+    int source;                                 // the facet of the input whose center it still has, or no_facet
+    Vector_3 center;                            // or else where its dual line meets the surface
+    int patch_of_center;
   };
 
   std::vector<Site> sites;

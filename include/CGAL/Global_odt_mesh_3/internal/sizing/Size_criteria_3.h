@@ -143,10 +143,9 @@ private:
   Largest largest_of_all_;
 };
 
-// How large cells and facets may be, in the sense of the criteria of the mesh generator: cells by their circumradii, as in each
-// subdomain of the input or as a field says; facets by the distances from their surface centers to their vertices, as in the
-// input. The distances to their circumcenters are not bounded: on an elephant of 1768 vertices, that takes 300 more and makes
-// cells worse.
+// How large cells and facets may be, much as by the criteria of the mesh generator: cells by their circumradii, as in each
+// subdomain of the input or as a field says; facets by theirs, as in the input, since files do not keep surface centers. The
+// distances of facets to the surface are not bounded: on an elephant of 1768 vertices, that takes 300 more and makes cells worse.
 class Size_criteria_3
 {
 public:
@@ -174,8 +173,7 @@ public:
         largest = (std::max)(largest, squared_circumradius(input.cell_sites(c)));
       }
     for(const Mesh_table_3::Facet& f : input.facets)
-      if(f.patch_of_center != Mesh_table_3::no_patch)
-        facet_radius_ = (std::max)(facet_radius_, facet_radius(input, f));
+      facet_radius_ = (std::max)(facet_radius_, facet_radius(input, f));
   }
 
   std::vector<Violation> violations(const Mesh_table_3& mesh) const
@@ -216,13 +214,11 @@ private:
     return {{ q[(f.index + 1) % 4], q[(f.index + 2) % 4], q[(f.index + 3) % 4] }};
   }
 
-  // To the nearest of its vertices, which differ if they have weights.
   static double facet_radius(const Mesh_table_3& m, const Mesh_table_3::Facet& f)
   {
-    double least = (std::numeric_limits<double>::infinity)();
-    for(int v : vertices(m, f))
-      least = (std::min)(least, std::sqrt(squared_distance(m.sites[v], f.center)));
-    return least;
+    const Triple t = vertices(m, f);
+    const Vector_3 a = position(m.sites[t[1]]) - position(m.sites[t[0]]), b = position(m.sites[t[2]]) - position(m.sites[t[0]]);
+    return a.length() * b.length() * (a - b).length() / (2 * a.cross(b).length());
   }
 
   double squared_bound(const Mesh_table_3& m, const Mesh_table_3::Cell& c) const
