@@ -76,6 +76,9 @@ struct Vertex_numbering_3
   // The patch of a vertex of dimension 2 in the input.
   int input_patch(int v) const { return input->patch(input_numbers[v]); }
 
+  // As the mesh has it: of those that are not, some stay for what is around them.
+  bool is_fixed(int v) const { return input->is_fixed(input_numbers[v]); }
+
   // Calls f(i) for the facets of a cell that have all vertices on the boundary; whether the cell has, too.
   template <class F>
   bool for_each_facet_on_boundary(const Quadruple& q, const F& f) const

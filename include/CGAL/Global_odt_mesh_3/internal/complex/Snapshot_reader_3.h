@@ -87,10 +87,10 @@ public:
     snapshot_.is_input = true;
   }
 
-  // Vertices of the interior move, unless a boundary facet touches them; those that surfaces run smoothly
-  // through move if `boundary_moves`.
   const Mesh_table_3& table() const { return table_; }
 
+  // Of the vertices that are not fixed, those of the interior move, unless a boundary facet touches them; those that
+  // surfaces run smoothly through move if `boundary_moves`.
   Complex_snapshot_3 read(Moving_triangulation_3& mesh, bool boundary_moves)
   {
     mesh = Moving_triangulation_3();
@@ -145,17 +145,16 @@ private:
   // those that move on surfaces, then the rest.
   void number_vertices(const Boundary_complex_3& boundary, const Indexed_triangulation_3& flat, bool boundary_moves)
   {
-    const auto has_dimension = [&](std::size_t v, int dimension)
-    { return table_.dimensions[v] == dimension && table_.sites[v].weight == 0; };
+    const auto may_move = [&](int v, int dimension) { return table_.dimensions[v] == dimension && !numbering_->input->is_fixed(v); };
     const auto is_interior = [&](std::size_t v)
     {
       const int n = static_cast<int>(v);
-      return has_dimension(v, 3) && flat.incident_cell(n) >= 0 && !boundary.has_facets(n);
+      return may_move(n, 3) && flat.incident_cell(n) >= 0 && !boundary.has_facets(n);
     };
     const auto slides = [&](std::size_t v)
     {
       const int n = static_cast<int>(v);
-      return has_dimension(v, 2) && boundary.number_of_umbrellas(n) == 1 && boundary.umbrella(n, 0).is_disk;
+      return may_move(n, 2) && boundary.number_of_umbrellas(n) == 1 && boundary.umbrella(n, 0).is_disk;
     };
     std::vector<std::size_t> order = hilbert_order(table_.sites);
     order.erase(std::remove_if(order.begin(), order.end(), [this](std::size_t v)

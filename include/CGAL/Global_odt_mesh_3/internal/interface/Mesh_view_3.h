@@ -135,6 +135,9 @@ public:
   // The patch of a vertex of dimension 2.
   virtual int patch(int vertex) const = 0;
 
+  // Whether a vertex stays, whatever surrounds it: on a feature or with a weight, or because the user wants it so.
+  virtual bool is_fixed(int vertex) const = 0;
+
   // Not to be asked by several threads, as CGAL marks cells while it looks.
   virtual bool is_cell(const Quadruple& vertices) const = 0;
 

@@ -93,7 +93,9 @@ public:
     for(std::size_t v = 0; v < radii.size(); ++v)
     {
       const Largest& largest = subdomain_[v] >= 0 ? largest_[subdomain_[v]] : largest_of_all_;
-      radii[v] *= largest.over_size;
+      // Without any vertex that moves, nothing is known.
+      if(largest.over_size > 0)
+        radii[v] *= largest.over_size;
       if(has_sizes_of_input_)
         radii[v] = (std::min)(radii[v], largest.length);
     }

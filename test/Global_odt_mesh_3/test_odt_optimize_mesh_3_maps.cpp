@@ -1,0 +1,336 @@
+// Copyright (c) 2026 The Global ODT Mesh authors.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+// What a property map says is to stay does, bit for bit, whatever else the call is to do; the rest of the mesh gets better,
+// and all that is promised holds.
+
+#include "mesh_contract.h"
+#include "mesh_domains.h"
+
+#include <CGAL/Mesh_quality_report_3.h>
+#include <CGAL/odt_optimize_mesh_3.h>
+#include <CGAL/property_map.h>
+#include <CGAL/remesh_boundary_mesh_3.h>
+#include <CGAL/remove_slivers_mesh_3.h>
+#include <CGAL/version.h>
+
+#include <boost/property_map/property_map.hpp>
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <functional>
+#include <map>
+#include <random>
+#include <set>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+namespace params = CGAL::parameters;
+
+static constexpr double surface = 4e-3;       // how far points of surfaces are from them, over the size of the mesh
+
+// A readable property map of a function, and no more than that.
+template <class Key>
+struct Map_of_function
+{
+  typedef Key key_type;
+  typedef bool value_type;
+  typedef bool reference;
+  typedef boost::readable_property_map_tag category;
+
+  std::function<bool(Key)> function;
+
+  friend bool get(const Map_of_function& map, const Key& key) { return map.function(key); }
+};
+
+// A vertex as it is before the call.
+template <class C3t3>
+struct Vertex_record
+{
+  typename C3t3::Vertex_handle vertex;
+  std::array<double, 4> point;
+  int dimension;
+  typename C3t3::Index index;
+
+  explicit Vertex_record(typename C3t3::Vertex_handle v)
+    : vertex(v), point(point_of(v)), dimension(v->in_dimension()), index(v->index())
+  {}
+
+  bool has_moved() const { return point_of(vertex) != point; }
+  bool is_the_same() const { return !has_moved() && vertex->in_dimension() == dimension && vertex->index() == index; }
+
+private:
+  static std::array<double, 4> point_of(typename C3t3::Vertex_handle v)
+  {
+    const auto& p = v->point();
+    return {{ p.point().x(), p.point().y(), p.point().z(), p.weight() }};
+  }
+};
+
+template <class C3t3>
+std::vector<Vertex_record<C3t3> > vertices_of(const C3t3& c3t3)
+{
+  std::vector<Vertex_record<C3t3> > result;
+  for(typename C3t3::Vertex_handle v : c3t3.triangulation().finite_vertex_handles())
+    result.emplace_back(v);
+  return result;
+}
+
+// How many vertices have moved. Those that are `kept` must not have, and must be there.
+template <class C3t3, class Kept>
+int check_kept(const std::string& name, const C3t3& c3t3, const std::vector<Vertex_record<C3t3> >& before, const Kept& kept)
+{
+  std::set<typename C3t3::Vertex_handle> present;
+  for(typename C3t3::Vertex_handle v : c3t3.triangulation().finite_vertex_handles())
+    present.insert(v);
+  int lost = 0, changed = 0, moved = 0;
+  for(const Vertex_record<C3t3>& v : before)
+  {
+    const bool is_present = present.count(v.vertex) > 0;
+    moved += is_present && v.has_moved();
+    if(!kept(v.vertex))
+      continue;
+    lost += !is_present;
+    changed += is_present && !v.is_the_same();
+  }
+  check::that(lost == 0, name, ": ", lost, " vertices that were to stay have been removed");
+  check::that(changed == 0, name, ": ", changed, " vertices that were to stay have moved, or their dimension or index has changed");
+  return moved;
+}
+
+// Some vertices, each with the same probability.
+template <class C3t3>
+std::set<typename C3t3::Vertex_handle> some_vertices(const C3t3& c3t3, double share, unsigned int seed)
+{
+  std::mt19937 random(seed);
+  std::set<typename C3t3::Vertex_handle> result;
+  for(typename C3t3::Vertex_handle v : c3t3.triangulation().finite_vertex_handles())
+    if(std::uniform_real_distribution<double>(0, 1)(random) < share)
+      result.insert(v);
+  return result;
+}
+
+// What a call may do to the number of vertices.
+enum class Numbers { STAY, GROW, CHANGE };
+
+// Calls the function on copies of the mesh, in which a share of the vertices is to stay.
+template <class C3t3, class Domain, class Call>
+void check_random_vertices(const std::string& name, const C3t3& input, const Domain& domain, Numbers numbers, const Call& call)
+{
+  unsigned int seed = 0;
+  for(double share : { 0.05, 0.5, 0.95 })
+  {
+    const std::string n = name + ", " + std::to_string(share) + " of the vertices stay";
+    Mesh_contract<C3t3, Domain> contract(input, domain, n);
+    contract.permit(numbers != Numbers::STAY, numbers == Numbers::CHANGE);
+    C3t3 c3t3(input);
+    std::set<typename C3t3::Vertex_handle> kept = some_vertices(c3t3, share, seed++);
+    const auto before = vertices_of(c3t3);
+    call(c3t3, CGAL::Boolean_property_map<std::set<typename C3t3::Vertex_handle> >(kept));
+    const int moved = check_kept(n, c3t3, before, [&kept](typename C3t3::Vertex_handle v) { return kept.count(v) > 0; });
+    check::that(moved > 0 || share > 0.9, n, ": no vertex has moved");
+    contract.check_moved(c3t3, surface, 20);
+  }
+}
+
+template <class C3t3, class Domain>
+void check_random_vertices(const std::string& name, const C3t3& input, const Domain& domain)
+{
+  const auto check = [&](const char* what, Numbers numbers, const auto& call)
+  { check_random_vertices(name + ", " + what, input, domain, numbers, call); };
+  check("all", Numbers::STAY, [&](C3t3& c, const auto& map)
+        { CGAL::odt_optimize_mesh_3(c, domain, params::number_of_rounds = 1, params::vertex_is_constrained_map(map)); });
+  check("the interior", Numbers::STAY, [&](C3t3& c, const auto& map)
+        { CGAL::odt_optimize_mesh_3(c, domain, params::number_of_rounds = 0, params::optimize_boundary = false,
+                                    params::vertex_is_constrained_map(map)); });
+  check("insertion", Numbers::GROW, [&](C3t3& c, const auto& map)
+        { CGAL::odt_optimize_mesh_3(c, domain, params::number_of_rounds = 0, params::do_insert_vertices = true,
+                                    params::vertex_is_constrained_map(map)); });
+  check("insertion and removal", Numbers::CHANGE, [&](C3t3& c, const auto& map)
+        { CGAL::odt_optimize_mesh_3(c, domain, params::number_of_rounds = 0, params::do_insert_vertices = true,
+                                    params::do_remove_vertices = true, params::vertex_is_constrained_map(map)); });
+  check("fewer vertices", Numbers::CHANGE, [&](C3t3& c, const auto& map)
+        { CGAL::odt_optimize_mesh_3(c, domain, params::number_of_rounds = 0, params::do_insert_vertices = true,
+                                    params::do_remove_vertices = true, params::vertex_is_constrained_map(map),
+                                    params::number_of_vertices = c.triangulation().number_of_vertices() * 9 / 10); });
+  check("the surface", Numbers::STAY, [&](C3t3& c, const auto& map)
+        { CGAL::remesh_boundary_mesh_3(c, domain, params::max_iteration_number = 100, params::vertex_is_constrained_map(map)); });
+  check("slivers", Numbers::STAY, [&](C3t3& c, const auto& map)
+        { CGAL::remove_slivers_mesh_3(c, domain, params::vertex_is_constrained_map(map)); });
+}
+
+// All vertices stay, or all but one.
+template <class C3t3, class Domain>
+void check_most_vertices(const std::string& name, const C3t3& input, const Domain& domain)
+{
+  typedef typename C3t3::Vertex_handle Vertex_handle;
+  const Mesh_contract<C3t3, Domain> contract(input, domain, name + ", all vertices stay");
+  const CGAL::Constant_property_map<Vertex_handle, bool> all(true);
+  C3t3 c3t3(input);
+  int calls = 0;
+  const auto count = [&calls](double) { ++calls; return true; };
+  check::that(CGAL::odt_optimize_mesh_3(c3t3, domain, params::vertex_is_constrained_map(all), params::callback(count))
+                == CGAL::ALL_VERTICES_FROZEN,
+              name, ": vertices that are to stay are not frozen");
+  check::that(CGAL::remesh_boundary_mesh_3(c3t3, domain, params::vertex_is_constrained_map(all), params::callback(count))
+                == CGAL::CONVERGENCE_REACHED,
+              name, ": a surface that is to stay has not converged");
+  check::that(CGAL::remove_slivers_mesh_3(c3t3, domain, params::vertex_is_constrained_map(all), params::callback(count))
+                == CGAL::CONVERGENCE_REACHED,
+              name, ": slivers that are to stay are looked for");
+  check::that(calls == 0, name, ": there are iterations though all vertices are to stay");
+  CGAL::odt_optimize_mesh_3(c3t3, domain, params::do_remove_vertices = true, params::vertex_is_constrained_map(all));
+  contract.check_untouched(c3t3);
+
+  for(unsigned int seed = 0; seed < 4; ++seed)
+  {
+    const std::string n = name + ", all vertices stay but one";
+    const Mesh_contract<C3t3, Domain> contract_of_one(input, domain, n);
+    C3t3 copy(input);
+    const auto before = vertices_of(copy);
+    // Any, but one of the surface first.
+    std::mt19937 random(seed);
+    Vertex_handle one;
+    do
+      one = before[random() % before.size()].vertex;
+    while(seed == 0 && one->in_dimension() != 2);
+    const Map_of_function<Vertex_handle> others{ [one](Vertex_handle v) { return v != one; } };
+    CGAL::odt_optimize_mesh_3(copy, domain, params::number_of_rounds = 1, params::random_seed(seed),
+                              params::vertex_is_constrained_map(others));
+    check_kept(n, copy, before, others.function);
+    contract_of_one.check_moved(copy, surface, 20);
+  }
+}
+
+// Maps of several kinds that say the same, and one that says nothing.
+static void check_kinds_of_maps(const domains::Labeled_c3t3& input, const domains::Labeled_domain& domain)
+{
+  using domains::Labeled_c3t3;
+  typedef Labeled_c3t3::Vertex_handle Vertex_handle;
+  typedef Mesh_contract<Labeled_c3t3, domains::Labeled_domain> Contract;
+  const auto optimize = [&](Labeled_c3t3& c, const auto&... parameters)
+  { CGAL::odt_optimize_mesh_3(c, domain, params::number_of_rounds = 1, parameters...); };
+  const auto is_kept = [](Vertex_handle v) { return v->point().point().x() > 0; };
+  std::vector<Contract> expected;
+  const auto check = [&](const char* what, const Labeled_c3t3& c)
+  {
+    if(expected.empty())
+      expected.emplace_back(c, domain, "another kind of map");
+    expected.back().check_untouched(c);
+    check::that(!c.triangulation().finite_vertex_handles().empty(), what);
+  };
+
+  Labeled_c3t3 c(input);
+  int questions = 0;
+  Map_of_function<Vertex_handle> function{ [&](Vertex_handle v) { ++questions; return is_kept(v); } };
+  optimize(c, params::vertex_is_constrained_map(function));
+  check::that(questions == static_cast<int>(input.triangulation().number_of_vertices()), "the map was asked ", questions, " times");
+  check("a function", c);
+
+  Labeled_c3t3 d(input);
+  std::map<Vertex_handle, bool> values;
+  for(Vertex_handle v : d.triangulation().finite_vertex_handles())
+    values[v] = is_kept(v);
+  optimize(d, params::vertex_is_constrained_map(boost::associative_property_map<std::map<Vertex_handle, bool> >(values)));
+  check("values", d);
+  Labeled_c3t3 e(input);
+  values.clear();
+  for(Vertex_handle v : e.triangulation().finite_vertex_handles())
+    values[v] = is_kept(v);
+  const auto constant_values = boost::make_assoc_property_map(const_cast<const std::map<Vertex_handle, bool>&>(values));
+  optimize(e, params::vertex_is_constrained_map(constant_values));
+  check("constant values", e);
+#if CGAL_VERSION_NR >= 1050600000
+  Labeled_c3t3 f(input);
+  CGAL::odt_optimize_mesh_3(f, domain, params::number_of_rounds(1).vertex_is_constrained_map(function));
+  check("a chain", f);
+#endif
+
+  Labeled_c3t3 free(input), unconstrained(input);
+  optimize(free);
+  optimize(unconstrained, params::vertex_is_constrained_map(CGAL::Constant_property_map<Vertex_handle, bool>(false)));
+  Contract(free, domain, "a map that constrains no vertex").check_untouched(unconstrained);
+}
+
+// The exception comes, and the mesh is as it was.
+template <class C3t3, class Domain>
+void check_exceptions(const std::string& name, const C3t3& input, const Domain& domain)
+{
+  typedef typename C3t3::Vertex_handle Vertex_handle;
+  const Mesh_contract<C3t3, Domain> contract(input, domain, name + ", the map throws");
+  const auto check = [&](const auto& call)
+  {
+    C3t3 c3t3(input);
+    std::size_t n = 0;
+    const Map_of_function<Vertex_handle> map{ [&](Vertex_handle)
+    {
+      if(++n == input.triangulation().number_of_vertices())
+        throw std::runtime_error("no value");
+      return false;
+    } };
+    bool thrown = false;
+    try { call(c3t3, map); }
+    catch(const std::runtime_error&) { thrown = true; }
+    check::that(thrown, name, ": the exception of the map does not come");
+    contract.check_untouched(c3t3);
+  };
+  check([&](C3t3& c, const auto& map) { CGAL::odt_optimize_mesh_3(c, domain, params::vertex_is_constrained_map(map)); });
+  check([&](C3t3& c, const auto& map) { CGAL::odt_optimize_mesh_3(c, domain, params::do_insert_vertices = true,
+                                                                  params::vertex_is_constrained_map(map)); });
+  check([&](C3t3& c, const auto& map) { CGAL::remesh_boundary_mesh_3(c, domain, params::vertex_is_constrained_map(map)); });
+  check([&](C3t3& c, const auto& map) { CGAL::remove_slivers_mesh_3(c, domain, params::vertex_is_constrained_map(map)); });
+}
+
+// The vertices of two subdomains stay, and the cells of the third get better.
+static void check_subdomains(const domains::Labeled_c3t3& input, const domains::Labeled_domain& domain)
+{
+  using domains::Labeled_c3t3;
+  typedef Labeled_c3t3::Vertex_handle Vertex_handle;
+  Labeled_c3t3 c3t3(input);
+  std::set<Vertex_handle> kept;
+  for(auto c = c3t3.cells_in_complex_begin(); c != c3t3.cells_in_complex_end(); ++c)
+    for(int i = 0; i < 4; ++i)
+      if(c3t3.subdomain_index(c) != 3)
+        kept.insert(c->vertex(i));
+  const auto before = vertices_of(c3t3);
+  const auto radius_ratio = [](const Labeled_c3t3& c)
+  {
+    Labeled_c3t3 third(c);
+    std::vector<Labeled_c3t3::Cell_handle> others;
+    for(auto cell = third.cells_in_complex_begin(); cell != third.cells_in_complex_end(); ++cell)
+      if(third.subdomain_index(cell) != 3)
+        others.push_back(cell);
+    for(Labeled_c3t3::Cell_handle cell : others)
+      third.remove_from_complex(cell);
+    return CGAL::mesh_quality_report_3(third).mean_radius_ratio;
+  };
+  CGAL::odt_optimize_mesh_3(c3t3, domain, params::vertex_is_constrained_map(CGAL::Boolean_property_map<std::set<Vertex_handle> >(kept)));
+  check_kept("two subdomains stay", c3t3, before, [&kept](Vertex_handle v) { return kept.count(v) > 0; });
+  check::that(radius_ratio(c3t3) > radius_ratio(input) + 0.05, "the cells of the third subdomain have a mean 3r/R of ",
+              radius_ratio(c3t3), ", before ", radius_ratio(input));
+}
+
+int main()
+{
+  const domains::Labeled_domain sphere = domains::sphere(), three = domains::three_subdomains();
+  const domains::Labeled_c3t3 ball = domains::mesh(sphere, 0.25), parts = domains::mesh(three, 0.13);
+  domains::Polyhedral_domain box(domains::notched_box());
+  box.detect_features();
+  const domains::Polyhedral_c3t3 part = domains::mesh(box, 0.4, true);
+
+  check_random_vertices("ball", ball, sphere);
+  check_random_vertices("three subdomains", parts, three);
+  check_random_vertices("box", part, box);
+  check_most_vertices("ball", ball, sphere);
+  check_most_vertices("three subdomains", parts, three);
+  check_most_vertices("box", part, box);
+  check_kinds_of_maps(ball, sphere);
+  check_exceptions("ball", ball, sphere);
+  check_exceptions("box", part, box);
+  check_subdomains(parts, three);
+  return check::result();
+}
