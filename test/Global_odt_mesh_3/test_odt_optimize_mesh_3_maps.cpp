@@ -9,6 +9,7 @@
 #include "mesh_contract.h"
 #include "mesh_domains.h"
 
+#include <CGAL/Kernel/global_functions.h>
 #include <CGAL/Mesh_quality_report_3.h>
 #include <CGAL/odt_optimize_mesh_3.h>
 #include <CGAL/property_map.h>
@@ -20,8 +21,10 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstddef>
 #include <functional>
+#include <iostream>
 #include <map>
 #include <random>
 #include <set>
@@ -102,6 +105,46 @@ int check_kept(const std::string& name, const C3t3& c3t3, const std::vector<Vert
   return moved;
 }
 
+// A cell of the complex as it is before the call, with its facets.
+template <class C3t3>
+class Cell_record
+{
+  typedef typename C3t3::Cell_handle Cell_handle;
+  typedef typename C3t3::Vertex_handle Vertex_handle;
+
+public:
+  Cell_record(const C3t3& c3t3, Cell_handle c)
+    : label_(c3t3.subdomain_index(c))
+  {
+    for(int i = 0; i < 4; ++i)
+    {
+      vertices_[i] = c->vertex(i);
+      patches_[i] = c3t3.surface_patch_index(c, i);
+      beyond_[i] = c3t3.subdomain_index(c->neighbor(i));
+    }
+  }
+
+  bool is_there(const C3t3& c3t3) const
+  {
+    Cell_handle c;
+    if(!c3t3.triangulation().is_cell(vertices_[0], vertices_[1], vertices_[2], vertices_[3], c) || !(c3t3.subdomain_index(c) == label_))
+      return false;
+    for(int i = 0; i < 4; ++i)
+    {
+      const int n = c->index(vertices_[i]);
+      if(!(c3t3.surface_patch_index(c, n) == patches_[i]) || !(c3t3.subdomain_index(c->neighbor(n)) == beyond_[i]))
+        return false;
+    }
+    return true;
+  }
+
+private:
+  typename C3t3::Subdomain_index label_;
+  std::array<Vertex_handle, 4> vertices_;
+  std::array<typename C3t3::Surface_patch_index, 4> patches_;         // of the facets opposite to them
+  std::array<typename C3t3::Subdomain_index, 4> beyond_;
+};
+
 // Some vertices, each with the same probability.
 template <class C3t3>
 std::set<typename C3t3::Vertex_handle> some_vertices(const C3t3& c3t3, double share, unsigned int seed)
@@ -130,37 +173,86 @@ void check_random_vertices(const std::string& name, const C3t3& input, const Dom
     C3t3 c3t3(input);
     std::set<typename C3t3::Vertex_handle> kept = some_vertices(c3t3, share, seed++);
     const auto before = vertices_of(c3t3);
-    call(c3t3, CGAL::Boolean_property_map<std::set<typename C3t3::Vertex_handle> >(kept));
+    call(c3t3, params::vertex_is_constrained_map(CGAL::Boolean_property_map<std::set<typename C3t3::Vertex_handle> >(kept)));
     const int moved = check_kept(n, c3t3, before, [&kept](typename C3t3::Vertex_handle v) { return kept.count(v) > 0; });
     check::that(moved > 0 || share > 0.9, n, ": no vertex has moved");
     contract.check_moved(c3t3, surface, 20);
   }
 }
 
+// Calls check(what, numbers, call) for calls of all kinds, `call(c3t3, parameter)` each.
+template <class C3t3, class Domain, class Check>
+void for_each_call(const Domain& domain, const Check& check)
+{
+  check("all", Numbers::STAY, [&](C3t3& c, const auto& parameter)
+        { CGAL::odt_optimize_mesh_3(c, domain, params::number_of_rounds = 1, parameter); });
+  check("the interior", Numbers::STAY, [&](C3t3& c, const auto& parameter)
+        { CGAL::odt_optimize_mesh_3(c, domain, params::number_of_rounds = 0, params::optimize_boundary = false,
+                                    parameter); });
+  check("insertion", Numbers::GROW, [&](C3t3& c, const auto& parameter)
+        { CGAL::odt_optimize_mesh_3(c, domain, params::number_of_rounds = 0, params::do_insert_vertices = true,
+                                    parameter); });
+  check("insertion and removal", Numbers::CHANGE, [&](C3t3& c, const auto& parameter)
+        { CGAL::odt_optimize_mesh_3(c, domain, params::number_of_rounds = 0, params::do_insert_vertices = true,
+                                    params::do_remove_vertices = true, parameter); });
+  check("fewer vertices", Numbers::CHANGE, [&](C3t3& c, const auto& parameter)
+        { CGAL::odt_optimize_mesh_3(c, domain, params::number_of_rounds = 0, params::do_insert_vertices = true,
+                                    params::do_remove_vertices = true, parameter,
+                                    params::number_of_vertices = c.triangulation().number_of_vertices() * 9 / 10); });
+  check("the surface", Numbers::STAY, [&](C3t3& c, const auto& parameter)
+        { CGAL::remesh_boundary_mesh_3(c, domain, params::max_iteration_number = 100, parameter); });
+  check("slivers", Numbers::STAY, [&](C3t3& c, const auto& parameter)
+        { CGAL::remove_slivers_mesh_3(c, domain, parameter); });
+}
+
 template <class C3t3, class Domain>
 void check_random_vertices(const std::string& name, const C3t3& input, const Domain& domain)
 {
-  const auto check = [&](const char* what, Numbers numbers, const auto& call)
-  { check_random_vertices(name + ", " + what, input, domain, numbers, call); };
-  check("all", Numbers::STAY, [&](C3t3& c, const auto& map)
-        { CGAL::odt_optimize_mesh_3(c, domain, params::number_of_rounds = 1, params::vertex_is_constrained_map(map)); });
-  check("the interior", Numbers::STAY, [&](C3t3& c, const auto& map)
-        { CGAL::odt_optimize_mesh_3(c, domain, params::number_of_rounds = 0, params::optimize_boundary = false,
-                                    params::vertex_is_constrained_map(map)); });
-  check("insertion", Numbers::GROW, [&](C3t3& c, const auto& map)
-        { CGAL::odt_optimize_mesh_3(c, domain, params::number_of_rounds = 0, params::do_insert_vertices = true,
-                                    params::vertex_is_constrained_map(map)); });
-  check("insertion and removal", Numbers::CHANGE, [&](C3t3& c, const auto& map)
-        { CGAL::odt_optimize_mesh_3(c, domain, params::number_of_rounds = 0, params::do_insert_vertices = true,
-                                    params::do_remove_vertices = true, params::vertex_is_constrained_map(map)); });
-  check("fewer vertices", Numbers::CHANGE, [&](C3t3& c, const auto& map)
-        { CGAL::odt_optimize_mesh_3(c, domain, params::number_of_rounds = 0, params::do_insert_vertices = true,
-                                    params::do_remove_vertices = true, params::vertex_is_constrained_map(map),
-                                    params::number_of_vertices = c.triangulation().number_of_vertices() * 9 / 10); });
-  check("the surface", Numbers::STAY, [&](C3t3& c, const auto& map)
-        { CGAL::remesh_boundary_mesh_3(c, domain, params::max_iteration_number = 100, params::vertex_is_constrained_map(map)); });
-  check("slivers", Numbers::STAY, [&](C3t3& c, const auto& map)
-        { CGAL::remove_slivers_mesh_3(c, domain, params::vertex_is_constrained_map(map)); });
+  for_each_call<C3t3>(domain, [&](const char* what, Numbers numbers, const auto& call)
+                      { check_random_vertices(name + ", " + what, input, domain, numbers, call); });
+}
+
+// The same for cells of which those in a half space are selected, and perhaps a share of the others, or of all.
+template <class C3t3, class Domain, class Call>
+void check_cells(const std::string& name, const C3t3& input, const Domain& domain, Numbers numbers, double x, double share,
+                 const Call& call)
+{
+  typedef typename C3t3::Vertex_handle Vertex_handle;
+  typedef typename C3t3::Cell_handle Cell_handle;
+  Mesh_contract<C3t3, Domain> contract(input, domain, name);
+  contract.permit(numbers != Numbers::STAY, numbers == Numbers::CHANGE);
+  C3t3 c3t3(input);
+  std::mt19937 random(1);
+  std::set<Cell_handle> selected;
+  std::set<Vertex_handle> kept;
+  std::vector<Cell_record<C3t3> > kept_cells;
+  for(auto c = c3t3.cells_in_complex_begin(); c != c3t3.cells_in_complex_end(); ++c)
+    if(CGAL::centroid(c3t3.triangulation().tetrahedron(c)).x() > x && std::uniform_real_distribution<double>(0, 1)(random) < share)
+      selected.insert(c);
+    else
+    {
+      kept_cells.emplace_back(c3t3, c);
+      for(int i = 0; i < 4; ++i)
+        kept.insert(c->vertex(i));
+    }
+  const auto before = vertices_of(c3t3);
+  call(c3t3, params::cell_is_selected_map(CGAL::Boolean_property_map<std::set<Cell_handle> >(selected)));
+  const int moved = check_kept(name, c3t3, before, [&kept](Vertex_handle v) { return kept.count(v) > 0; });
+  check::that(moved > 0, name, ": no vertex has moved");
+  const auto gone = std::count_if(kept_cells.begin(), kept_cells.end(), [&](const Cell_record<C3t3>& c) { return !c.is_there(c3t3); });
+  check::that(gone == 0, name, ": ", gone, " of ", kept_cells.size(), " cells that were to stay, or their facets, have changed");
+  contract.check_moved(c3t3, surface, 20);
+}
+
+// The cells to the left of a plane stay, or some everywhere.
+template <class C3t3, class Domain>
+void check_cells(const std::string& name, const C3t3& input, const Domain& domain, double x)
+{
+  for_each_call<C3t3>(domain, [&](const char* what, Numbers numbers, const auto& call)
+  {
+    check_cells(name + ", half of the cells stay, " + what, input, domain, numbers, x, 1, call);
+    check_cells(name + ", some cells stay, " + what, input, domain, numbers, -100, 0.99, call);
+  });
 }
 
 // All vertices stay, or all but one.
@@ -285,6 +377,41 @@ void check_exceptions(const std::string& name, const C3t3& input, const Domain& 
   check([&](C3t3& c, const auto& map) { CGAL::remove_slivers_mesh_3(c, domain, params::vertex_is_constrained_map(map)); });
 }
 
+// A ball in a box, of which the cells of the box stay.
+static void check_ball_in_box()
+{
+  using domains::Labeled_c3t3;
+  typedef Labeled_c3t3::Cell_handle Cell_handle;
+  const domains::Labeled_domain domain = domains::labeled([](const domains::Point_3& p)
+  {
+    if((std::max)({ std::abs(p.x()), std::abs(p.y()), std::abs(p.z()) }) > 0.8)
+      return 0;
+    return domains::squared(p) < 0.25 ? 1 : 2;
+  });
+  Labeled_c3t3 c3t3 = domains::mesh(domain, 0.1);
+  Mesh_contract<Labeled_c3t3, domains::Labeled_domain> contract(c3t3, domain, "ball in a box");
+  std::vector<Cell_record<Labeled_c3t3> > kept_cells;
+  for(auto c = c3t3.cells_in_complex_begin(); c != c3t3.cells_in_complex_end(); ++c)
+    if(c3t3.subdomain_index(c) == 2)
+      kept_cells.emplace_back(c3t3, c);
+  const Map_of_function<Cell_handle> is_in_ball{ [](Cell_handle c) { return c->subdomain_index() == 1; } };
+  CGAL::odt_optimize_mesh_3(c3t3, domain, params::cell_is_selected_map(is_in_ball));
+  const auto gone = std::count_if(kept_cells.begin(), kept_cells.end(), [&](const auto& c) { return !c.is_there(c3t3); });
+  check::that(gone == 0, "ball in a box: ", gone, " of ", kept_cells.size(), " cells of the box have changed");
+  contract.check(c3t3);
+  std::vector<Cell_handle> box;
+  for(auto c = c3t3.cells_in_complex_begin(); c != c3t3.cells_in_complex_end(); ++c)
+    if(c3t3.subdomain_index(c) == 2)
+      box.push_back(c);
+  for(Cell_handle c : box)
+    c3t3.remove_from_complex(c);
+  const CGAL::Mesh_quality_report_3 ball = CGAL::mesh_quality_report_3(c3t3);
+  std::cout << "ball in a box: " << ball.number_of_cells << " cells in the ball, smallest angle " << ball.smallest_angle << ", mean 3r/R "
+            << ball.mean_radius_ratio << std::endl;
+  check::that(ball.smallest_angle > 30 && ball.mean_radius_ratio > 0.85, "ball in a box: the ball has an angle of ", ball.smallest_angle,
+              " degrees, and a mean 3r/R of ", ball.mean_radius_ratio);
+}
+
 // The vertices of two subdomains stay, and the cells of the third get better.
 static void check_subdomains(const domains::Labeled_c3t3& input, const domains::Labeled_domain& domain)
 {
@@ -325,6 +452,10 @@ int main()
   check_random_vertices("ball", ball, sphere);
   check_random_vertices("three subdomains", parts, three);
   check_random_vertices("box", part, box);
+  check_cells("ball", ball, sphere, 0.);
+  check_cells("three subdomains", parts, three, 0.1);
+  check_cells("box", part, box, 1.);
+  check_ball_in_box();
   check_most_vertices("ball", ball, sphere);
   check_most_vertices("three subdomains", parts, three);
   check_most_vertices("box", part, box);

@@ -327,14 +327,16 @@ private:
   }
 
   // Whether the change is less than `most` if cells of which only the domain knows the subdomain are where that is seen from
-  // their vertices or, if it is not, outside.
+  // their vertices or, if it is not, outside; and no cell goes that is kept.
   bool promises(double most)
   {
     before_ = after_ = Sliver_count();
     double guessed = 0;
     doubts_.clear();
     for(Cell* c : cavity_.old_cells())
-      if(is_inside(c->label))
+      if(complex_.numbering.is_kept(c->vertices))
+        return false;
+      else if(is_inside(c->label))
         before_.add(lack(*c), goal_.steps());
     const std::vector<Cell*>& cells = cavity_.new_cells();
     for(std::size_t n = 0; n < cells.size(); ++n)

@@ -78,6 +78,7 @@ public:
     for(std::size_t n = 0; n < cells.size(); ++n)
     {
       table.cells[n].label = domain_.number_subdomain(cells[n]->subdomain_index());
+      table.cells[n].is_kept = constraints_.has_cell(n);
       for(int i = 0; i < 4; ++i)
         if(cells[n]->is_facet_on_surface(i))
         {
@@ -91,7 +92,7 @@ public:
   bool is_fixed(int vertex) const override
   {
     const Vertex_handle v = vertices_[vertex];
-    return v->in_dimension() < 2 || weighted_site(v->point()).weight != 0 || constraints_.has_vertex(vertex);
+    return v->in_dimension() < 2 || weighted_site(v->point()).weight != 0 || constraints_.has_vertex(static_cast<std::size_t>(vertex));
   }
 
   int patch(int vertex) const override { return domain_.patch_at(vertices_[vertex]->index()); }

@@ -164,7 +164,8 @@ using Optimization_parameters = std::conditional_t<
                  tags::sizing_field, internal_np::density_t,
                  internal_np::quadrature_t, internal_np::annealing_schedule_t, internal_np::number_of_rounds_t,
                  internal_np::optimize_boundary_t, internal_np::surface_weight_t, internal_np::domain_is_thread_safe_t,
-                 internal_np::random_seed_t, internal_np::vertex_is_constrained_t, internal_np::callback_t, internal_np::visitor_t> >;
+                 internal_np::random_seed_t, internal_np::vertex_is_constrained_t, internal_np::cell_selector_t,
+                 internal_np::callback_t, internal_np::visitor_t> >;
 
 template <class T>
 T& unwrap(T& t) { return t; }

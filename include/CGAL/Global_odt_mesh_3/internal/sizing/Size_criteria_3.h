@@ -173,7 +173,7 @@ public:
       if(c.label != Domain_view_3::outside)
       {
         double& largest = squared_circumradius_[c.label];
-        largest = (std::max)(largest, squared_circumradius(input.cell_sites(c)));
+        largest = (std::max)(largest, squared_circumradius(input.cell_sites(c.vertices)));
       }
     for(const Mesh_table_3::Facet& f : input.facets)
       if(f.patch_of_center != Mesh_table_3::no_patch)
@@ -191,7 +191,7 @@ public:
     for(const Mesh_table_3::Cell& c : mesh.cells)
       if(c.label != Domain_view_3::outside)
       {
-        const double excess = std::sqrt(squared_circumradius(mesh.cell_sites(c)) / squared_bound(mesh, c));
+        const double excess = std::sqrt(squared_circumradius(mesh.cell_sites(c.vertices)) / squared_bound(mesh, c));
         add(excess, { excess, c.vertices });
       }
     for(const Mesh_table_3::Facet& f : mesh.facets)
@@ -233,7 +233,7 @@ private:
       return squared_circumradius_.at(c.label);
     // Its circumcenter, where the mesh generator asks, may be outside of the domain.
     Vector_3 centroid;
-    for(const Site& s : m.cell_sites(c))
+    for(const Site& s : m.cell_sites(c.vertices))
       centroid += position(s) / 4;
     const double size = field_.value(Vertex_stratum::inside(c.label), site_at(centroid, 0));
     return size * size;
