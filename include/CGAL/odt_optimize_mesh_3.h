@@ -233,6 +233,15 @@ version of %CGAL in use accepts: `parameters::time_limit = 10, parameters::do_fr
     \cgalParamDefault{a constant property map that is `false` for all vertices}
     \cgalParamExtra{It is spelled `parameters::vertex_is_constrained_map(m)` and copied.}
   \cgalParamNEnd
+  \cgalParamNBegin{cell_is_selected_map}
+    \cgalParamDescription{a property map that is `true` for the cells of the complex that may change. All others stay, with their facets and
+                          vertices: a vertex moves only if all cells of the complex around it are selected, and vertices are inserted in selected
+                          cells only. The map is read once, like the one above. Angles of cells that are not selected do not count for what the
+                          call may do to the mesh, but for its return code.}
+    \cgalParamType{a class model of `ReadablePropertyMap` with `C3T3::Cell_handle` as key type and `bool` as value type}
+    \cgalParamDefault{a constant property map that is `true` for all cells}
+    \cgalParamExtra{It is spelled `parameters::cell_is_selected_map(m)` and copied. Also of cells that stay, handles do not remain valid.}
+  \cgalParamNEnd
   \cgalParamNBegin{callback}
     \cgalParamDescription{a functor called before every iteration, and while slivers are removed and vertices are inserted or
                           removed, with the fraction done, which never falls, and need not reach 1; when it returns `false` the process stops with

@@ -88,6 +88,11 @@ The guarantees are those of `odt_optimize_mesh_3()`, also if the domain, a prope
     \cgalParamType{a class model of `ReadablePropertyMap` with `C3T3::Vertex_handle` as key type and `bool` as value type}
     \cgalParamDefault{a constant property map that is `false` for all vertices}
   \cgalParamNEnd
+  \cgalParamNBegin{cell_is_selected_map}
+    \cgalParamDescription{as for `odt_optimize_mesh_3()`}
+    \cgalParamType{a class model of `ReadablePropertyMap` with `C3T3::Cell_handle` as key type and `bool` as value type}
+    \cgalParamDefault{a constant property map that is `true` for all cells}
+  \cgalParamNEnd
   \cgalParamNBegin{callback}
     \cgalParamDescription{a functor called before every round with the fraction done; when it returns `false` the
                           process stops with the mesh found so far}
