@@ -236,8 +236,8 @@ version of %CGAL in use accepts: `parameters::time_limit = 10, parameters::do_fr
   \cgalParamNBegin{cell_is_selected_map}
     \cgalParamDescription{a property map that is `true` for the cells of the complex that may change. All others stay, with their facets and
                           vertices: a vertex moves only if all cells of the complex around it are selected, and vertices are inserted in selected
-                          cells only. The map is read once, like the one above. Angles of cells that are not selected do not count for what the
-                          call may do to the mesh, but for its return code.}
+                          cells only. The map is read once, like the one above. The angles that may not become smaller are those of selected cells,
+                          while cells below `sliver_bound`, of which the return code tells, may be any.}
     \cgalParamType{a class model of `ReadablePropertyMap` with `C3T3::Cell_handle` as key type and `bool` as value type}
     \cgalParamDefault{a constant property map that is `true` for all cells}
     \cgalParamExtra{It is spelled `parameters::cell_is_selected_map(m)` and copied. Also of cells that stay, handles do not remain valid.}

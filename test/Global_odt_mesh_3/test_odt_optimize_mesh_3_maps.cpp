@@ -172,6 +172,15 @@ std::set<typename C3t3::Vertex_handle> some_vertices(const C3t3& c3t3, double sh
 // What a call may do to the number of vertices.
 enum class Numbers { STAY, GROW, CHANGE };
 
+// What calls that change numbers of vertices may make of these.
+static constexpr double fewer_vertices = 0.9;
+
+template <class C3t3, class Domain>
+void permit(Numbers numbers, Mesh_contract<C3t3, Domain>& contract)
+{
+  contract.permit(numbers != Numbers::STAY, numbers == Numbers::CHANGE, numbers == Numbers::CHANGE ? 1 / fewer_vertices : 1);
+}
+
 // Calls the function on copies of the mesh, in which a share of the vertices is to stay.
 template <class C3t3, class Domain, class Call>
 void check_random_vertices(const std::string& name, const C3t3& input, const Domain& domain, Numbers numbers, const Call& call)
@@ -181,7 +190,7 @@ void check_random_vertices(const std::string& name, const C3t3& input, const Dom
   {
     const std::string n = name + ", " + std::to_string(share) + " of the vertices stay";
     Mesh_contract<C3t3, Domain> contract(input, domain, n);
-    contract.permit(numbers != Numbers::STAY, numbers == Numbers::CHANGE);
+    permit(numbers, contract);
     C3t3 c3t3(input);
     std::set<typename C3t3::Vertex_handle> kept = some_vertices(c3t3, share, seed++);
     const auto before = vertices_of(c3t3);
@@ -193,7 +202,7 @@ void check_random_vertices(const std::string& name, const C3t3& input, const Dom
     if(share != 0.5)
       continue;
     Mesh_contract<C3t3, Domain> second_contract(c3t3, domain, n + ", a second call");
-    second_contract.permit(numbers != Numbers::STAY, numbers == Numbers::CHANGE);
+    permit(numbers, second_contract);
     call(c3t3, params::vertex_is_constrained_map(CGAL::Boolean_property_map<std::set<typename C3t3::Vertex_handle> >(kept)));
     check_kept(n, c3t3, before, is_kept);
     second_contract.check_moved(c3t3, surface, 20);
@@ -218,7 +227,7 @@ void for_each_call(const Domain& domain, const Check& check)
   check("fewer vertices", Numbers::CHANGE, [&](C3t3& c, const auto& parameter)
         { CGAL::odt_optimize_mesh_3(c, domain, params::number_of_rounds = 0, params::do_insert_vertices = true,
                                     params::do_remove_vertices = true, parameter,
-                                    params::number_of_vertices = c.triangulation().number_of_vertices() * 9 / 10); });
+                                    params::number_of_vertices = fewer_vertices * double(c.triangulation().number_of_vertices())); });
   check("the surface", Numbers::STAY, [&](C3t3& c, const auto& parameter)
         { CGAL::remesh_boundary_mesh_3(c, domain, params::max_iteration_number = 100, parameter); });
   check("slivers", Numbers::STAY, [&](C3t3& c, const auto& parameter)
@@ -240,7 +249,7 @@ void check_cells(const std::string& name, const C3t3& input, const Domain& domai
   typedef typename C3t3::Vertex_handle Vertex_handle;
   typedef typename C3t3::Cell_handle Cell_handle;
   Mesh_contract<C3t3, Domain> contract(input, domain, name);
-  contract.permit(numbers != Numbers::STAY, numbers == Numbers::CHANGE);
+  permit(numbers, contract);
   C3t3 c3t3(input);
   std::mt19937 random(1);
   std::set<Cell_handle> selected;

@@ -49,9 +49,9 @@ struct Promising_step
 // What moving, inserting, or removing one vertex of a complex does to the angles of the cells, with the facets on surfaces that
 // it exchanges. A vertex is tried in some places, and then accepted in the last of them; until then, nothing is changed.
 //
-// Of those that are not fixed, vertices of the interior move, and those of dimension 2 that one surface goes around, also if it bends sharply
-// there or does not separate subdomains, or through which a line goes where several meet. Without features, such lines
-// are known only as well as the surfaces on either side: their vertices move on the one that they are from.
+// Of those that are not fixed, vertices of the interior move, and those of dimension 2 that one surface goes around, also if it
+// bends sharply there or does not separate subdomains, or through which a line goes where several meet. Without features, such
+// lines are known only as well as the surfaces on either side: their vertices move on the one that they are from.
 class Vertex_trial_3
 {
 public:
@@ -327,16 +327,14 @@ private:
   }
 
   // Whether the change is less than `most` if cells of which only the domain knows the subdomain are where that is seen from
-  // their vertices or, if it is not, outside; and no cell goes that is kept.
+  // their vertices or, if it is not, outside.
   bool promises(double most)
   {
     before_ = after_ = Sliver_count();
     double guessed = 0;
     doubts_.clear();
     for(Cell* c : cavity_.old_cells())
-      if(complex_.numbering.is_kept(c->vertices))
-        return false;
-      else if(is_inside(c->label))
+      if(is_inside(c->label))
         before_.add(lack(*c), goal_.steps());
     const std::vector<Cell*>& cells = cavity_.new_cells();
     for(std::size_t n = 0; n < cells.size(); ++n)
