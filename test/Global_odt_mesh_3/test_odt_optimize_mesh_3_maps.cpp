@@ -307,6 +307,17 @@ void check_most_vertices(const std::string& name, const C3t3& input, const Domai
   CGAL::odt_optimize_mesh_3(c3t3, domain, params::do_remove_vertices = true, params::vertex_is_constrained_map(all));
   contract.check_untouched(c3t3);
 
+  // Others may come, and these move.
+  const std::string with_more = name + ", all vertices stay, and others come";
+  Mesh_contract<C3t3, Domain> contract_of_more(input, domain, with_more);
+  contract_of_more.permit(true, false);
+  const auto before_more = vertices_of(c3t3);
+  CGAL::odt_optimize_mesh_3(c3t3, domain, params::number_of_rounds = 0, params::do_insert_vertices = true,
+                            params::vertex_is_constrained_map(all));
+  check_kept(with_more, c3t3, before_more, [](Vertex_handle) { return true; });
+  check::that(c3t3.triangulation().number_of_vertices() > before_more.size(), with_more, ": none has come");
+  contract_of_more.check_moved(c3t3, surface, 20);
+
   for(unsigned int seed = 0; seed < 4; ++seed)
   {
     const std::string n = name + ", all vertices stay but one";
