@@ -44,8 +44,8 @@ the \f$ L^1 \f$ error of interpolating \f$ \mathbf{x}^2 \f$ linearly in each cel
 by a global search and the L-BFGS method, as proposed by Chen et al. \cgalCite{cgal:cwlls-rodt-14}. Then the slivers
 that are left are removed. The function takes the place of the one of the same
 name in the package 3D Mesh Generation. Section \ref godt_kept tells what is preserved: features, corners, topology, subdomains, sizes, and,
-unless vertices may be inserted or removed, their number and all handles to them; section \ref godt_threads, what runs on several threads. If the
-domain, a field, the callback, or, until the mesh is final, the visitor throws, `c3t3` is as it was before the call. An argument that is no named parameter, one that is not listed
+unless vertices may be inserted or removed, their number and all handles to them; section \ref godt_fixed, how more is kept; section \ref godt_threads, what runs on several threads. If the
+domain, a field, a property map, the callback, or, until the mesh is final, the visitor throws, `c3t3` is as it was before the call. An argument that is no named parameter, one that is not listed
 below, and one that is given twice are refused at compile time; bad values violate preconditions, which are checked in each build.
 
 \tparam C3T3 a model of the concept `MeshComplex_3InTriangulation_3` whose points have coordinates of type `double`, such as those of
@@ -224,6 +224,23 @@ version of %CGAL in use accepts: `parameters::time_limit = 10, parameters::do_fr
     \cgalParamDescription{the seed of all random choices.}
     \cgalParamType{`unsigned int`}
     \cgalParamDefault{0}
+  \cgalParamNEnd
+  \cgalParamNBegin{vertex_is_constrained_map}
+    \cgalParamDescription{a property map that is `true` for vertices that are to stay: they neither move nor are removed, and keep their dimension
+                          and index. It is read once, before anything else. Vertices that would stay anyway, such as those on features, may
+                          have any value. If no vertex may move, and none is to be inserted, the mesh comes back as it was.}
+    \cgalParamType{a class model of `ReadablePropertyMap` with `C3T3::Vertex_handle` as key type and `bool` as value type}
+    \cgalParamDefault{a constant property map that is `false` for all vertices}
+    \cgalParamExtra{It is spelled `parameters::vertex_is_constrained_map(m)` and copied.}
+  \cgalParamNEnd
+  \cgalParamNBegin{cell_is_selected_map}
+    \cgalParamDescription{a property map that is `true` for the cells of the complex that may change. All others stay, with their facets and
+                          vertices: a vertex moves only if all cells of the complex around it are selected, and vertices are inserted in selected
+                          cells only. The map is read once, like the one above. The angles that may not become smaller are those of selected cells,
+                          while cells below `sliver_bound`, of which the return code tells, may be any.}
+    \cgalParamType{a class model of `ReadablePropertyMap` with `C3T3::Cell_handle` as key type and `bool` as value type}
+    \cgalParamDefault{a constant property map that is `true` for all cells}
+    \cgalParamExtra{It is spelled `parameters::cell_is_selected_map(m)` and copied. Also of cells that stay, handles do not remain valid.}
   \cgalParamNEnd
   \cgalParamNBegin{callback}
     \cgalParamDescription{a functor called before every iteration, and while slivers are removed and vertices are inserted or

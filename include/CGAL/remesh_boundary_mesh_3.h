@@ -29,7 +29,8 @@ namespace internal {
 
 // What remesh_boundary_mesh_3() reads.
 typedef Parameter_list<tags::time_limit, tags::max_iteration_number, tags::sizing_field, internal_np::density_t,
-                       internal_np::domain_is_thread_safe_t, internal_np::callback_t, internal_np::visitor_t> Remeshing_parameters;
+                       internal_np::domain_is_thread_safe_t, internal_np::vertex_is_constrained_t,
+                       internal_np::cell_selector_t, internal_np::callback_t, internal_np::visitor_t> Remeshing_parameters;
 
 } // namespace internal
 } // namespace Global_odt_mesh_3
@@ -49,7 +50,7 @@ That function, with `optimize_boundary` set to `false`, completes the procedure 
 begins with a round of the same kind, and keeps that energy along with the one of the cells (see its parameter
 `surface_weight`), so that there is no need to call this function before.
 
-The guarantees are those of `odt_optimize_mesh_3()`, also if the domain or the callback throws.
+The guarantees are those of `odt_optimize_mesh_3()`, also if the domain, a property map, or the callback throws.
 
 \tparam C3T3 a model of the concept `MeshComplex_3InTriangulation_3`, not periodic
 \tparam MeshDomain a model of the concept `MeshDomain_3`
@@ -85,6 +86,16 @@ The guarantees are those of `odt_optimize_mesh_3()`, also if the domain or the c
     \cgalParamDescription{as for `odt_optimize_mesh_3()`}
     \cgalParamType{`bool`}
     \cgalParamDefault{`false`}
+  \cgalParamNEnd
+  \cgalParamNBegin{vertex_is_constrained_map}
+    \cgalParamDescription{as for `odt_optimize_mesh_3()`}
+    \cgalParamType{a class model of `ReadablePropertyMap` with `C3T3::Vertex_handle` as key type and `bool` as value type}
+    \cgalParamDefault{a constant property map that is `false` for all vertices}
+  \cgalParamNEnd
+  \cgalParamNBegin{cell_is_selected_map}
+    \cgalParamDescription{as for `odt_optimize_mesh_3()`}
+    \cgalParamType{a class model of `ReadablePropertyMap` with `C3T3::Cell_handle` as key type and `bool` as value type}
+    \cgalParamDefault{a constant property map that is `true` for all cells}
   \cgalParamNEnd
   \cgalParamNBegin{callback}
     \cgalParamDescription{a functor called before every iteration with the fraction done; when it returns `false` the

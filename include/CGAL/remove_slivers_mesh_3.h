@@ -28,8 +28,8 @@ namespace internal {
 
 // What remove_slivers_mesh_3() reads.
 typedef Parameter_list<tags::time_limit, tags::sliver_bound, internal_np::optimize_boundary_t,
-                       internal_np::domain_is_thread_safe_t, internal_np::random_seed_t, internal_np::callback_t,
-                       internal_np::visitor_t> Sliver_removal_arguments;
+                       internal_np::domain_is_thread_safe_t, internal_np::random_seed_t, internal_np::vertex_is_constrained_t,
+                       internal_np::cell_selector_t, internal_np::callback_t, internal_np::visitor_t> Sliver_removal_arguments;
 
 } // namespace internal
 } // namespace Global_odt_mesh_3
@@ -45,7 +45,7 @@ The bound on the angles rises in steps of 20, 30, 35, 40, ... degrees, as descri
 comes from Delaunay refinement, where every tenth cell may be a sliver, `odt_optimize_mesh_3()` reaches larger angles
 in all other cells, too.
 
-The guarantees are those of `odt_optimize_mesh_3()`, also if the domain or the callback throws.
+The guarantees are those of `odt_optimize_mesh_3()`, also if the domain, a property map, or the callback throws.
 
 \tparam C3T3 a model of the concept `MeshComplex_3InTriangulation_3`, not periodic
 \tparam MeshDomain a model of the concept `MeshDomain_3`
@@ -82,6 +82,16 @@ The guarantees are those of `odt_optimize_mesh_3()`, also if the domain or the c
     \cgalParamDescription{the seed of all random choices}
     \cgalParamType{`unsigned int`}
     \cgalParamDefault{0}
+  \cgalParamNEnd
+  \cgalParamNBegin{vertex_is_constrained_map}
+    \cgalParamDescription{as for `odt_optimize_mesh_3()`}
+    \cgalParamType{a class model of `ReadablePropertyMap` with `C3T3::Vertex_handle` as key type and `bool` as value type}
+    \cgalParamDefault{a constant property map that is `false` for all vertices}
+  \cgalParamNEnd
+  \cgalParamNBegin{cell_is_selected_map}
+    \cgalParamDescription{as for `odt_optimize_mesh_3()`}
+    \cgalParamType{a class model of `ReadablePropertyMap` with `C3T3::Cell_handle` as key type and `bool` as value type}
+    \cgalParamDefault{a constant property map that is `true` for all cells}
   \cgalParamNEnd
   \cgalParamNBegin{callback}
     \cgalParamDescription{a functor called before every round with the fraction done; when it returns `false` the

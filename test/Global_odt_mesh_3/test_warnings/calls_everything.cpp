@@ -26,6 +26,7 @@
 #include <CGAL/make_mesh_3.h>
 #include <CGAL/odt_energy_3.h>
 #include <CGAL/odt_optimize_mesh_3.h>
+#include <CGAL/property_map.h>
 #include <CGAL/remesh_boundary_mesh_3.h>
 #include <CGAL/remove_slivers_mesh_3.h>
 
@@ -70,6 +71,12 @@ void call_functions(C3t3& c3t3, const Domain& domain)
   CGAL::remove_slivers_mesh_3(c3t3, domain, params::time_limit = 10, params::sliver_bound = 30, params::optimize_boundary = false,
                               params::random_seed(1), params::callback([](double) { return true; }),
                               params::visitor(std::ref(visitor)));
+
+  const CGAL::Constant_property_map<typename C3t3::Vertex_handle, bool> no_vertex(false);
+  const CGAL::Constant_property_map<typename C3t3::Cell_handle, bool> all_cells(true);
+  CGAL::odt_optimize_mesh_3(c3t3, domain, params::vertex_is_constrained_map(no_vertex), params::cell_is_selected_map(all_cells));
+  CGAL::remesh_boundary_mesh_3(c3t3, domain, params::vertex_is_constrained_map(no_vertex), params::cell_is_selected_map(all_cells));
+  CGAL::remove_slivers_mesh_3(c3t3, domain, params::vertex_is_constrained_map(no_vertex), params::cell_is_selected_map(all_cells));
 
   const CGAL::Spline_grid_field_3<Kernel> field(CGAL::Bbox_3(0, 0, 0, 1, 1, 1), 5, 5, 5, [](const Point_3&) { return 1.; });
   field.gradient(Point_3(0, 0, 0));

@@ -80,6 +80,8 @@ public:
   int patch(int v) const override
   { return v < number_of_input_vertices_ ? input_.patch(v) : table().inserted[v - number_of_input_vertices_]; }
 
+  bool is_fixed(int v) const override { return v < number_of_input_vertices_ && input_.is_fixed(v); }
+
   bool is_cell(const Quadruple& q) const override { return cells_.find(sorted(q)) != nullptr; }
 
   // The places of those that have been inserted before stay.

@@ -23,6 +23,7 @@
 #include <CGAL/Global_odt_mesh_3/internal/complex/Snapshot_reader_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/complex/Snapshot_tabulation_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/geometry/Angle_deficit_3.h>
+#include <CGAL/Global_odt_mesh_3/internal/geometry/Vertex_tuples.h>
 #include <CGAL/Global_odt_mesh_3/internal/interface/Domain_view_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/interface/Mesh_view_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/interface/User_field_3.h>
@@ -114,12 +115,13 @@ public:
     return true;
   }
 
+  // Of cells that may change. One that does not has the same angles, in whatever order its vertices are.
   static Sliver_census_3 slivers(const Mesh_table_3& mesh)
   {
     Sliver_census_3 census;
     for(const Mesh_table_3::Cell& c : mesh.cells)
-      if(c.label != Domain_view_3::outside)
-        census.add(mesh.cell_sites(c), c.label);
+      if(c.label != Domain_view_3::outside && !c.is_kept)
+        census.add(mesh.cell_sites(sorted(c.vertices)), c.label);
     return census;
   }
 

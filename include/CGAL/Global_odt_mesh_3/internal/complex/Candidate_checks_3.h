@@ -178,12 +178,14 @@ inline Defect_report_3 check_topology(const Complex_candidate_3& candidate)
   return report;
 }
 
-// Those of the vertices around a boundary facet that lie in its surface Delaunay ball.
-inline std::vector<int> intruders(const Complex_candidate_3& candidate, const std::array<int, 3>& t, const Vector_3& center)
+// Those of the vertices around a boundary facet or a cell, none of which may move, that lie in the ball around its surface or dual
+// center.
+template <class Vertices>
+std::vector<int> intruders(const Complex_candidate_3& candidate, const Vertices& around, const Vector_3& center)
 {
-  const Site& s = candidate.snapshot.sites[t[0]];
+  const Site& s = candidate.snapshot.sites[around[0]];
   const double radius = squared_distance(s, center) - s.weight;
-  Vertex_rings_3 region(candidate.working, t);
+  Vertex_rings_3 region(candidate.working, around);
   for(int ring = 0; ring < 2; ++ring)
     region.grow();
   std::vector<int> result;
@@ -191,6 +193,27 @@ inline std::vector<int> intruders(const Complex_candidate_3& candidate, const st
     if(candidate.numbering.is_movable(v) && squared_distance(candidate.sites[v], center) < radius)
       result.push_back(v);
   return result;
+}
+
+// Sends back those, or else what is around.
+template <class Vertices>
+void send_back_intruders(const Complex_candidate_3& candidate, const Vertices& around, const Vector_3& center, Defect_report_3& report)
+{
+  const std::vector<int> inside = intruders(candidate, around, center);
+  if(inside.empty())
+    report.send_back(around);
+  else
+    report.send_back(inside);
+}
+
+// The label that is on the other side of a facet of a cell in the snapshot.
+inline int label_beyond(const Complex_snapshot_3& snapshot, Cell_handle c, int i)
+{
+  const int n = snapshot.facet_number(Working_triangulation_3::vertices(Facet(c, i)));
+  if(n < 0)
+    return c->label();
+  const std::array<int, 2>& labels = snapshot.boundary.complex().facets()[n].labels;
+  return labels[0] == c->label() ? labels[1] : labels[0];
 }
 
 // Whether a boundary at rest has the facets of the snapshot. One that is missing has a vertex in its surface
@@ -211,13 +234,34 @@ inline Defect_report_3 check_facets_stay(const Complex_candidate_3& candidate)
   }
   for(std::size_t n = 0; n < is_found.size(); ++n)
     if(!is_found[n])
+      send_back_intruders(candidate, facets[n].vertices, candidate.snapshot.centers[n].point, report);
+  return report;
+}
+
+// Whether the cells that are kept are there, with the labels beyond their facets. One that is missing has a vertex in its sphere.
+inline Defect_report_3 check_kept_cells(const Complex_candidate_3& candidate)
+{
+  Defect_report_3 report(candidate);
+  const auto& kept = candidate.numbering.kept_cells;
+  if(kept.entries().empty())
+    return report;
+  std::vector<char> is_found(kept.entries().size(), false);
+  for(Cell_handle c : candidate.working.cells())
+  {
+    const int* const n = kept.find(sorted(candidate.numbers(c)));
+    if(n == nullptr)
+      continue;
+    is_found[*n] = true;
+    for(int i = 0; i < 4; ++i)
+      if(c->neighbor(i)->label() != label_beyond(candidate.snapshot, c, i))
+        report.send_back(candidate.numbers(c->neighbor(i)));
+  }
+  for(std::size_t n = 0; n < is_found.size(); ++n)
+    if(const Quadruple& q = kept.entries()[n].first; !is_found[n])
     {
-      const std::array<int, 3>& t = facets[n].vertices;
-      const std::vector<int> inside = intruders(candidate, t, candidate.snapshot.centers[n].point);
-      if(inside.empty())
-        report.send_back(t);
-      else
-        report.send_back(inside);
+      const std::vector<Site>& s = candidate.sites;
+      const Cell_products t(s[q[0]], s[q[1]], s[q[2]], s[q[3]]);
+      send_back_intruders(candidate, q, position(s[q[0]]) + Vector_3(t.nx, t.ny, t.nz) / (2 * t.determinant), report);
     }
   return report;
 }

@@ -40,7 +40,7 @@ namespace internal {
 //
 // advance() makes a candidate for new positions and checks it. Vertices that alter the topology of the
 // boundary, pierce it, get hidden, leave a cell of their subdomain with its dual point in
-// another, or make a facet too thin or too far from the surface, go back toward where they were, until
+// another, make a facet too thin or too far from the surface, or replace a cell that is kept, go back toward where they were, until
 // all is well. Then the candidate takes the snapshot's place; or else, also if anything throws, the snapshot is as it was.
 class Complex_updater_3
 {
@@ -203,6 +203,7 @@ private:
     Defect_report_3 report = Cell_labels_3(candidate, domain_).label_cells();
     Boundary_extraction_3 extraction(candidate, domain_);
     extraction.find_boundary();
+    report.add(check_kept_cells(candidate));
     report.add(candidate.boundary_moves() ? check_topology(candidate) : check_facets_stay(candidate));
     report.add(Surface_centers_3(candidate, domain_).find_surface_centers());
     if(!candidate.boundary_moves())

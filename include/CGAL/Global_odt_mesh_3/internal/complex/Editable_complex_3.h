@@ -137,14 +137,14 @@ struct Editable_complex_3
            ? c : Cell_handle();
   }
 
-  // The slivers below a bound, the worst first.
+  // The slivers below a bound, the worst first, without cells that are kept.
   std::vector<Sliver_3> slivers(double bound) const
   {
     const std::vector<Cell_handle>& cells = working.cells();
     std::vector<Sliver_3> found = collect_in_chunks<Sliver_3>(static_cast<int>(cells.size()), threads,
                                                               [&](int n, std::vector<Sliver_3>& some)
     {
-      if(cells[n]->label() != Domain_view_3::outside)
+      if(cells[n]->label() != Domain_view_3::outside && !numbering.is_kept(numbers(cells[n])))
         add_sliver(cells[n], bound, some);
     });
     std::sort(found.begin(), found.end());

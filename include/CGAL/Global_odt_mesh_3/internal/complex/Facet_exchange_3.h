@@ -55,6 +55,8 @@ public:
       return false;
     if(!complex_.boundary_moves)
       return removed_.empty() && added_.empty();
+    if(exchanges_kept_facet())
+      return false;
     if(!complex_.boundary.keeps_topology(removed_, added_, change))
       return false;
     // Where facets stay as many, those that are worse may stay so.
@@ -213,6 +215,20 @@ private:
     if(patch != unknown_patch)
       added_.push_back({ t, labels, patch });
     return patch != unknown_patch;
+  }
+
+  // Whether it is one of a cell that is kept.
+  bool is_kept(const Triple& t) const
+  {
+    const Cell_handle c = cavity_.beyond(t);
+    return c != Cell_handle() && complex_.numbering.is_kept(complex_.numbers(c));
+  }
+
+  bool exchanges_kept_facet() const
+  {
+    return !complex_.numbering.kept_cells.entries().empty()
+           && (std::any_of(removed_.begin(), removed_.end(), [this](int n) { return is_kept(complex_.boundary.facet(n).vertices); })
+               || std::any_of(added_.begin(), added_.end(), [this](const Facet& f) { return is_kept(f.vertices); }));
   }
 
   // Of the facets that go or stay at the vertex.

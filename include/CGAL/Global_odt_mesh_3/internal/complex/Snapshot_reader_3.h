@@ -55,7 +55,15 @@ struct Cells_of_table_3
 
   bool is_inside(int n) const { return label(n) != Domain_view_3::outside && !is_infinite(n); }
   int label(int n) const { return table.cells[n].label; }
-  bool is_marked(int n, int i) const { return table.cells[n].facets & 1 << i; }
+  bool is_marked(int n, int i) const { return table.cells[n].is_kept || is_in_complex(n, i); }
+  bool is_in_complex(int n, int i) const { return table.cells[n].facets & 1 << i; }
+
+  // Or else a facet is marked only for a cell that is kept.
+  bool is_on_boundary(int n, int i) const
+  {
+    const int d = table.cells[n].neighbors[i];
+    return is_in_complex(n, i) || is_in_complex(d, table.mirror_index(n, i)) || label(n) != label(d) || !is_inside(n) || !is_inside(d);
+  }
 
   Quadruple vertices(int n) const
   {
@@ -86,10 +94,10 @@ public:
     snapshot_.is_input = true;
   }
 
-  // Vertices of the interior move, unless a boundary facet touches them; those that surfaces run smoothly
-  // through move if `boundary_moves`.
   const Mesh_table_3& table() const { return table_; }
 
+  // Of the vertices that are not fixed, those of the interior move, unless a boundary facet touches them; those that
+  // surfaces run smoothly through move if `boundary_moves`.
   Complex_snapshot_3 read(Moving_triangulation_3& mesh, bool boundary_moves)
   {
     mesh = Moving_triangulation_3();
@@ -110,6 +118,7 @@ public:
     snapshot_.number_facets();
     read_surface_centers(facets);
     read_labels();
+    read_kept_cells();
     load_positions(snapshot_, mesh);
     return std::move(snapshot_);
   }
@@ -118,10 +127,14 @@ private:
   // Of the table until vertices have numbers of their own.
   std::size_t number_of_vertices() const { return snapshot_.sites.empty() ? table_.sites.size() : snapshot_.sites.size(); }
 
-  // With the numbers that vertices have.
+  // With the numbers that vertices have. Gives the facets on the boundary; those of cells that are kept are constrained, too.
   Constrained_facets index(Indexed_triangulation_3& flat) const
   {
-    return index_cells(Cells_of_table_3{ table_, numbers_ }, table_.cells.size(), number_of_vertices(), threads_, flat);
+    const Cells_of_table_3 cells{ table_, numbers_ };
+    Constrained_facets facets = index_cells(cells, table_.cells.size(), number_of_vertices(), threads_, flat);
+    facets.erase(std::remove_if(facets.begin(), facets.end(), [&](const Constrained_facet& f)
+                                { return !cells.is_on_boundary(f.cell, f.index); }), facets.end());
+    return facets;
   }
 
   Boundary_complex_3 boundary(const Constrained_facets& constrained_facets) const
@@ -142,17 +155,16 @@ private:
   // those that move on surfaces, then the rest.
   void number_vertices(const Boundary_complex_3& boundary, const Indexed_triangulation_3& flat, bool boundary_moves)
   {
-    const auto has_dimension = [&](std::size_t v, int dimension)
-    { return table_.dimensions[v] == dimension && table_.sites[v].weight == 0; };
+    const auto may_move = [&](int v, int dimension) { return table_.dimensions[v] == dimension && !numbering_->input->is_fixed(v); };
     const auto is_interior = [&](std::size_t v)
     {
       const int n = static_cast<int>(v);
-      return has_dimension(v, 3) && flat.incident_cell(n) >= 0 && !boundary.has_facets(n);
+      return may_move(n, 3) && flat.incident_cell(n) >= 0 && !boundary.has_facets(n);
     };
     const auto slides = [&](std::size_t v)
     {
       const int n = static_cast<int>(v);
-      return has_dimension(v, 2) && boundary.number_of_umbrellas(n) == 1 && boundary.umbrella(n, 0).is_disk;
+      return may_move(n, 2) && boundary.number_of_umbrellas(n) == 1 && boundary.umbrella(n, 0).is_disk;
     };
     std::vector<std::size_t> order = hilbert_order(table_.sites);
     order.erase(std::remove_if(order.begin(), order.end(), [this](std::size_t v)
@@ -212,6 +224,14 @@ private:
       snapshot_.boundary_cells.insert(sorted(q), table_.cells[n].label);
       numbering_->input_boundary_cells.insert(sorted(q), { q, table_.cells[n].label });
     }
+  }
+
+  void read_kept_cells()
+  {
+    const Cells_of_table_3 cells{ table_, numbers_ };
+    for(std::size_t n = 0; n < table_.cells.size(); ++n)
+      if(table_.cells[n].is_kept)
+        numbering_->kept_cells.insert(sorted(cells.vertices(static_cast<int>(n))), static_cast<int>(numbering_->kept_cells.entries().size()));
   }
 
   Thread_policy threads_;

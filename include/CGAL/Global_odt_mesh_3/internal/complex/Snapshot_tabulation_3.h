@@ -104,14 +104,15 @@ inline void load_positions(const Complex_snapshot_3& snapshot, Moving_triangulat
 }
 
 // Loads the snapshot, whose triangulation is given, into a mesh: all cells that are in the complex, in canonical order; the
-// boundary facets are constrained.
+// boundary facets, and those of cells that are kept, are constrained.
 inline void index_snapshot(const Complex_snapshot_3& snapshot, const Working_triangulation_3& working,
                            const Thread_policy& threads, Moving_triangulation_3& mesh)
 {
   const auto number = [](Vertex_handle v) { return Working_triangulation_3::number(v); };
   const auto label = [](Cell_handle c) { return c->label(); };
-  const auto is_in_complex = [](Cell_handle c, int i) { return c->is_facet_in_complex(i); };
-  index_triangulation_3(working.triangulation(), working.cells(), number, label, is_in_complex, threads, mesh.topology);
+  const auto stays = [&](Cell_handle c, int i)
+  { return c->is_facet_in_complex(i) || snapshot.numbering->is_kept(Working_triangulation_3::numbers(c)); };
+  index_triangulation_3(working.triangulation(), working.cells(), number, label, stays, threads, mesh.topology);
   load_positions(snapshot, mesh);
 }
 
@@ -239,6 +240,7 @@ private:
     for_each_in_chunks(static_cast<int>(cells_.size()), threads_, [&](int n)
     {
       const Quadruple v = Working_triangulation_3::numbers(cells_[n]);
+      table.cells[n].is_kept = numbering_.is_kept(v);
       for(int i = 0; i < 4; ++i)
       {
         table.cells[n].vertices[i] = input_number(v[i]);

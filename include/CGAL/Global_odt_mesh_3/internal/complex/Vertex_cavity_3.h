@@ -95,7 +95,7 @@ public:
     outer_.push_back({ known_cell(nearby), Sphere() });
   }
 
-  // Finds the cells for another place; false if the vertex would be hidden there or not be near.
+  // Finds the cells for another place; false if the vertex would be hidden there or not be near, or if a cell would go that is kept.
   bool find_cells(const Site& s)
   {
     move_vertex(s);
@@ -115,6 +115,7 @@ public:
       visit_neighbors(queue_[n]);
     list_cells();
     return !created_.empty() && outer_.size() < most_cells
+           && std::none_of(queue_.begin(), queue_.end(), [this](int n) { return complex_.numbering.is_kept(outer_[n].cell.vertices); })
            && std::all_of(created_.begin(), created_.end(), [this](const Cell& c) { return is_positive(c.vertices); });
   }
 

@@ -340,6 +340,11 @@ private:
       if(*std::min_element(cell.vertices.begin(), cell.vertices.end()) >= 0)
         kept->input_boundary_cells.insert(sorted(cell.vertices), cell);
     }
+    for(const auto& c : numbering_->kept_cells.entries())
+    {
+      const Quadruple& q = c.first;
+      kept->kept_cells.insert(sorted(Quadruple{{ numbers[q[0]], numbers[q[1]], numbers[q[2]], numbers[q[3]] }}), c.second);
+    }
     return kept;
   }
 

@@ -49,9 +49,9 @@ struct Promising_step
 // What moving, inserting, or removing one vertex of a complex does to the angles of the cells, with the facets on surfaces that
 // it exchanges. A vertex is tried in some places, and then accepted in the last of them; until then, nothing is changed.
 //
-// Vertices of the interior move, and those of dimension 2 that one surface goes around, also if it bends sharply
-// there or does not separate subdomains, or through which a line goes where several meet. Without features, such lines
-// are known only as well as the surfaces on either side: their vertices move on the one that they are from.
+// Of those that are not fixed, vertices of the interior move, and those of dimension 2 that one surface goes around, also if it
+// bends sharply there or does not separate subdomains, or through which a line goes where several meet. Without features, such
+// lines are known only as well as the surfaces on either side: their vertices move on the one that they are from.
 class Vertex_trial_3
 {
 public:
@@ -253,7 +253,7 @@ private:
       return false;
     if(!complex_.numbering.is_on_boundary(v) || !complex_.boundary_moves)
       return complex_.numbering.is_interior(v);
-    return complex_.numbering.dimensions[v] == 2 && complex_.sites[v].weight == 0 && complex_.boundary.has_room_to_move(v);
+    return complex_.numbering.dimensions[v] == 2 && !complex_.numbering.is_fixed(v) && complex_.boundary.has_room_to_move(v);
   }
 
   // The one that the vertex has been on from the beginning, if any.

@@ -13,6 +13,7 @@
 #include <CGAL/license/Global_odt_mesh_3.h>
 
 #include <CGAL/Global_odt_mesh_3/internal/door/Mesh_domain_view_3.h>
+#include <CGAL/Global_odt_mesh_3/internal/door/User_constraints_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/geometry/Angle_deficit_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/geometry/Cell_geometry_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/geometry/Site.h>
@@ -56,10 +57,11 @@ public:
   typedef typename Triangulation::Vertex_handle Vertex_handle;
 
   // `before_removal` is told of the vertices that are removed.
-  C3t3_view_3(C3t3& c3t3, Mesh_domain_view_3<Mesh_domain>& domain,
+  C3t3_view_3(C3t3& c3t3, Mesh_domain_view_3<Mesh_domain>& domain, const User_constraints_3& constraints = User_constraints_3(),
               std::function<void(Vertex_handle)> before_removal = [](Vertex_handle) {})
     : c3t3_(c3t3)
     , domain_(domain)
+    , constraints_(constraints)
     , before_removal_(std::move(before_removal))
   {
     static_assert(std::is_same<typename Triangulation::Geom_traits::FT, double>::value,
@@ -82,6 +84,7 @@ public:
     for(std::size_t n = 0; n < cells.size(); ++n)
     {
       table.cells[n].label = domain_.number_subdomain(cells[n]->subdomain_index());
+      table.cells[n].is_kept = constraints_.has_cell(n);
       for(int i = 0; i < 4; ++i)
         if(const Facet f(cells[n], index_in(cells[n], table.cells[n].vertices[i])); f.first->is_facet_on_surface(f.second))
         {
@@ -90,6 +93,12 @@ public:
         }
     }
     return table;
+  }
+
+  bool is_fixed(int vertex) const override
+  {
+    const Vertex_handle v = vertices_[vertex];
+    return v->in_dimension() < 2 || weighted_site(v->point()).weight != 0 || constraints_.has_vertex(static_cast<std::size_t>(vertex));
   }
 
   int patch(int vertex) const override { return domain_.patch_at(vertices_[vertex]->index()); }
@@ -357,6 +366,7 @@ private:
 
   C3t3& c3t3_;
   Mesh_domain_view_3<Mesh_domain>& domain_;
+  const User_constraints_3 constraints_;
   std::function<void(Vertex_handle)> before_removal_;
   std::vector<Vertex_handle> vertices_;
   std::vector<Center> centers_;               // by the numbers of facets in the table

@@ -23,6 +23,7 @@
 #include <CGAL/Global_odt_mesh_3/internal/door/C3t3_view_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/door/Mesh_domain_view_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/door/Named_parameters.h>
+#include <CGAL/Global_odt_mesh_3/internal/door/User_constraints_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/door/User_fields_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/interface/Domain_view_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/interface/Optimization_visitor.h>
@@ -98,12 +99,13 @@ template <class C3t3, class Mesh_domain, class Visitor>
 class Odt_mesh_optimizer_3
 {
 public:
-  // Keeps references to its arguments, except for the fields.
+  // Keeps references to its arguments, except for fields and constraints.
   Odt_mesh_optimizer_3(C3t3& c3t3, const Mesh_domain& domain, Odt_task task, const Odt_parameters& parameters,
-                       Visitor& visitor, const User_fields_3<C3t3>& fields = User_fields_3<C3t3>())
+                       Visitor& visitor, const User_fields_3<C3t3>& fields = User_fields_3<C3t3>(),
+                       const User_constraints_3& constraints = User_constraints_3())
     : fields_(fields)
     , domain_(domain, parameters.domain_is_thread_safe ? threads() : Thread_policy())
-    , mesh_(c3t3, domain_, [&visitor](typename C3t3::Vertex_handle v) { tell_of_removal(visitor, v); })
+    , mesh_(c3t3, domain_, constraints, [&visitor](typename C3t3::Vertex_handle v) { tell_of_removal(visitor, v); })
     , task_(task)
     , parameters_(parameters)
     , visitor_(visitor)
@@ -162,7 +164,8 @@ using Optimization_parameters = std::conditional_t<
                  tags::sizing_field, internal_np::density_t,
                  internal_np::quadrature_t, internal_np::annealing_schedule_t, internal_np::number_of_rounds_t,
                  internal_np::optimize_boundary_t, internal_np::surface_weight_t, internal_np::domain_is_thread_safe_t,
-                 internal_np::random_seed_t, internal_np::callback_t, internal_np::visitor_t> >;
+                 internal_np::random_seed_t, internal_np::vertex_is_constrained_t, internal_np::cell_selector_t,
+                 internal_np::callback_t, internal_np::visitor_t> >;
 
 template <class T>
 T& unwrap(T& t) { return t; }
@@ -196,9 +199,11 @@ optimize(C3T3& c3t3, const MeshDomain& domain, Odt_task task, const Odt_paramete
     return optimize_periodic(c3t3, domain, p);
   else
   {
+    User_constraints_3 constraints;
+    constraints.read(c3t3, arguments);
     auto visitor = find_visitor<C3T3>(arguments);
     typedef std::decay_t<decltype(unwrap(visitor))> Visitor;
-    return Odt_mesh_optimizer_3<C3T3, MeshDomain, Visitor>(c3t3, domain, task, p, unwrap(visitor), fields)();
+    return Odt_mesh_optimizer_3<C3T3, MeshDomain, Visitor>(c3t3, domain, task, p, unwrap(visitor), fields, constraints)();
   }
 }
 

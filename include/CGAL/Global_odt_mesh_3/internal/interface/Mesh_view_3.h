@@ -43,6 +43,7 @@ struct Mesh_table_3
     Quadruple vertices, neighbors;              // of which each is across the facet that is opposite to the vertex
     int label;                                  // of the subdomain, 0 outside
     int facets = 0;                             // bits of those in the complex; of the input
+    bool is_kept = false;                       // because the user wants it so; its vertices are fixed
   };
 
   // On a surface, seen from one of its cells.
@@ -68,10 +69,9 @@ struct Mesh_table_3
     return n < first_inserted ? Vertex_stratum{ v, dimensions[v], 0 } : Vertex_stratum{ -1, dimensions[v], inserted[n - first_inserted] };
   }
 
-  // That facet of a cell, from the neighbor across it.
-  std::array<Site, 4> cell_sites(const Cell& c) const
-  { return {{ sites[c.vertices[0]], sites[c.vertices[1]], sites[c.vertices[2]], sites[c.vertices[3]] }}; }
+  std::array<Site, 4> cell_sites(const Quadruple& v) const { return {{ sites[v[0]], sites[v[1]], sites[v[2]], sites[v[3]] }}; }
 
+  // That facet of a cell, from the neighbor across it.
   int mirror_index(int cell, int index) const
   {
     const Quadruple& back = cells[cells[cell].neighbors[index]].neighbors;
@@ -134,6 +134,9 @@ public:
 
   // The patch of a vertex of dimension 2.
   virtual int patch(int vertex) const = 0;
+
+  // Whether a vertex stays, whatever surrounds it: on a feature or with a weight, or because the user wants it so.
+  virtual bool is_fixed(int vertex) const = 0;
 
   // Not to be asked by several threads, as CGAL marks cells while it looks.
   virtual bool is_cell(const Quadruple& vertices) const = 0;

@@ -93,7 +93,9 @@ public:
     for(std::size_t v = 0; v < radii.size(); ++v)
     {
       const Largest& largest = subdomain_[v] >= 0 ? largest_[subdomain_[v]] : largest_of_all_;
-      radii[v] *= largest.over_size;
+      // Without any vertex that moves, nothing is known.
+      if(largest.over_size > 0)
+        radii[v] *= largest.over_size;
       if(has_sizes_of_input_)
         radii[v] = (std::min)(radii[v], largest.length);
     }
@@ -170,7 +172,7 @@ public:
       if(c.label != Domain_view_3::outside)
       {
         double& largest = squared_circumradius_[c.label];
-        largest = (std::max)(largest, squared_circumradius(input.cell_sites(c)));
+        largest = (std::max)(largest, squared_circumradius(input.cell_sites(c.vertices)));
       }
     for(const Mesh_table_3::Facet& f : input.facets)
       facet_radius_ = (std::max)(facet_radius_, facet_radius(input, f));
@@ -187,7 +189,7 @@ public:
     for(const Mesh_table_3::Cell& c : mesh.cells)
       if(c.label != Domain_view_3::outside)
       {
-        const double excess = std::sqrt(squared_circumradius(mesh.cell_sites(c)) / squared_bound(mesh, c));
+        const double excess = std::sqrt(squared_circumradius(mesh.cell_sites(c.vertices)) / squared_bound(mesh, c));
         add(excess, { excess, c.vertices });
       }
     for(const Mesh_table_3::Facet& f : mesh.facets)
@@ -227,7 +229,7 @@ private:
       return squared_circumradius_.at(c.label);
     // Its circumcenter, where the mesh generator asks, may be outside of the domain.
     Vector_3 centroid;
-    for(const Site& s : m.cell_sites(c))
+    for(const Site& s : m.cell_sites(c.vertices))
       centroid += position(s) / 4;
     const double size = field_.value(Vertex_stratum::inside(c.label), site_at(centroid, 0));
     return size * size;

@@ -70,7 +70,7 @@ public:
   void split(const Quadruple& q, int facet, int step)
   {
     const Cell_handle c = complex_.find_cell(q);
-    if(c == Cell_handle())
+    if(c == Cell_handle() || complex_.numbering.is_kept(q))
       return;
     edits_.trial().set_goal(Sliver_goal(Sliver_steps::angles[step], step));
     Best best;
