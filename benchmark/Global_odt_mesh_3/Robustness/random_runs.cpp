@@ -26,6 +26,7 @@
 #include <CGAL/exude_mesh_3.h>
 #include <CGAL/odt_optimize_mesh_3.h>
 #include <CGAL/perturb_mesh_3.h>
+#include <CGAL/property_map.h>
 #include <CGAL/refine_mesh_3.h>
 
 #ifdef CGAL_CONCURRENT_MESH_3
@@ -37,6 +38,7 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <csignal>
 #include <cstddef>
@@ -45,9 +47,12 @@
 #include <fstream>
 #include <iostream>
 #include <map>
+#include <set>
 #include <sstream>
 #include <string>
 #include <type_traits>
+#include <utility>
+#include <vector>
 
 using namespace random_domains;
 
@@ -68,6 +73,7 @@ struct Random_parameters
   bool do_freeze = true, optimize_boundary = true, do_remove_slivers = true, domain_is_thread_safe = false;
   bool do_insert_vertices = false, do_remove_vertices = false;
   double number_of_vertices = 0;      // over that of the input, if any is wanted
+  bool keeps_vertices = false, keeps_cells = false;     // some of them
   long callback_stops_after = -1, callback_throws_after = -1;
   unsigned int random_seed = 0;
 
@@ -78,6 +84,8 @@ struct Random_parameters
     do_remove_vertices = random_seed / 2 % 2 == 0;
     if(random_seed % 8 == 0)
       number_of_vertices = 0.25 * (1 + random_seed / 8 % 12);
+    keeps_vertices = random_seed % 16 == 3 || random_seed % 16 == 6;
+    keeps_cells = random_seed % 16 == 11;
     if(is_parallel)
       domain_is_thread_safe = draw.chance(0.5);
     if(draw.chance(0.5))
@@ -108,14 +116,75 @@ struct Random_parameters
                << ", optimize_boundary " << p.optimize_boundary << ", do_remove_slivers " << p.do_remove_slivers
                << ", do_insert_vertices " << p.do_insert_vertices << ", do_remove_vertices " << p.do_remove_vertices
                << ", number_of_vertices times " << p.number_of_vertices
+               << ", keeps_vertices " << p.keeps_vertices << ", keeps_cells " << p.keeps_cells
                << ", domain_is_thread_safe " << p.domain_is_thread_safe
                << ", callback stops, throws after " << p.callback_stops_after << ", " << p.callback_throws_after
                << ", random_seed " << p.random_seed;
   }
 };
 
+// Vertices or cells of a mesh, in every other of ten layers, that are to stay.
+template <class C3t3>
+class What_stays
+{
+  typedef typename C3t3::Vertex_handle Vertex_handle;
+  typedef typename C3t3::Cell_handle Cell_handle;
+
+public:
+  std::set<Vertex_handle> vertices;
+  std::set<Cell_handle> selected_cells;         // all the others
+
+  What_stays(const C3t3& c3t3, const Random_parameters& p)
+  {
+    const CGAL::Bbox_3 b = c3t3.bbox();
+    const auto stays = [&](Vertex_handle v) { return static_cast<long>(std::floor(10 * (v->point().z() - b.zmin()) / b.z_span())) % 2 == 0; };
+    for(auto v = c3t3.triangulation().finite_vertices_begin(); p.keeps_vertices && v != c3t3.triangulation().finite_vertices_end(); ++v)
+      if(stays(v))
+        keep(v);
+    for(auto c = c3t3.cells_in_complex_begin(); c != c3t3.cells_in_complex_end(); ++c)
+      if(!p.keeps_cells || !stays(c->vertex(0)))
+        selected_cells.insert(c);
+      else
+      {
+        cells_.push_back({ {{ c->vertex(0), c->vertex(1), c->vertex(2), c->vertex(3) }}, c->subdomain_index() });
+        for(Vertex_handle v : cells_.back().vertices)
+          keep(v);
+      }
+  }
+
+  void check(const C3t3& c3t3) const
+  {
+    std::size_t lost = 0;
+    for(const auto& v : places_)
+      lost += v.first->point() != v.second;
+    for(const Cell& cell : cells_)
+    {
+      Cell_handle c;
+      const auto& v = cell.vertices;
+      lost += !c3t3.triangulation().is_cell(v[0], v[1], v[2], v[3], c) || c->subdomain_index() != cell.subdomain;
+    }
+    check::that(lost == 0, lost, " vertices and cells that were to stay have not");
+  }
+
+private:
+  struct Cell
+  {
+    std::array<Vertex_handle, 4> vertices;
+    typename C3t3::Subdomain_index subdomain;
+  };
+
+  void keep(Vertex_handle v)
+  {
+    vertices.insert(v);
+    places_.emplace_back(v, v->point());
+  }
+
+  std::vector<std::pair<Vertex_handle, typename C3t3::Triangulation::Weighted_point> > places_;
+  std::vector<Cell> cells_;
+};
+
 template <class C3t3, class Domain>
-void optimize(C3t3& c3t3, const Domain& domain, const Random_parameters& p)
+void optimize(C3t3& c3t3, const Domain& domain, const Random_parameters& p, const What_stays<C3t3>& stays)
 {
   long calls = 0;
   const auto callback = [&](double)
@@ -124,7 +193,7 @@ void optimize(C3t3& c3t3, const Domain& domain, const Random_parameters& p)
       throw Planned_failure();
     return p.callback_stops_after < 0 || calls++ < p.callback_stops_after;
   };
-  const auto optimize = [&](const auto&... number)
+  const auto optimize = [&](const auto&... others)
   {
     CGAL::odt_optimize_mesh_3(c3t3, domain, params::time_limit = p.time_limit, params::convergence = p.convergence,
                               params::freeze_bound = p.freeze_bound, params::max_iteration_number = p.max_iteration_number,
@@ -135,10 +204,14 @@ void optimize(C3t3& c3t3, const Domain& domain, const Random_parameters& p)
                               params::do_insert_vertices = p.do_insert_vertices,
                               params::do_remove_vertices = p.do_remove_vertices,
                               params::domain_is_thread_safe(p.domain_is_thread_safe), params::callback(callback),
-                              params::random_seed(p.random_seed), number...);
+                              params::random_seed(p.random_seed), others...);
   };
   if(p.number_of_vertices > 0)
     optimize(params::number_of_vertices = p.wanted_number(c3t3.triangulation().number_of_vertices()));
+  else if(p.keeps_vertices)
+    optimize(params::vertex_is_constrained_map(CGAL::Boolean_property_map<const std::set<typename C3t3::Vertex_handle> >(stays.vertices)));
+  else if(p.keeps_cells)
+    optimize(params::cell_is_selected_map(CGAL::Boolean_property_map<const std::set<typename C3t3::Cell_handle> >(stays.selected_cells)));
   else
     optimize();
 }
@@ -210,6 +283,7 @@ void run(Input& input, const std::string& method, Draw& draw, Outcome& outcome)
     contract.permit(parameters.do_insert_vertices, parameters.do_remove_vertices,
                     double(outcome.vertices) / parameters.wanted_number(outcome.vertices));
   std::cerr << input.name << ", " << outcome.vertices << " vertices: " << parameters << std::endl;
+  const What_stays<typename Input::C3t3> stays(c3t3, parameters);
   input.fail_sometimes(draw);
   bool has_thrown = false;
   CGAL::Timer timer;
@@ -219,7 +293,7 @@ void run(Input& input, const std::string& method, Draw& draw, Outcome& outcome)
     if(method == "cgal")
       odt_of_mesh_3(c3t3, input.domain);
     else
-      optimize(c3t3, input.domain, parameters);
+      optimize(c3t3, input.domain, parameters, stays);
   }
   catch(const Planned_failure&)
   {
@@ -228,6 +302,8 @@ void run(Input& input, const std::string& method, Draw& draw, Outcome& outcome)
   timer.stop();
   outcome.seconds = timer.time();
   input.stop_failing();
+  if(method != "cgal")
+    stays.check(c3t3);
   if(has_thrown)
     contract.check_untouched(c3t3);
   else if(method != "cgal" && !parameters.optimize_boundary)

@@ -57,7 +57,7 @@ public:
   typedef typename Triangulation::Vertex_handle Vertex_handle;
 
   // `before_removal` is told of the vertices that are removed.
-  C3t3_view_3(C3t3& c3t3, Mesh_domain_view_3<Mesh_domain>& domain, const User_constraints_3& constraints = User_constraints_3(),
+  C3t3_view_3(C3t3& c3t3, Mesh_domain_view_3<Mesh_domain>& domain, const User_constraints_3<C3t3>& constraints = User_constraints_3<C3t3>(),
               std::function<void(Vertex_handle)> before_removal = [](Vertex_handle) {})
     : c3t3_(c3t3)
     , domain_(domain)
@@ -84,7 +84,7 @@ public:
     for(std::size_t n = 0; n < cells.size(); ++n)
     {
       table.cells[n].label = domain_.number_subdomain(cells[n]->subdomain_index());
-      table.cells[n].is_kept = constraints_.has_cell(n);
+      table.cells[n].is_kept = constraints_.has(cells[n]);
       for(int i = 0; i < 4; ++i)
         if(const Facet f(cells[n], index_in(cells[n], table.cells[n].vertices[i])); f.first->is_facet_on_surface(f.second))
         {
@@ -98,7 +98,7 @@ public:
   bool is_fixed(int vertex) const override
   {
     const Vertex_handle v = vertices_[vertex];
-    return v->in_dimension() < 2 || weighted_site(v->point()).weight != 0 || constraints_.has_vertex(static_cast<std::size_t>(vertex));
+    return v->in_dimension() < 2 || weighted_site(v->point()).weight != 0 || constraints_.has(v);
   }
 
   int patch(int vertex) const override { return domain_.patch_at(vertices_[vertex]->index()); }
@@ -366,7 +366,7 @@ private:
 
   C3t3& c3t3_;
   Mesh_domain_view_3<Mesh_domain>& domain_;
-  const User_constraints_3 constraints_;
+  const User_constraints_3<C3t3> constraints_;
   std::function<void(Vertex_handle)> before_removal_;
   std::vector<Vertex_handle> vertices_;
   std::vector<Center> centers_;               // by the numbers of facets in the table

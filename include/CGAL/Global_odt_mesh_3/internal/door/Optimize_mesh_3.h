@@ -102,7 +102,7 @@ public:
   // Keeps references to its arguments, except for fields and constraints.
   Odt_mesh_optimizer_3(C3t3& c3t3, const Mesh_domain& domain, Odt_task task, const Odt_parameters& parameters,
                        Visitor& visitor, const User_fields_3<C3t3>& fields = User_fields_3<C3t3>(),
-                       const User_constraints_3& constraints = User_constraints_3())
+                       const User_constraints_3<C3t3>& constraints = User_constraints_3<C3t3>())
     : fields_(fields)
     , domain_(domain, parameters.domain_is_thread_safe ? threads() : Thread_policy())
     , mesh_(c3t3, domain_, constraints, [&visitor](typename C3t3::Vertex_handle v) { tell_of_removal(visitor, v); })
@@ -199,7 +199,7 @@ optimize(C3T3& c3t3, const MeshDomain& domain, Odt_task task, const Odt_paramete
     return optimize_periodic(c3t3, domain, p);
   else
   {
-    User_constraints_3 constraints;
+    User_constraints_3<C3T3> constraints;
     constraints.read(c3t3, arguments);
     auto visitor = find_visitor<C3T3>(arguments);
     typedef std::decay_t<decltype(unwrap(visitor))> Visitor;

@@ -15,47 +15,45 @@
 #include <CGAL/Global_odt_mesh_3/internal/door/Named_parameters.h>
 
 #include <CGAL/Time_stamper.h>
-#include <CGAL/Unique_hash_map.h>
 
-#include <cstddef>
 #include <type_traits>
-#include <vector>
+#include <unordered_set>
 
 namespace CGAL {
 namespace Global_odt_mesh_3 {
 namespace internal {
 
 // What the caller wants to stay: vertices, and cells with their vertices.
+template <class C3t3>
 class User_constraints_3
 {
+  typedef typename C3t3::Triangulation Triangulation;
+  typedef CGAL::Hash_handles_with_or_without_timestamps Hash;
+
 public:
-  // By their places among the finite vertices and among all cells.
-  bool has_vertex(std::size_t n) const { return !vertices_.empty() && vertices_[n]; }
-  bool has_cell(std::size_t n) const { return !cells_.empty() && cells_[n]; }
+  typedef typename Triangulation::Vertex_handle Vertex_handle;
+  typedef typename Triangulation::Cell_handle Cell_handle;
+
+  bool has(Vertex_handle v) const { return vertices_.count(v) > 0; }
+  bool has(Cell_handle c) const { return cells_.count(c) > 0; }
 
   // Asks the property maps, once for each vertex and for each cell of the complex.
-  template <class C3t3, class Arguments>
+  template <class Arguments>
   void read(const C3t3& c3t3, const Arguments& arguments)
   {
-    constexpr bool has_vertices = Arguments::template has<internal_np::vertex_is_constrained_t>;
-    constexpr bool has_cells = Arguments::template has<internal_np::cell_selector_t>;
-    typedef typename C3t3::Triangulation Triangulation;
     const Triangulation& tr = c3t3.triangulation();
-    CGAL::Unique_hash_map<typename Triangulation::Vertex_handle, bool, CGAL::Hash_handles_with_or_without_timestamps> is_kept(false);
-    if constexpr (has_cells)
-      for(typename Triangulation::Cell_handle c : tr.all_cell_handles())
-      {
-        cells_.push_back(c3t3.is_in_complex(c) && !is_true(arguments.template get<internal_np::cell_selector_t>(), c));
-        for(int i = 0; i < 4 && cells_.back(); ++i)
-          is_kept[c->vertex(i)] = true;
-      }
-    if constexpr (has_vertices || has_cells)
-      for(typename Triangulation::Vertex_handle v : tr.finite_vertex_handles())
-      {
-        vertices_.push_back(is_kept[v]);
-        if constexpr (has_vertices)
-          vertices_.back() = is_true(arguments.template get<internal_np::vertex_is_constrained_t>(), v) || vertices_.back();
-      }
+    if constexpr (Arguments::template has<internal_np::cell_selector_t>)
+      for(Cell_handle c : tr.all_cell_handles())
+        if(c3t3.is_in_complex(c) && !is_true(arguments.template get<internal_np::cell_selector_t>(), c))
+        {
+          cells_.insert(c);
+          for(int i = 0; i < 4; ++i)
+            vertices_.insert(c->vertex(i));
+        }
+    if constexpr (Arguments::template has<internal_np::vertex_is_constrained_t>)
+      for(Vertex_handle v : tr.finite_vertex_handles())
+        if(is_true(arguments.template get<internal_np::vertex_is_constrained_t>(), v))
+          vertices_.insert(v);
   }
 
 private:
@@ -67,7 +65,8 @@ private:
     return get(map, key);
   }
 
-  std::vector<char> vertices_, cells_;
+  std::unordered_set<Vertex_handle, Hash> vertices_;
+  std::unordered_set<Cell_handle, Hash> cells_;
 };
 
 } // namespace internal
