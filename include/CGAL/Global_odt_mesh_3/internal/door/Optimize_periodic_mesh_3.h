@@ -1,0 +1,206 @@
+// Copyright (c) 2026 The Global ODT Mesh authors.
+// All rights reserved.
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later OR LicenseRef-Commercial
+//
+// Author(s)     : The Global ODT Mesh authors
+
+#ifndef CGAL_GLOBAL_ODT_MESH_3_INTERNAL_DOOR_OPTIMIZE_PERIODIC_MESH_3_H
+#define CGAL_GLOBAL_ODT_MESH_3_INTERNAL_DOOR_OPTIMIZE_PERIODIC_MESH_3_H
+
+#include <CGAL/license/Global_odt_mesh_3.h>
+
+#include <CGAL/Global_odt_mesh_3/internal/Mesh_optimizer_3.h>
+#include <CGAL/Global_odt_mesh_3/internal/Odt_parameters.h>
+#include <CGAL/Global_odt_mesh_3/internal/door/Periodic_complex_3.h>
+#include <CGAL/Global_odt_mesh_3/internal/door/Periodic_mesh_3.h>
+#include <CGAL/Global_odt_mesh_3/internal/door/Unrolled_mesh_3.h>
+#include <CGAL/Global_odt_mesh_3/internal/geometry/Random_source.h>
+#include <CGAL/Global_odt_mesh_3/internal/interface/Optimization_visitor.h>
+#include <CGAL/Global_odt_mesh_3/internal/interface/User_field_3.h>
+#include <CGAL/Global_odt_mesh_3/internal/parallel/Thread_policy.h>
+
+#include <CGAL/Mesh_optimization_return_code.h>
+#include <CGAL/Real_timer.h>
+#include <CGAL/exceptions.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <map>
+#include <optional>
+#include <utility>
+
+namespace CGAL {
+namespace Global_odt_mesh_3 {
+namespace internal {
+
+// Optimizes a c3t3 in a periodic triangulation.
+//
+// In each round, the mesh is cut open along the sides of a cube, and optimized as one that is not periodic, with vertices at the cut
+// that stay. The next cut is elsewhere, so that they move then. A round whose result is not a valid periodic mesh is left out.
+template <class C3t3, class Mesh_domain>
+class Periodic_mesh_optimizer_3
+{
+public:
+  // Refers to its arguments.
+  Periodic_mesh_optimizer_3(C3t3& c3t3, const Mesh_domain& domain, const Odt_parameters& parameters)
+    : domain_of_mesh_(domain, Mesh::cube(c3t3.triangulation()))
+    , domain_(domain_of_mesh_)
+    , mesh_(c3t3, domain_)
+    , parameters_(parameters)
+    , random_(parameters.random_seed)
+  {
+    timer_.start();
+  }
+
+  Periodic_mesh_optimizer_3(const Periodic_mesh_optimizer_3&) = delete;
+  Periodic_mesh_optimizer_3& operator=(const Periodic_mesh_optimizer_3&) = delete;
+
+  Mesh_optimization_return_code operator()()
+  {
+    complex_ = mesh_.read();
+    const Vector_3 first_corner(random_.uniform(), random_.uniform(), random_.uniform());
+    for(round_ = 0; round_ < number_of_rounds && goes_on_; ++round_)
+    {
+      // Half a period apart, and then a quarter.
+      constexpr std::array<double, number_of_rounds> shifts = {{ 0, 0.5, 0.25 }};
+      const double s = shifts[round_];
+      make_round(complex_.cube.corner + complex_.cube.period * (first_corner + Vector_3(s, s, s)));
+    }
+    if(is_changed_)
+      mesh_.write(complex_);
+    if(parameters_.sliver_bound > 0 && parameters_.do_remove_slivers && goes_on_
+       && complex_.number_of_slivers(parameters_.sliver_bound) > 0)
+      return CANT_IMPROVE_ANYMORE;
+    return code_;
+  }
+
+private:
+  typedef Periodic_mesh_3<C3t3, Mesh_domain> Mesh;
+
+  static constexpr int number_of_rounds = 3;
+  static constexpr double volume_tolerance = 0.02;
+
+  // Counts iterations.
+  struct Counter
+    : public Optimization_visitor
+  {
+    void end_of_iteration(int) override { ++number; }
+
+    std::size_t number = 0;
+  };
+
+  // Of the work.
+  static constexpr std::array<double, number_of_rounds + 1> share_before = {{ 0, 0.5, 0.9, 1 }};
+
+  bool is_last() const { return round_ == number_of_rounds - 1; }
+
+  void make_round(const Vector_3& corner)
+  {
+    Unrolled_mesh_3 unrolled(complex_, corner);
+    if(!unrolled.is_faithful())
+      return;
+    const std::optional<Odt_parameters> p = parameters_of_round();
+    if(!p)
+      return;
+    Counter counter;
+    const Odt_task task = is_last() ? Odt_task::REMOVE_SLIVERS : Odt_task::OPTIMIZE;
+    const Mesh_optimization_return_code code
+      = optimize_mesh(unrolled, domain_, task, *p, User_field_3(), counter, Thread_policy());
+    iterations_ += counter.number;
+    if(!is_last() || code == TIME_LIMIT_REACHED)
+      code_ = code;
+    if(unrolled.is_changed())
+      adopt(unrolled.periodic_sites());
+  }
+
+  // None if there is nothing left to do.
+  std::optional<Odt_parameters> parameters_of_round()
+  {
+    Odt_parameters p = parameters_;
+    if(is_last() && !p.do_remove_slivers)
+      return std::nullopt;
+    p.random_seed += static_cast<unsigned int>(round_);
+    if(p.max_iteration_number > 0 && !is_last())
+    {
+      const std::size_t until_end = static_cast<std::size_t>(std::ceil(p.max_iteration_number * (round_ == 0 ? 0.5 : 1.)));
+      if(until_end <= iterations_)
+        return std::nullopt;
+      p.max_iteration_number = until_end - iterations_;
+    }
+    if(p.time_limit > 0)
+    {
+      const double begin = timer_.time(), left = p.time_limit - begin - rebuilding_ * (number_of_rounds - round_);
+      p.time_limit = left * (share_before[round_ + 1] - share_before[round_]) / (1 - share_before[round_]);
+      if(!(p.time_limit > 0))
+      {
+        code_ = TIME_LIMIT_REACHED;
+        goes_on_ = false;
+        return std::nullopt;
+      }
+    }
+    if(parameters_.callback)
+      p.callback = [this](double fraction)
+      {
+        const double begin = share_before[round_], end = share_before[round_ + 1];
+        goes_on_ = parameters_.callback(begin + fraction * (end - begin));
+        return goes_on_;
+      };
+    return p;
+  }
+
+  // Goes to these vertices if that makes a valid complex that keeps what is promised.
+  void adopt(std::vector<Site> sites)
+  {
+    const double begin = timer_.time();
+    std::optional<Periodic_complex_3> candidate;
+    try
+    {
+      candidate = mesh_.rebuild(complex_, std::move(sites));
+    }
+    catch(const Failure_exception&) {}      // of a triangulation that cannot be made
+    rebuilding_ = timer_.time() - begin;
+    if(!candidate || !is_acceptable(*candidate))
+      return;
+    complex_ = std::move(*candidate);
+    is_changed_ = true;
+  }
+
+  bool is_acceptable(const Periodic_complex_3& candidate) const
+  {
+    if(candidate.topology_of_patches() != complex_.topology_of_patches())
+      return false;
+    const std::map<int, double> before = complex_.volumes(), after = candidate.volumes();
+    for(const auto& v : before)
+    {
+      const auto it = after.find(v.first);
+      if(it == after.end() || std::abs(it->second - v.second) > volume_tolerance * v.second)
+        return false;
+    }
+    return before.size() == after.size()
+           && (!parameters_.do_remove_slivers || candidate.slivers().is_not_worse_than(complex_.slivers(), true));
+  }
+
+  Periodic_domain_3<Mesh_domain> domain_of_mesh_;
+  typename Mesh::Domain_view domain_;
+  Mesh mesh_;
+  const Odt_parameters& parameters_;
+  Random_source random_;
+  Real_timer timer_;
+  Periodic_complex_3 complex_;              // the last that is valid
+  int round_ = 0;
+  bool goes_on_ = true, is_changed_ = false;
+  std::size_t iterations_ = 0;
+  double rebuilding_ = 0;                   // seconds
+  Mesh_optimization_return_code code_ = CANT_IMPROVE_ANYMORE;
+};
+
+} // namespace internal
+} // namespace Global_odt_mesh_3
+} // namespace CGAL
+
+#endif // CGAL_GLOBAL_ODT_MESH_3_INTERNAL_DOOR_OPTIMIZE_PERIODIC_MESH_3_H
