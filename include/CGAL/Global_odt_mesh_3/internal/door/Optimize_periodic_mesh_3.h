@@ -63,6 +63,8 @@ public:
   Mesh_optimization_return_code operator()()
   {
     complex_ = mesh_.read();
+    slivers_of_input_ = complex_.slivers();
+    break_ties();
     const Vector_3 first_corner(random_.uniform(), random_.uniform(), random_.uniform());
     for(round_ = 0; round_ < number_of_rounds && goes_on_; ++round_)
     {
@@ -84,6 +86,7 @@ private:
 
   static constexpr int number_of_rounds = 3;
   static constexpr double volume_tolerance = 0.02;
+  static constexpr double size_of_perturbation = 1e-3;      // relative to the shortest edge at a vertex
 
   // Counts iterations.
   struct Counter
@@ -102,6 +105,9 @@ private:
   void make_round(const Vector_3& corner)
   {
     Unrolled_mesh_3 unrolled(complex_, corner);
+#ifdef H3_DEBUG
+    std::cerr << "round " << round_ << " faithful " << unrolled.is_faithful() << " time " << timer_.time() << unrolled.info() << std::endl;
+#endif
     if(!unrolled.is_faithful())
       return;
     const std::optional<Odt_parameters> p = parameters_of_round();
@@ -112,6 +118,9 @@ private:
     const Mesh_optimization_return_code code
       = optimize_mesh(unrolled, domain_, task, *p, User_field_3(), counter, Thread_policy());
     iterations_ += counter.number;
+#ifdef H3_DEBUG
+    std::cerr << " code " << code << " changed " << unrolled.is_changed() << " time " << timer_.time() << " iterations " << counter.number << std::endl;
+#endif
     if(!is_last() || code == TIME_LIMIT_REACHED)
       code_ = code;
     if(unrolled.is_changed())
@@ -153,8 +162,31 @@ private:
     return p;
   }
 
+  // Moves vertices of the interior a little: where cells have a common sphere, as those of the lattice have with which the mesh
+  // generator begins, the triangulation of copies may have others.
+  void break_ties()
+  {
+    const std::vector<double> freedom = complex_.freedom_of_interior();
+    std::vector<Site> sites = complex_.sites;
+    for(std::size_t v = 0; v < sites.size(); ++v)
+      if(freedom[v] > 0)
+        sites[v] = site_at(complex_.cube.canonical(position(sites[v]) + size_of_perturbation * freedom[v] * random_.direction()), 0);
+    if(std::optional<Periodic_complex_3> candidate = rebuilt(std::move(sites)))
+      complex_ = std::move(*candidate);
+  }
+
   // Goes to these vertices if that makes a valid complex that keeps what is promised.
   void adopt(std::vector<Site> sites)
+  {
+    std::optional<Periodic_complex_3> candidate = rebuilt(std::move(sites));
+    if(!candidate || (parameters_.do_remove_slivers && !candidate->slivers().is_not_worse_than(slivers_of_input_, true)))
+      return;
+    complex_ = std::move(*candidate);
+    is_changed_ = true;
+  }
+
+  // None if there is no valid complex of these vertices, or one of another topology or with other volumes.
+  std::optional<Periodic_complex_3> rebuilt(std::vector<Site> sites)
   {
     const double begin = timer_.time();
     std::optional<Periodic_complex_3> candidate;
@@ -164,13 +196,19 @@ private:
     }
     catch(const Failure_exception&) {}      // of a triangulation that cannot be made
     rebuilding_ = timer_.time() - begin;
-    if(!candidate || !is_acceptable(*candidate))
-      return;
-    complex_ = std::move(*candidate);
-    is_changed_ = true;
+#ifdef H3_DEBUG
+    std::cerr << " rebuilt " << bool(candidate) << " in " << rebuilding_;
+    if(candidate) { std::cerr << " like before " << is_like_before(*candidate) << " below 10 20 30: ";
+      for(double b : { 5., 10., 20., 25. }) std::cerr << candidate->number_of_slivers(b) << ' ';
+      for(auto& m : candidate->topology_of_patches()) std::cerr << "[" << m.second[0] << ' ' << m.second[1] << ' ' << m.second[2] << "]"; }
+    std::cerr << std::endl;
+#endif
+    if(candidate && !is_like_before(*candidate))
+      candidate.reset();
+    return candidate;
   }
 
-  bool is_acceptable(const Periodic_complex_3& candidate) const
+  bool is_like_before(const Periodic_complex_3& candidate) const
   {
     if(candidate.topology_of_patches() != complex_.topology_of_patches())
       return false;
@@ -181,8 +219,7 @@ private:
       if(it == after.end() || std::abs(it->second - v.second) > volume_tolerance * v.second)
         return false;
     }
-    return before.size() == after.size()
-           && (!parameters_.do_remove_slivers || candidate.slivers().is_not_worse_than(complex_.slivers(), true));
+    return before.size() == after.size();
   }
 
   Periodic_domain_3<Mesh_domain> domain_of_mesh_;
@@ -192,6 +229,7 @@ private:
   Random_source random_;
   Real_timer timer_;
   Periodic_complex_3 complex_;              // the last that is valid
+  Sliver_census_3 slivers_of_input_;
   int round_ = 0;
   bool goes_on_ = true, is_changed_ = false;
   std::size_t iterations_ = 0;

@@ -23,6 +23,7 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <limits>
 #include <map>
 #include <utility>
 #include <vector>
@@ -107,6 +108,28 @@ struct Periodic_complex_3
   {
     const Quadruple& v = cells[f.cell].vertices;
     return {{ v[(f.index + 1) & 3], v[(f.index + 2) & 3], v[(f.index + 3) & 3] }};
+  }
+
+  // The length of the shortest edge at vertices that are inside of a subdomain, not on a surface and without a weight; 0 for all others.
+  std::vector<double> freedom_of_interior() const
+  {
+    constexpr double none = (std::numeric_limits<double>::max)();
+    std::vector<double> result(sites.size(), none);
+    for(const Cell& c : cells)
+    {
+      const std::array<Site, 4> s = cell_sites(c);
+      for(int i = 0; i < 4; ++i)
+        for(int j = 0; j < 4; ++j)
+          if(i != j)
+            result[c.vertices[i]] = (std::min)(result[c.vertices[i]], is_inside(c) ? (position(s[i]) - position(s[j])).length() : 0.);
+    }
+    for(const Facet& f : facets)
+      for(int v : facet_vertices(f))
+        result[v] = 0;
+    for(std::size_t v = 0; v < sites.size(); ++v)
+      if((dimensions[v] >= 0 && dimensions[v] < 3) || sites[v].weight != 0)
+        result[v] = 0;
+    return result;
   }
 
   // Over all subdomains.

@@ -75,6 +75,9 @@ public:
     return sites;
   }
 
+#ifdef H3_DEBUG
+  std::string info() const { std::ostringstream o; o << " movable " << std::count(is_movable_.begin(), is_movable_.end(), 1) << " near " << std::count(is_near_.begin(), is_near_.end(), 1) << " of " << size_ << " all " << table_.sites.size() << " cells " << table_.cells.size() << " in " << std::count_if(table_.cells.begin(), table_.cells.end(), [](auto& c){ return c.label != 0; }); return o.str(); }
+#endif
   bool is_changed() const { return !moved_.empty(); }
 
   Mesh_table_3 read(const Thread_policy&) override { return table_; }
