@@ -17,14 +17,17 @@
 #include <CGAL/Global_odt_mesh_3/internal/door/Periodic_complex_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/door/Periodic_mesh_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/door/Unrolled_mesh_3.h>
+#include <CGAL/Global_odt_mesh_3/internal/geometry/Angle_deficit_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/geometry/Random_source.h>
+#include <CGAL/Global_odt_mesh_3/internal/geometry/Site.h>
+#include <CGAL/Global_odt_mesh_3/internal/geometry/Vector_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/interface/Optimization_visitor.h>
 #include <CGAL/Global_odt_mesh_3/internal/interface/User_field_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/parallel/Thread_policy.h>
 
+#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Mesh_optimization_return_code.h>
 #include <CGAL/Real_timer.h>
-#include <CGAL/exceptions.h>
 
 #include <algorithm>
 #include <array>
@@ -33,6 +36,7 @@
 #include <map>
 #include <optional>
 #include <utility>
+#include <vector>
 
 namespace CGAL {
 namespace Global_odt_mesh_3 {
@@ -62,29 +66,26 @@ public:
 
   Mesh_optimization_return_code operator()()
   {
+    if(!mesh_.is_one_sheeted())
+      return CANT_IMPROVE_ANYMORE;
     complex_ = mesh_.read();
-    slivers_of_input_ = complex_.slivers();
+    set_input();
     break_ties();
     const Vector_3 first_corner(random_.uniform(), random_.uniform(), random_.uniform());
     for(round_ = 0; round_ < number_of_rounds && goes_on_; ++round_)
     {
-      // Half a period apart, and then a quarter.
-      constexpr std::array<double, number_of_rounds> shifts = {{ 0, 0.5, 0.25 }};
       const double s = shifts[round_];
       make_round(complex_.cube.corner + complex_.cube.period * (first_corner + Vector_3(s, s, s)));
     }
     if(is_changed_)
       mesh_.write(complex_);
-    if(parameters_.sliver_bound > 0 && parameters_.do_remove_slivers && goes_on_
-       && complex_.number_of_slivers(parameters_.sliver_bound) > 0)
-      return CANT_IMPROVE_ANYMORE;
-    return code_;
+    return code();
   }
 
 private:
   typedef Periodic_mesh_3<C3t3, Mesh_domain> Mesh;
 
-  static constexpr int number_of_rounds = 3;
+  static constexpr int number_of_rounds = 5, number_of_optimizations = 2;
   static constexpr double volume_tolerance = 0.02;
   static constexpr double size_of_perturbation = 1e-3;      // relative to the shortest edge at a vertex
 
@@ -97,31 +98,38 @@ private:
     std::size_t number = 0;
   };
 
-  // Of the work.
-  static constexpr std::array<double, number_of_rounds + 1> share_before = {{ 0, 0.5, 0.9, 1 }};
+  // Of the period, between the first cut and those of the rounds: as far apart as can be.
+  static constexpr std::array<double, number_of_rounds> shifts = {{ 0, 1. / 2, 1. / 4, 3. / 4, 1. / 8 }};
+  // Of the work, in time.
+  static constexpr std::array<double, number_of_rounds + 1> share_before = {{ 0, 0.45, 0.85, 0.9, 0.95, 1 }};
 
-  bool is_last() const { return round_ == number_of_rounds - 1; }
+  Mesh_optimization_return_code code() const
+  {
+    const bool is_failure = goes_on_ && code_ != TIME_LIMIT_REACHED && !is_changed_ && has_failed_;
+    const bool removes_slivers = goes_on_ && parameters_.do_remove_slivers && parameters_.sliver_bound > 0;
+    return is_failure || (removes_slivers && complex_.number_of_slivers(parameters_.sliver_bound) > 0) ? CANT_IMPROVE_ANYMORE : code_;
+  }
+
+  // Or else slivers are removed, and nothing else.
+  bool optimizes() const { return round_ < number_of_optimizations; }
 
   void make_round(const Vector_3& corner)
   {
-    Unrolled_mesh_3 unrolled(complex_, corner);
-#ifdef H3_DEBUG
-    std::cerr << "round " << round_ << " faithful " << unrolled.is_faithful() << " time " << timer_.time() << unrolled.info() << std::endl;
-#endif
-    if(!unrolled.is_faithful())
-      return;
     const std::optional<Odt_parameters> p = parameters_of_round();
     if(!p)
       return;
+    Unrolled_mesh_3<Exact_predicates_inexact_constructions_kernel> unrolled(complex_, corner);
+    if(!unrolled.is_faithful())
+    {
+      has_failed_ = true;
+      return;
+    }
     Counter counter;
-    const Odt_task task = is_last() ? Odt_task::REMOVE_SLIVERS : Odt_task::OPTIMIZE;
+    const Odt_task task = optimizes() ? Odt_task::OPTIMIZE : Odt_task::REMOVE_SLIVERS;
     const Mesh_optimization_return_code code
       = optimize_mesh(unrolled, domain_, task, *p, User_field_3(), counter, Thread_policy());
     iterations_ += counter.number;
-#ifdef H3_DEBUG
-    std::cerr << " code " << code << " changed " << unrolled.is_changed() << " time " << timer_.time() << " iterations " << counter.number << std::endl;
-#endif
-    if(!is_last() || code == TIME_LIMIT_REACHED)
+    if(optimizes() || code == TIME_LIMIT_REACHED)
       code_ = code;
     if(unrolled.is_changed())
       adopt(unrolled.periodic_sites());
@@ -131,10 +139,10 @@ private:
   std::optional<Odt_parameters> parameters_of_round()
   {
     Odt_parameters p = parameters_;
-    if(is_last() && !p.do_remove_slivers)
+    if(!optimizes() && !p.do_remove_slivers)
       return std::nullopt;
     p.random_seed += static_cast<unsigned int>(round_);
-    if(p.max_iteration_number > 0 && !is_last())
+    if(p.max_iteration_number > 0 && optimizes())
     {
       const std::size_t until_end = static_cast<std::size_t>(std::ceil(p.max_iteration_number * (round_ == 0 ? 0.5 : 1.)));
       if(until_end <= iterations_)
@@ -163,7 +171,8 @@ private:
   }
 
   // Moves vertices of the interior a little: where cells have a common sphere, as those of the lattice have with which the mesh
-  // generator begins, the triangulation of copies may have others.
+  // generator begins, the triangulation of copies may have others. If dual points lie on the surface, or the mesh is so coarse that
+  // the mesh generator has missed cells, labels get those of the domain.
   void break_ties()
   {
     const std::vector<double> freedom = complex_.freedom_of_interior();
@@ -171,55 +180,48 @@ private:
     for(std::size_t v = 0; v < sites.size(); ++v)
       if(freedom[v] > 0)
         sites[v] = site_at(complex_.cube.canonical(position(sites[v]) + size_of_perturbation * freedom[v] * random_.direction()), 0);
-    if(std::optional<Periodic_complex_3> candidate = rebuilt(std::move(sites)))
-      complex_ = std::move(*candidate);
+    std::optional<Periodic_complex_3> candidate = rebuilt(std::move(sites));
+    if(!candidate || (!is_like_input(*candidate) && mesh_.is_labelled_by_domain(complex_)))
+      return;
+    complex_ = std::move(*candidate);
+    set_input();
+  }
+
+  // What is kept is kept of this complex.
+  void set_input()
+  {
+    slivers_of_input_ = complex_.slivers();
+    volumes_ = complex_.volumes();
+    topology_ = complex_.topology_of_patches();
   }
 
   // Goes to these vertices if that makes a valid complex that keeps what is promised.
   void adopt(std::vector<Site> sites)
   {
     std::optional<Periodic_complex_3> candidate = rebuilt(std::move(sites));
-    if(!candidate || (parameters_.do_remove_slivers && !candidate->slivers().is_not_worse_than(slivers_of_input_, true)))
-      return;
-    complex_ = std::move(*candidate);
-    is_changed_ = true;
+    const bool is_acceptable
+      = candidate && is_like_input(*candidate)
+        && (!parameters_.do_remove_slivers || candidate->slivers().is_not_worse_than(slivers_of_input_, true));
+    if(is_acceptable)
+      complex_ = std::move(*candidate);
+    (is_acceptable ? is_changed_ : has_failed_) = true;
   }
 
-  // None if there is no valid complex of these vertices, or one of another topology or with other volumes.
   std::optional<Periodic_complex_3> rebuilt(std::vector<Site> sites)
   {
     const double begin = timer_.time();
-    std::optional<Periodic_complex_3> candidate;
-    try
-    {
-      candidate = mesh_.rebuild(complex_, std::move(sites));
-    }
-    catch(const Failure_exception&) {}      // of a triangulation that cannot be made
+    std::optional<Periodic_complex_3> result = mesh_.rebuild(complex_, std::move(sites));
     rebuilding_ = timer_.time() - begin;
-#ifdef H3_DEBUG
-    std::cerr << " rebuilt " << bool(candidate) << " in " << rebuilding_;
-    if(candidate) { std::cerr << " like before " << is_like_before(*candidate) << " below 10 20 30: ";
-      for(double b : { 5., 10., 20., 25. }) std::cerr << candidate->number_of_slivers(b) << ' ';
-      for(auto& m : candidate->topology_of_patches()) std::cerr << "[" << m.second[0] << ' ' << m.second[1] << ' ' << m.second[2] << "]"; }
-    std::cerr << std::endl;
-#endif
-    if(candidate && !is_like_before(*candidate))
-      candidate.reset();
-    return candidate;
+    return result;
   }
 
-  bool is_like_before(const Periodic_complex_3& candidate) const
+  // In topology and volumes.
+  bool is_like_input(const Periodic_complex_3& candidate) const
   {
-    if(candidate.topology_of_patches() != complex_.topology_of_patches())
-      return false;
-    const std::map<int, double> before = complex_.volumes(), after = candidate.volumes();
-    for(const auto& v : before)
-    {
-      const auto it = after.find(v.first);
-      if(it == after.end() || std::abs(it->second - v.second) > volume_tolerance * v.second)
-        return false;
-    }
-    return before.size() == after.size();
+    const std::map<int, double> volumes = candidate.volumes();
+    return candidate.topology_of_patches() == topology_
+           && std::equal(volumes.begin(), volumes.end(), volumes_.begin(), volumes_.end(), [](const auto& v, const auto& w)
+                         { return v.first == w.first && std::abs(v.second - w.second) <= volume_tolerance * w.second; });
   }
 
   Periodic_domain_3<Mesh_domain> domain_of_mesh_;
@@ -230,8 +232,10 @@ private:
   Real_timer timer_;
   Periodic_complex_3 complex_;              // the last that is valid
   Sliver_census_3 slivers_of_input_;
+  std::map<int, double> volumes_;           // of the input
+  std::map<int, std::array<long, 3> > topology_;
   int round_ = 0;
-  bool goes_on_ = true, is_changed_ = false;
+  bool goes_on_ = true, is_changed_ = false, has_failed_ = false;
   std::size_t iterations_ = 0;
   double rebuilding_ = 0;                   // seconds
   Mesh_optimization_return_code code_ = CANT_IMPROVE_ANYMORE;

@@ -160,8 +160,7 @@ struct Periodic_complex_3
     return volume;
   }
 
-  // For each patch, what its facets say of topology: the Euler characteristic, the number of edges with one, two, and more
-  // facets being told apart.
+  // For each patch, the Euler characteristic, and how many edges have one facet of it, and more than two.
   std::map<int, std::array<long, 3> > topology_of_patches() const
   {
     std::map<int, std::vector<Triple> > facets_of_patch;
@@ -174,7 +173,6 @@ struct Periodic_complex_3
   }
 
 private:
-  // The Euler characteristic, and how many edges have one facet, and more than two.
   static std::array<long, 3> topology(const std::vector<Triple>& triangles)
   {
     std::map<std::array<int, 2>, int> facets_at_edge;

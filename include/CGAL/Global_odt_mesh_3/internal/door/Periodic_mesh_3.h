@@ -23,7 +23,9 @@
 #include <CGAL/Mesh_3/config.h>
 #include <CGAL/Time_stamper.h>
 #include <CGAL/Unique_hash_map.h>
+#include <CGAL/exceptions.h>
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <map>
@@ -113,6 +115,18 @@ public:
   static Periodic_cube_3 cube(const Triangulation& tr)
   {
     return { coordinates((tr.domain().min)()), CGAL::to_double(tr.domain().xmax()) - CGAL::to_double(tr.domain().xmin()) };
+  }
+
+  bool is_one_sheeted() const { return c3t3_.triangulation().number_of_vertices() > 0 && c3t3_.triangulation().is_1_cover(); }
+
+  // Whether the domain says now what the mesh generator has been told of the complex that has been read.
+  bool is_labelled_by_domain(const Periodic_complex_3& complex) const
+  {
+    const std::vector<Cell_handle> cells = cells_of(c3t3_.triangulation());
+    for(std::size_t n = 0; n < cells.size(); ++n)
+      if(complex.cells[n].label != domain_.label(coordinates(c3t3_.triangulation().dual(cells[n]))))
+        return false;
+    return true;
   }
 
   Periodic_complex_3 read()
@@ -247,7 +261,14 @@ private:
       number.emplace(std::array<double, 3>{{ s.x, s.y, s.z }}, points.size());
       points.push_back(weighted_point(s));
     }
-    static_cast<typename Triangulation::Base&>(tr).insert(points.begin(), points.end(), true);
+    try
+    {
+      static_cast<typename Triangulation::Base&>(tr).insert(points.begin(), points.end(), true);
+    }
+    catch(const Failure_exception&)
+    {
+      return false;
+    }
     if(!tr.is_1_cover() || tr.number_of_vertices() != sites.size())
       return false;
     vertices.resize(sites.size());

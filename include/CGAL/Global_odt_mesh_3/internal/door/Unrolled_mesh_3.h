@@ -22,7 +22,6 @@
 #include <CGAL/Global_odt_mesh_3/internal/interface/Mesh_view_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/parallel/Thread_policy.h>
 
-#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Regular_triangulation_3.h>
 #include <CGAL/Regular_triangulation_cell_base_3.h>
 #include <CGAL/Regular_triangulation_vertex_base_3.h>
@@ -46,6 +45,7 @@ namespace internal {
 // that the copies beyond are where they have to be as long as others move. The complex consists of the cells around vertices
 // that may move, and of those that touch one of these, so that what moves is surrounded by cells that have neighbors; all else is
 // outside.
+template <class Kernel>
 class Unrolled_mesh_3
   : public User_mesh_view_3
 {
@@ -75,9 +75,6 @@ public:
     return sites;
   }
 
-#ifdef H3_DEBUG
-  std::string info() const { std::ostringstream o; o << " movable " << std::count(is_movable_.begin(), is_movable_.end(), 1) << " near " << std::count(is_near_.begin(), is_near_.end(), 1) << " of " << size_ << " all " << table_.sites.size() << " cells " << table_.cells.size() << " in " << std::count_if(table_.cells.begin(), table_.cells.end(), [](auto& c){ return c.label != 0; }); return o.str(); }
-#endif
   bool is_changed() const { return !moved_.empty(); }
 
   Mesh_table_3 read(const Thread_policy&) override { return table_; }
@@ -87,11 +84,10 @@ public:
   std::vector<std::array<int, 2> > feature_edges() const override { return {}; }
   void write(const Mesh_table_3& table) override { moved_ = table.sites; }
 
-  // Of the periodic complex, which they are counted in.
+  // They are counted in the periodic complex.
   std::size_t number_of_slivers(double) const override { return 0; }
 
 private:
-  typedef CGAL::Exact_predicates_inexact_constructions_kernel Kernel;
   typedef CGAL::Triangulation_vertex_base_with_info_3<int, Kernel, CGAL::Regular_triangulation_vertex_base_3<Kernel> > Vertex_base;
   typedef CGAL::Triangulation_cell_base_with_info_3<int, Kernel, CGAL::Regular_triangulation_cell_base_3<Kernel> > Cell_base;
   typedef CGAL::Regular_triangulation_3<Kernel, CGAL::Triangulation_data_structure_3<Vertex_base, Cell_base> > Triangulation;
@@ -181,22 +177,23 @@ private:
 
   void triangulate()
   {
-    std::vector<std::pair<Kernel::Weighted_point_3, int> > points;
+    typedef typename Kernel::Weighted_point_3 Weighted_point;
+    std::vector<std::pair<Weighted_point, int> > points;
     for(std::size_t v = 0; v < table_.sites.size(); ++v)
     {
       const Site& s = table_.sites[v];
-      points.emplace_back(Kernel::Weighted_point_3(Kernel::Point_3(s.x, s.y, s.z), s.weight), static_cast<int>(v));
+      points.emplace_back(Weighted_point(typename Kernel::Point_3(s.x, s.y, s.z), s.weight), static_cast<int>(v));
     }
     Triangulation tr;
     tr.insert(points.begin(), points.end());
     if(tr.number_of_vertices() != table_.sites.size())
       return;
     tr.infinite_vertex()->info() = Mesh_table_3::infinite;
-    const std::vector<Triangulation::Cell_handle> cells = all_cells(tr);
+    const std::vector<typename Triangulation::Cell_handle> cells = all_cells(tr);
     for(std::size_t n = 0; n < cells.size(); ++n)
       cells[n]->info() = static_cast<int>(n);
     cells_.reserve(cells.size());
-    for(Triangulation::Cell_handle c : cells)
+    for(typename Triangulation::Cell_handle c : cells)
     {
       Mesh_table_3::Cell cell;
       for(int i = 0; i < 4; ++i)
