@@ -46,6 +46,9 @@ namespace internal {
 //
 // In each round, the mesh is cut open along the sides of a cube, and optimized as one that is not periodic, with vertices at the cut
 // that stay. The next cut is elsewhere, so that they move then. A round whose result is not a valid periodic mesh is left out.
+//
+// A mesh that is so coarse that it has a triangulation of one sheet only with the points of the lattice with which the mesh generator
+// begins keeps these where they are.
 template <class C3t3, class Mesh_domain>
 class Periodic_mesh_optimizer_3
 {
@@ -75,7 +78,9 @@ public:
     for(round_ = 0; round_ < number_of_rounds && goes_on_; ++round_)
     {
       const double s = shifts[round_];
-      make_round(complex_.cube.corner + complex_.cube.period * (first_corner + Vector_3(s, s, s)));
+      const Vector_3 corner = complex_.cube.corner + complex_.cube.period * (first_corner + Vector_3(s, s, s));
+      if(!make_round(corner) && std::exchange(lattice_moves_, false))
+        make_round(corner);
     }
     if(is_changed_)
       mesh_.write(complex_);
@@ -113,16 +118,17 @@ private:
   // Or else slivers are removed, and nothing else.
   bool optimizes() const { return round_ < number_of_optimizations; }
 
-  void make_round(const Vector_3& corner)
+  // False if there is no triangulation of one sheet where the optimizer has led.
+  bool make_round(const Vector_3& corner)
   {
     const std::optional<Odt_parameters> p = parameters_of_round();
     if(!p)
-      return;
-    Unrolled_mesh_3<Exact_predicates_inexact_constructions_kernel> unrolled(complex_, corner);
+      return true;
+    Unrolled_mesh_3<Exact_predicates_inexact_constructions_kernel> unrolled(complex_, corner, lattice_moves_);
     if(!unrolled.is_faithful())
     {
       has_failed_ = true;
-      return;
+      return true;
     }
     Counter counter;
     const Odt_task task = optimizes() ? Odt_task::OPTIMIZE : Odt_task::REMOVE_SLIVERS;
@@ -131,8 +137,7 @@ private:
     iterations_ += counter.number;
     if(optimizes() || code == TIME_LIMIT_REACHED)
       code_ = code;
-    if(unrolled.is_changed())
-      adopt(unrolled.periodic_sites());
+    return !unrolled.is_changed() || adopt(unrolled.periodic_sites());
   }
 
   // None if there is nothing left to do.
@@ -195,16 +200,17 @@ private:
     topology_ = complex_.topology_of_patches();
   }
 
-  // Goes to these vertices if that makes a valid complex that keeps what is promised.
-  void adopt(std::vector<Site> sites)
+  // Goes to these vertices if that makes a valid complex that keeps what is promised. False if it makes none at all.
+  bool adopt(std::vector<Site> sites)
   {
     std::optional<Periodic_complex_3> candidate = rebuilt(std::move(sites));
     const bool is_acceptable
       = candidate && is_like_input(*candidate)
         && (!parameters_.do_remove_slivers || candidate->slivers().is_not_worse_than(slivers_of_input_, true));
+    (is_acceptable ? is_changed_ : has_failed_) = true;
     if(is_acceptable)
       complex_ = std::move(*candidate);
-    (is_acceptable ? is_changed_ : has_failed_) = true;
+    return candidate.has_value();
   }
 
   std::optional<Periodic_complex_3> rebuilt(std::vector<Site> sites)
@@ -235,6 +241,7 @@ private:
   std::map<int, double> volumes_;           // of the input
   std::map<int, std::array<long, 3> > topology_;
   int round_ = 0;
+  bool lattice_moves_ = true;
   bool goes_on_ = true, is_changed_ = false, has_failed_ = false;
   std::size_t iterations_ = 0;
   double rebuilding_ = 0;                   // seconds

@@ -50,10 +50,11 @@ class Unrolled_mesh_3
   : public User_mesh_view_3
 {
 public:
-  // Refers to the complex.
-  Unrolled_mesh_3(const Periodic_complex_3& complex, const Vector_3& corner)
+  // Refers to the complex. Points that were there before the mesh, and have no dimension, may move if `lattice_moves`.
+  Unrolled_mesh_3(const Periodic_complex_3& complex, const Vector_3& corner, bool lattice_moves)
     : complex_(complex)
     , corner_(corner)
+    , lattice_moves_(lattice_moves)
     , size_(complex.sites.size())
   {
     place_vertices();
@@ -106,8 +107,7 @@ private:
     original_.push_back(static_cast<int>(v));
     periods_.push_back(periods);
     table_.sites.push_back(site_at(complex_.cube.translated(position(s), periods), s.weight));
-    // Points that were there before the mesh have no dimension; inside, they may move.
-    table_.dimensions.push_back(complex_.dimensions[v] < 0 ? int(interior) : complex_.dimensions[v]);
+    table_.dimensions.push_back(complex_.dimensions[v] < 0 && lattice_moves_ ? int(interior) : complex_.dimensions[v]);
   }
 
   // Whether the sides of the cube cut a cell.
@@ -289,6 +289,7 @@ private:
 
   const Periodic_complex_3& complex_;
   Vector_3 corner_;
+  bool lattice_moves_;
   std::size_t size_;                        // number of vertices of the periodic complex
   std::vector<char> is_movable_, is_near_;  // of these
   std::vector<int> original_;               // of which vertices are copies
