@@ -75,9 +75,9 @@ public:
     set_input();
     break_ties();
     const Vector_3 first_corner(random_.uniform(), random_.uniform(), random_.uniform());
-    for(round_ = 0; round_ < number_of_rounds && goes_on_; ++round_)
+    for(round_ = 0; round_ < most_rounds && goes_on_ && !is_done(); ++round_)
     {
-      const double s = shifts[round_];
+      const double s = shift(round_);
       const Vector_3 corner = complex_.cube.corner + complex_.cube.period * (first_corner + Vector_3(s, s, s));
       if(!make_round(corner) && std::exchange(lattice_moves_, false))
         make_round(corner);
@@ -90,7 +90,8 @@ public:
 private:
   typedef Periodic_mesh_3<C3t3, Mesh_domain> Mesh;
 
-  static constexpr int number_of_rounds = 5, number_of_optimizations = 2;
+  static constexpr int usual_rounds = 5, most_rounds = 9, number_of_optimizations = 2;
+  static constexpr double wanted_angle = 30;                // of more rounds, if no bound is given
   static constexpr double volume_tolerance = 0.02;
   static constexpr double size_of_perturbation = 1e-3;      // relative to the shortest edge at a vertex
 
@@ -103,10 +104,30 @@ private:
     std::size_t number = 0;
   };
 
-  // Of the period, between the first cut and those of the rounds: as far apart as can be.
-  static constexpr std::array<double, number_of_rounds> shifts = {{ 0, 1. / 2, 1. / 4, 3. / 4, 1. / 8 }};
+  // Of the period, between the first cut and that of a round: as far from all before as can be (van der Corput, 1935).
+  static double shift(int round)
+  {
+    double result = 0;
+    for(double digit = 0.5; round > 0; round /= 2, digit /= 2)
+      result += round % 2 * digit;
+    return result;
+  }
+
   // Of the work, in time.
-  static constexpr std::array<double, number_of_rounds + 1> share_before = {{ 0, 0.45, 0.85, 0.9, 0.95, 1 }};
+  static double share_before(int round)
+  {
+    constexpr std::array<double, number_of_optimizations + 1> shares = {{ 0, 0.45, 0.85 }};
+    if(round < number_of_optimizations)
+      return shares[round];
+    const double last = shares.back();
+    return last + (1 - last) * (round - number_of_optimizations) / (most_rounds - number_of_optimizations);
+  }
+
+  // Whether no more rounds are needed.
+  bool is_done() const
+  {
+    return round_ >= usual_rounds && complex_.number_of_slivers(parameters_.sliver_bound > 0 ? parameters_.sliver_bound : wanted_angle) == 0;
+  }
 
   Mesh_optimization_return_code code() const
   {
@@ -156,8 +177,8 @@ private:
     }
     if(p.time_limit > 0)
     {
-      const double begin = timer_.time(), left = p.time_limit - begin - rebuilding_ * (number_of_rounds - round_);
-      p.time_limit = left * (share_before[round_ + 1] - share_before[round_]) / (1 - share_before[round_]);
+      const double begin = timer_.time(), left = p.time_limit - begin - rebuilding_ * (usual_rounds - (std::min)(round_, usual_rounds - 1));
+      p.time_limit = left * (share_before(round_ + 1) - share_before(round_)) / (1 - share_before(round_));
       if(!(p.time_limit > 0))
       {
         code_ = TIME_LIMIT_REACHED;
@@ -168,7 +189,7 @@ private:
     if(parameters_.callback)
       p.callback = [this](double fraction)
       {
-        const double begin = share_before[round_], end = share_before[round_ + 1];
+        const double begin = share_before(round_), end = share_before(round_ + 1);
         goes_on_ = parameters_.callback(begin + fraction * (end - begin));
         return goes_on_;
       };
