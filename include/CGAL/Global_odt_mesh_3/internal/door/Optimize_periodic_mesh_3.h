@@ -207,10 +207,12 @@ private:
       if(freedom[v] > 0)
         sites[v] = site_at(complex_.cube.canonical(position(sites[v]) + size_of_perturbation * freedom[v] * random_.direction()), 0);
     std::optional<Periodic_complex_3> candidate = rebuilt(std::move(sites));
-    if(!candidate || (!is_like_input(*candidate) && mesh_.is_labelled_by_domain(complex_)))
+    const bool is_like = candidate && is_like_input(*candidate);
+    if(!candidate || (!is_like && mesh_.is_labelled_by_domain(complex_)))
       return;
     complex_ = std::move(*candidate);
-    set_input();
+    if(!is_like)
+      set_input();
   }
 
   // What is kept is kept of this complex.
