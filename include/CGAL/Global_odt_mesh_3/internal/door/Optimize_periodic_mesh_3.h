@@ -190,7 +190,8 @@ private:
       p.callback = [this](double fraction)
       {
         const double begin = share_before(round_), end = share_before(round_ + 1);
-        goes_on_ = parameters_.callback(begin + fraction * (end - begin));
+        reported_ = (std::max)(reported_, begin + fraction * (end - begin));
+        goes_on_ = parameters_.callback(reported_);
         return goes_on_;
       };
     return p;
@@ -268,6 +269,7 @@ private:
   bool goes_on_ = true, is_changed_ = false, has_failed_ = false;
   std::size_t iterations_ = 0;
   double rebuilding_ = 0;                   // seconds
+  double reported_ = 0;                     // of the work
   Mesh_optimization_return_code code_ = CANT_IMPROVE_ANYMORE;
 };
 
