@@ -45,7 +45,10 @@ by a global search and the L-BFGS method, as proposed by Chen et al. \cgalCite{c
 that are left are removed. The function takes the place of the one of the same
 name in the package 3D Mesh Generation. Section \ref godt_kept tells what is preserved: features, corners, topology, subdomains, sizes, and,
 unless vertices may be inserted or removed, their number and all handles to them; section \ref godt_fixed, how more is kept; section \ref godt_threads, what runs on several threads. If the
-domain, a field, a property map, the callback, or, until the mesh is final, the visitor throws, `c3t3` is as it was before the call. An argument that is no named parameter, one that is not listed
+domain, a field, a property map, the callback, or, until the mesh is final, the visitor throws, `c3t3` is as it was before the call. Meshes in periodic
+triangulations of one sheet are optimized, too (section \ref godt_periodic); of the parameters, they have `time_limit`, `max_iteration_number`, `convergence`,
+`freeze_bound`, `do_freeze`, `optimize_boundary`, `surface_weight`, `annealing_schedule`, `number_of_rounds`, `sliver_bound`, `do_remove_slivers`,
+`random_seed`, and `callback`. An argument that is no named parameter, one that is not listed
 below, and one that is given twice are refused at compile time; bad values violate preconditions, which are checked in each build.
 
 \tparam C3T3 a model of the concept `MeshComplex_3InTriangulation_3` whose points have coordinates of type `double`, such as those of

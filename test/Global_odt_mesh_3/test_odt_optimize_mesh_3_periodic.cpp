@@ -3,8 +3,7 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Periodic meshes are handed over to the optimizer of Mesh_3, also through
-// make_periodic_3_mesh_3(..., odt()).
+// What is promised of meshes in periodic triangulations, also through make_periodic_3_mesh_3(..., odt()).
 
 #include "check.h"
 
@@ -17,55 +16,348 @@
 #include <CGAL/Labeled_mesh_domain_3.h>
 #include <CGAL/Mesh_complex_3_in_triangulation_3.h>
 #include <CGAL/Mesh_criteria_3.h>
+#include <CGAL/Mesh_domain_with_polyline_features_3.h>
+#include <CGAL/Periodic_3_function_wrapper.h>
 #include <CGAL/Periodic_3_mesh_triangulation_3.h>
+#include <CGAL/Random.h>
+#include <CGAL/Real_timer.h>
 #include <CGAL/odt_optimize_mesh_3.h>
 
+#include <algorithm>
+#include <array>
 #include <cmath>
+#include <cstddef>
+#include <functional>
+#include <map>
 #include <set>
+#include <stdexcept>
+#include <string>
+#include <tuple>
+#include <utility>
+#include <vector>
 
 typedef CGAL::Exact_predicates_inexact_constructions_kernel Kernel;
+typedef Kernel::Point_3 Point;
 typedef CGAL::Labeled_mesh_domain_3<Kernel> Domain;
-typedef CGAL::Periodic_3_mesh_triangulation_3<Domain>::type Triangulation;
-typedef CGAL::Mesh_complex_3_in_triangulation_3<Triangulation> C3t3;
+typedef CGAL::Mesh_domain_with_polyline_features_3<Domain> Domain_with_features;
+template <class D>
+using Complex = CGAL::Mesh_complex_3_in_triangulation_3<typename CGAL::Periodic_3_mesh_triangulation_3<D>::type, int, int>;
+typedef CGAL::Mesh_complex_3_in_triangulation_3<CGAL::Periodic_3_mesh_triangulation_3<Domain>::type> C3t3;
+typedef C3t3::Triangulation Triangulation;
 typedef CGAL::Mesh_criteria_3<Triangulation> Criteria;
+typedef std::function<double(const Point&)> Function;
 namespace params = CGAL::parameters;
+namespace odt = CGAL::Global_odt_mesh_3::internal;
 
-static double schwarz_p(const Kernel::Point_3& p)
+static const Kernel::Iso_cuboid_3 cube(0, 0, 0, 1, 1, 1);
+static constexpr double turn = 2 * CGAL_PI;
+
+static double schwarz_p(const Point& p)
 {
-  const double t = 2 * CGAL_PI;
-  return std::cos(t * p.x()) + std::cos(t * p.y()) + std::cos(t * p.z());
+  return std::cos(turn * p.x()) + std::cos(turn * p.y()) + std::cos(turn * p.z());
 }
 
-static std::set<Kernel::Point_3> points(const C3t3& c3t3)
+static double gyroid(const Point& p)
 {
-  std::set<Kernel::Point_3> result;
-  for(auto v = c3t3.triangulation().finite_vertices_begin(); v != c3t3.triangulation().finite_vertices_end(); ++v)
-    result.insert(v->point().point());
-  return result;
+  return std::cos(turn * p.x()) * std::sin(turn * p.y()) + std::cos(turn * p.y()) * std::sin(turn * p.z())
+         + std::cos(turn * p.z()) * std::sin(turn * p.x());
+}
+
+static double double_diamond(const Point& p)
+{
+  const double x = turn * p.x(), y = turn * p.y(), z = turn * p.z();
+  return std::sin(x) * std::sin(y) * std::sin(z) + std::sin(x) * std::cos(y) * std::cos(z) + std::cos(x) * std::sin(y) * std::cos(z)
+         + std::cos(x) * std::cos(y) * std::sin(z);
+}
+
+// One subdomain where the function is negative, or two or three, by its value.
+static int label(double value, int subdomains)
+{
+  if(subdomains == 3)
+    return value < -0.5 ? 1 : value < 0.5 ? 2 : 3;
+  return value < 0 ? 1 : subdomains == 2 ? 2 : 0;
+}
+
+// The domain carries a random generator.
+static Domain make_domain(const Function& f, int subdomains, CGAL::Random& random)
+{
+  return Domain([f, subdomains](const Point& p) { return label(f(p), subdomains); }, cube, params::p_rng = &random);
+}
+
+static Criteria criteria(double size)
+{
+  return Criteria(params::facet_angle = 30, params::facet_size = size, params::facet_distance = size / 5,
+                  params::cell_radius_edge_ratio = 2, params::cell_size = size);
+}
+
+static C3t3 make_mesh(const Domain& domain, double size)
+{
+  return CGAL::make_periodic_3_mesh_3<C3t3>(domain, criteria(size), params::no_exude(), params::no_perturb());
+}
+
+// All that is promised to stay, and what should get better.
+template <class Mesh>
+struct State
+{
+  typedef typename Mesh::Triangulation Tr;
+  typedef typename Tr::Vertex_handle Vertex_handle;
+  typedef std::tuple<Vertex_handle, int, typename Mesh::Index> Vertex;
+
+  std::vector<Vertex> vertices;
+  std::vector<Point> points;
+  std::set<std::pair<std::vector<Point>, int> > cells;
+  std::map<int, double> volumes;
+  double smallest_angle = 180, mean_ratio = 0;
+  std::size_t edges = 0, corners = 0, facets = 0;
+
+  explicit State(const Mesh& c3t3)
+  {
+    const Tr& tr = c3t3.triangulation();
+    for(auto v = tr.vertices_begin(); v != tr.vertices_end(); ++v)
+    {
+      vertices.emplace_back(v, v->in_dimension(), v->index());
+      points.push_back(v->point().point());
+    }
+    std::size_t inside = 0;
+    for(auto c = tr.cells_begin(); c != tr.cells_end(); ++c)
+    {
+      std::vector<Point> key;
+      std::array<odt::Site, 4> s;
+      const auto t = tr.tetrahedron(c);
+      for(int i = 0; i < 4; ++i)
+      {
+        key.push_back(c->vertex(i)->point().point());
+        s[i] = { t[i].x(), t[i].y(), t[i].z(), 0 };
+      }
+      std::sort(key.begin(), key.end());
+      cells.emplace(key, c->subdomain_index());
+      volumes[c->subdomain_index()] += t.volume();
+      if(c->subdomain_index() == 0)
+        continue;
+      const odt::Cell_shape_3 shape(s[0], s[1], s[2], s[3]);
+      smallest_angle = (std::min)(smallest_angle, *std::min_element(shape.angles.begin(), shape.angles.end()));
+      mean_ratio += shape.radius_ratio;
+      ++inside;
+    }
+    mean_ratio /= double(inside);
+    edges = c3t3.number_of_edges_in_complex();
+    corners = c3t3.number_of_corners();
+    facets = c3t3.number_of_facets_in_complex();
+  }
+
+  bool operator==(const State& s) const { return vertices == s.vertices && points == s.points && cells == s.cells && facets == s.facets; }
+};
+
+template <class Mesh, class D>
+static void check_labels(const Mesh& c3t3, const D& domain, const std::string& name)
+{
+  const auto& tr = c3t3.triangulation();
+  std::size_t wrong_cells = 0, wrong_facets = 0, number_of_facets = 0;
+  for(auto c = tr.cells_begin(); c != tr.cells_end(); ++c)
+  {
+    const auto found = domain.is_in_domain_object()(tr.dual(c));
+    wrong_cells += (found ? *found : 0) != c->subdomain_index();
+    for(int i = 0; i < 4; ++i)
+    {
+      const typename Mesh::Cell_handle d = c->neighbor(i);
+      const auto patch = std::make_pair((std::min)(c->subdomain_index(), d->subdomain_index()), (std::max)(c->subdomain_index(), d->subdomain_index()));
+      const bool is_separating = patch.first != patch.second;
+      number_of_facets += is_separating;
+      wrong_facets += c3t3.is_in_complex(c, i) != is_separating;
+      if(!is_separating)
+        continue;
+      const Point center = c->get_facet_surface_center(i);
+      wrong_facets += c->surface_patch_index(i) != patch || center != d->get_facet_surface_center(d->index(c))
+                      || c->get_facet_surface_center_index(i) != domain.index_from_surface_patch_index(patch);
+    }
+  }
+  check::that(wrong_cells == 0, name, ": ", wrong_cells, " cells with another label than that of the domain");
+  check::that(wrong_facets == 0, name, ": ", wrong_facets, " facets are wrong");
+  check::that(number_of_facets == 2 * c3t3.number_of_facets_in_complex(), name, ": number of facets");
+}
+
+template <class Mesh, class D>
+static void check_contract(const State<Mesh>& before, const Mesh& c3t3, const D& domain, const std::string& name)
+{
+  const State<Mesh> after(c3t3);
+  check::that(c3t3.triangulation().is_valid(), name, ": not valid");
+  check::that(c3t3.triangulation().is_1_cover(), name, ": several sheets");
+  check::that(after.vertices == before.vertices, name, ": vertices, dimensions, or indices have changed");
+  check::that(after.edges == before.edges && after.corners == before.corners, name, ": features have changed");
+  for(const Point& p : after.points)
+    check::that(!cube.has_on_unbounded_side(p) && p.x() < 1 && p.y() < 1 && p.z() < 1, name, ": not in the cube: ", p);
+  check::that(after.volumes.size() == before.volumes.size(), name, ": subdomains");
+  for(const auto& v : before.volumes)
+    check::that(std::abs(after.volumes.at(v.first) - v.second) <= 0.02 * v.second, name, ": volume of ", v.first);
+  check::that(after.smallest_angle >= (std::min)(before.smallest_angle, 30.), name, ": smaller angles");
+  // A mesh that has not changed is as the mesh generator has left it.
+  if(after.points != before.points)
+    check_labels(c3t3, domain, name);
+}
+
+// Also which quality is reached.
+static void test_domain(const std::string& name, const Function& f, int subdomains, unsigned int seed, double least_angle, double least_ratio)
+{
+  const std::string run = name + ", " + std::to_string(subdomains) + " subdomains, seed " + std::to_string(seed);
+  CGAL::Random random(seed);
+  const Domain domain = make_domain(f, subdomains, random);
+  C3t3 c3t3 = make_mesh(domain, 0.09);
+  const State<C3t3> before(c3t3);
+  CGAL::Real_timer timer;
+  timer.start();
+  const auto code = CGAL::odt_optimize_mesh_3(c3t3, domain, params::random_seed(seed));
+  const State<C3t3> after(c3t3);
+  std::cout << run << ": " << before.vertices.size() << " vertices, angles " << before.smallest_angle << " -> " << after.smallest_angle
+            << ", 3r/R " << before.mean_ratio << " -> " << after.mean_ratio << ", " << timer.time() << " s" << std::endl;
+  check::that(code == CGAL::CONVERGENCE_REACHED || code == CGAL::ALL_VERTICES_FROZEN, run, ": return code ", code);
+  check_contract(before, c3t3, domain, run);
+  check::that(after.smallest_angle > least_angle && after.mean_ratio > least_ratio, run, ": quality");
+}
+
+// In a cube with another corner and another period.
+static void test_other_cube()
+{
+  CGAL::Random random(0);
+  const auto f = [](const Point& p) { return label(gyroid(Point(p.x() / 4, p.y() / 4, p.z() / 4)), 2); };
+  const Domain domain(f, Kernel::Iso_cuboid_3(-1, -3, 7, 3, 1, 11), params::p_rng = &random);
+  C3t3 c3t3 = make_mesh(domain, 0.4);
+  const State<C3t3> before(c3t3);
+  CGAL::odt_optimize_mesh_3(c3t3, domain);
+  const State<C3t3> after(c3t3);
+  check::that(c3t3.triangulation().is_valid() && after.vertices == before.vertices, "other cube: not valid");
+  check::that(after.smallest_angle > 18 && after.mean_ratio > before.mean_ratio, "other cube: quality ", after.smallest_angle);
+  check_labels(c3t3, domain, "other cube");
+}
+
+// Meshes are so coarse here that they have cells with wrong labels.
+static void test_calls()
+{
+  CGAL::Random random(0), same_random(0);
+  const Domain domain = make_domain(schwarz_p, 1, random), same_domain = make_domain(schwarz_p, 1, same_random);
+  C3t3 plain = make_mesh(domain, 0.15);
+  const C3t3 optimized = CGAL::make_periodic_3_mesh_3<C3t3>(same_domain, criteria(0.15), params::odt(params::max_iteration_number = 30),
+                                                            params::no_exude(), params::no_perturb());
+  const State<C3t3> before(plain), after(optimized);
+  check::that(optimized.triangulation().is_valid() && after.points.size() == before.points.size(), "not valid after odt()");
+  check::that(after.points != before.points, "odt() did nothing");
+  check_labels(optimized, domain, "odt()");
+  const auto code = CGAL::odt_optimize_periodic_3_mesh_3(plain, domain, params::max_iteration_number = 20, params::convergence = 0,
+                                                         params::do_freeze = false);
+  check::that(code == CGAL::MAX_ITERATION_NUMBER_REACHED, "return code ", code);
+  check::that(plain.triangulation().is_valid() && State<C3t3>(plain).points != before.points, "odt_optimize_periodic_3_mesh_3");
+  check_labels(plain, domain, "odt_optimize_periodic_3_mesh_3");
+}
+
+static void test_limits()
+{
+  CGAL::Random random(0);
+  const Domain domain = make_domain(gyroid, 2, random);
+  const C3t3 input = make_mesh(domain, 0.1);
+  const State<C3t3> before(input);
+
+  C3t3 canceled = input;
+  const State<C3t3> before_cancel(canceled);
+  double last = 0;
+  int calls = 0;
+  const auto stop = [&](double fraction)
+  {
+    check::that(fraction >= last && fraction <= 1, "the fraction falls from ", last, " to ", fraction);
+    last = fraction;
+    return ++calls < 150;
+  };
+  check::that(CGAL::odt_optimize_mesh_3(canceled, domain, params::callback(stop)) == CGAL::TIME_LIMIT_REACHED, "code of a canceled call");
+  check::that(calls == 150, "called ", calls, " times");
+  check_contract(before_cancel, canceled, domain, "canceled");
+
+  C3t3 limited = input;
+  const State<C3t3> before_limit(limited);
+  CGAL::Real_timer timer;
+  timer.start();
+  const auto code = CGAL::odt_optimize_mesh_3(limited, domain, params::time_limit = 2);
+  check::that(timer.time() < 4, "time_limit = 2 took ", timer.time(), " s");
+  check::that(code == CGAL::TIME_LIMIT_REACHED || timer.time() < 2, "code with a time limit: ", code);
+  check_contract(before_limit, limited, domain, "time limit");
+
+  C3t3 with_bound = input;
+  check::that(CGAL::odt_optimize_mesh_3(with_bound, domain, params::sliver_bound = 50, params::number_of_rounds(0))
+                == CGAL::CANT_IMPROVE_ANYMORE, "a bound of 50 degrees");
+}
+
+// Wherever the domain throws, the mesh is as it was.
+static void test_exceptions()
+{
+  long countdown = -1;
+  CGAL::Random random(0);
+  const auto f = [&countdown](const Point& p)
+  {
+    if(countdown >= 0 && countdown-- == 0)
+      throw std::runtime_error("thrown by the domain");
+    return gyroid(p);
+  };
+  const Domain domain = make_domain(f, 2, random);
+  C3t3 c3t3 = make_mesh(domain, 0.1);
+  const State<C3t3> before(c3t3);
+  for(long n : { 0L, 1000L, 20000L, 60000L, 120000L })
+  {
+    countdown = n;
+    bool has_thrown = false;
+    try
+    {
+      CGAL::odt_optimize_mesh_3(c3t3, domain, params::number_of_rounds(1));
+    }
+    catch(const std::runtime_error&)
+    {
+      has_thrown = true;
+    }
+    countdown = -1;
+    if(!has_thrown)
+      break;
+    check::that(State<C3t3>(c3t3) == before, "not as it was after the ", n, "th call");
+    check::that(n > 0 || has_thrown, "nothing thrown");
+  }
+  check::that(c3t3.triangulation().is_valid(), "not valid after exceptions");
+}
+
+// A ball with a circle on it, which goes through a side of the cube, and a corner.
+static void test_features()
+{
+  const auto ball = [](const Point& p) { return CGAL::squared_distance(p, Point(0.5, 0.5, 0)) - 0.09; };
+  typedef CGAL::Periodic_3_function_wrapper<Function, Kernel> Periodic_function;
+  const auto periodic = [ball](const Point& p) { return (std::min)(ball(p), ball(Point(p.x(), p.y(), p.z() - 1))); };
+  Domain_with_features domain = Domain_with_features::create_implicit_mesh_domain(Periodic_function(Function(periodic), cube), cube);
+  std::vector<std::vector<Point> > circle(1);
+  for(int n = 0; n < 90; ++n)
+    circle.front().push_back(Point(0.5 + 0.3 * std::cos(n * turn / 90), 0.5 + 0.3 * std::sin(n * turn / 90), 0));
+  circle.front().push_back(circle.front().front());
+  domain.add_features(circle.begin(), circle.end());
+  domain.add_corner(Point(0.5, 0.5, 0.3));
+  typedef Complex<Domain_with_features> Mesh;
+  const CGAL::Mesh_criteria_3<Mesh::Triangulation> criteria(
+    params::edge_size = 0.06, params::facet_angle = 30, params::facet_size = 0.08, params::facet_distance = 0.01,
+    params::cell_radius_edge_ratio = 2, params::cell_size = 0.08);
+  Mesh c3t3 = CGAL::make_periodic_3_mesh_3<Mesh>(domain, criteria, params::features(), params::no_exude(), params::no_perturb());
+  const State<Mesh> before(c3t3);
+  CGAL::odt_optimize_mesh_3(c3t3, domain);
+  const State<Mesh> after(c3t3);
+  std::cout << "features: " << before.vertices.size() << " vertices, " << before.edges << " edges, angles " << before.smallest_angle
+            << " -> " << after.smallest_angle << ", 3r/R " << before.mean_ratio << " -> " << after.mean_ratio << std::endl;
+  check::that(before.edges > 20 && before.corners > 0, "no features");
+  check_contract(before, c3t3, domain, "features");
+  check::that(after.smallest_angle > 10 && after.mean_ratio > before.mean_ratio, "features: quality");
 }
 
 int main()
 {
-  const Kernel::Iso_cuboid_3 cube(0, 0, 0, 1, 1, 1);
-  // A domain of its own for each mesh, as it carries the random generator.
-  const Domain domain = Domain::create_implicit_mesh_domain(schwarz_p, cube);
-  const Domain same_domain = Domain::create_implicit_mesh_domain(schwarz_p, cube);
-  Criteria criteria(params::facet_angle = 30, params::facet_size = 0.15, params::facet_distance = 0.05,
-                    params::cell_radius_edge_ratio = 2, params::cell_size = 0.15);
-  C3t3 plain = CGAL::make_periodic_3_mesh_3<C3t3>(domain, criteria, params::no_exude(), params::no_perturb());
-  const C3t3 optimized = CGAL::make_periodic_3_mesh_3<C3t3>(
-    same_domain, criteria, params::odt(params::max_iteration_number = 3), params::no_exude(), params::no_perturb());
-  check::that(optimized.number_of_cells_in_complex() > 100, "nothing meshed");
-  check::that(optimized.triangulation().is_valid(), "not valid after odt()");
-  check::that(points(optimized) != points(plain), "odt() did nothing");
-
-  const auto before = points(plain);
-  const auto code = CGAL::odt_optimize_periodic_3_mesh_3(plain, domain, params::max_iteration_number = 2,
-                                                         params::convergence = 0, params::do_freeze = false);
-  check::that(code == CGAL::MAX_ITERATION_NUMBER_REACHED, "return code ", code);
-  check::that(plain.triangulation().is_valid(), "not valid after odt_optimize_periodic_3_mesh_3");
-  check::that(points(plain) != before, "odt_optimize_periodic_3_mesh_3 did nothing");
-  CGAL::odt_optimize_mesh_3(plain, domain, params::max_iteration_number = 1);
-  check::that(plain.triangulation().is_valid(), "not valid after odt_optimize_mesh_3");
+  for(unsigned int seed = 0; seed < 3; ++seed)
+  {
+    test_domain("Schwarz P", schwarz_p, 1, seed, 22, 0.8);
+    test_domain("gyroid", gyroid, 2, seed, 20, 0.78);
+    test_domain("double diamond", double_diamond, seed == 0 ? 3 : 2, seed, 12, 0.72);
+  }
+  test_other_cube();
+  test_calls();
+  test_limits();
+  test_exceptions();
+  test_features();
   return check::result();
 }

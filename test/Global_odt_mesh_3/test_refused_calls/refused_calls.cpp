@@ -99,12 +99,12 @@ void not_read(C3t3& c3t3, const Domain& domain)
   CGAL::odt_energy_3(c3t3, params::time_limit = 10);
 #line 1 "energy_random_seed"
   CGAL::odt_energy_3(c3t3, params::random_seed(1));
-#line 1 "periodic_sliver_bound"
-  CGAL::Global_odt_mesh_3::internal::named_arguments<Periodic_parameters>(params::sliver_bound = 10);
+#line 1 "periodic_insertion"
+  CGAL::Global_odt_mesh_3::internal::named_arguments<Periodic_parameters>(params::do_insert_vertices = true);
 #line 1 "periodic_removal"
-  CGAL::Global_odt_mesh_3::internal::named_arguments<Periodic_parameters>(params::do_remove_slivers = false);
-#line 1 "periodic_weight"
-  CGAL::Global_odt_mesh_3::internal::named_arguments<Periodic_parameters>(params::surface_weight = 1);
+  CGAL::Global_odt_mesh_3::internal::named_arguments<Periodic_parameters>(params::do_remove_vertices = true);
+#line 1 "periodic_sizes"
+  CGAL::Global_odt_mesh_3::internal::named_arguments<Periodic_parameters>(params::sizing_field = 1);
 }
 
 void given_twice(C3t3& c3t3, const Domain& domain)

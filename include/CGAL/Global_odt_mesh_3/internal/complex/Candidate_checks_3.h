@@ -56,8 +56,16 @@ public:
     if(std::exchange(are_measured_, true))
       return;
     const std::vector<Boundary_facet>& facets = input.boundary.complex().facets();
+    // Where a mesh has been cut open, facets are on no surface, and stay.
+    const auto is_of_cut = [&](const Boundary_facet& f)
+    {
+      const std::array<int, 3>& t = f.vertices;
+      return f.patch == Boundary_facet::no_patch
+             && std::none_of(t.begin(), t.end(), [&](int v) { return input.numbering->is_movable(v); });
+    };
     for(const Boundary_facet& f : facets)
-      smallest_angle_ = (std::min)(smallest_angle_, smallest_angle_of_facet(f.vertices, input.sites));
+      if(!is_of_cut(f))
+        smallest_angle_ = (std::min)(smallest_angle_, smallest_angle_of_facet(f.vertices, input.sites));
     if(!domain_.tells_distances())
       return;
     std::vector<double> distances(facets.size());

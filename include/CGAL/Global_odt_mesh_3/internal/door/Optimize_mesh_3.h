@@ -12,17 +12,13 @@
 
 #include <CGAL/license/Global_odt_mesh_3.h>
 
-#ifdef CGAL_LINKED_WITH_TBB
-// Mesh_global_optimizer.h of CGAL 6.0 needs it and does not include it.
-#  include <tbb/enumerable_thread_specific.h>
-#endif
-
 #include <CGAL/Global_odt_mesh_3/internal/Mesh_optimizer_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/Odt_parameters.h>
 #include <CGAL/Global_odt_mesh_3/internal/Parameter_check.h>
 #include <CGAL/Global_odt_mesh_3/internal/door/C3t3_view_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/door/Mesh_domain_view_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/door/Named_parameters.h>
+#include <CGAL/Global_odt_mesh_3/internal/door/Optimize_periodic_mesh_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/door/User_constraints_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/door/User_fields_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/interface/Domain_view_3.h>
@@ -31,18 +27,13 @@
 #include <CGAL/Global_odt_mesh_3/internal/parallel/Thread_policy.h>
 #include <CGAL/Global_odt_mesh_3/internal/triangulation/Indexed_triangulation_3.h>
 
-#include <CGAL/Mesh_3/Mesh_global_optimizer.h>
-#include <CGAL/Mesh_3/Mesh_sizing_field.h>
 #include <CGAL/Mesh_3/Null_global_optimizer_visitor.h>
-#include <CGAL/Mesh_3/Odt_move.h>
 #include <CGAL/Mesh_3/internal/check_weights.h>
 #include <CGAL/Mesh_optimization_return_code.h>
 #include <CGAL/tags.h>
 
-#include <algorithm>
 #include <cstddef>
 #include <functional>
-#include <limits>
 #include <type_traits>
 #include <utility>
 
@@ -137,28 +128,16 @@ private:
   User_visitor<Visitor> visitor_;
 };
 
-// Periodic triangulations are left to the optimizer of Mesh_3.
-template <class C3T3, class MeshDomain>
-Mesh_optimization_return_code
-optimize_periodic(C3T3& c3t3, const MeshDomain& domain, const Odt_parameters& p)
-{
-  typedef Mesh_3::Mesh_sizing_field<typename C3T3::Triangulation> Sizing;
-  typedef Mesh_3::Odt_move<C3T3, Sizing> Move;
-  Mesh_3::Mesh_global_optimizer<C3T3, MeshDomain, Move>
-    optimizer(c3t3, domain, p.freeze_bound, p.do_freeze, p.convergence);
-  optimizer.set_time_limit(p.time_limit);
-  constexpr std::size_t most = (std::numeric_limits<int>::max)();
-  return optimizer(p.max_iteration_number == 0 ? 1000 : int((std::min)(p.max_iteration_number, most)));
-}
-
 template <class C3T3>
 constexpr bool is_periodic = std::is_same<typename C3T3::Triangulation::Periodic_tag, Tag_true>::value;
 
-// What odt_optimize_mesh_3() reads; the optimizer of Mesh_3 knows the first five.
+// What odt_optimize_mesh_3() reads.
 template <class C3T3>
 using Optimization_parameters = std::conditional_t<
   is_periodic<C3T3>,
-  Parameter_list<tags::time_limit, tags::max_iteration_number, tags::convergence, tags::freeze_bound, tags::do_freeze>,
+  Parameter_list<tags::time_limit, tags::max_iteration_number, tags::convergence, tags::freeze_bound, tags::do_freeze,
+                 tags::sliver_bound, internal_np::do_remove_slivers_t, internal_np::annealing_schedule_t, internal_np::number_of_rounds_t,
+                 internal_np::optimize_boundary_t, internal_np::surface_weight_t, internal_np::random_seed_t, internal_np::callback_t>,
   Parameter_list<tags::time_limit, tags::max_iteration_number, tags::convergence, tags::freeze_bound, tags::do_freeze,
                  tags::sliver_bound, internal_np::do_remove_slivers_t, internal_np::do_insert_vertices_t, internal_np::do_remove_vertices_t, internal_np::number_of_vertices_t,
                  tags::sizing_field, internal_np::density_t,
@@ -196,7 +175,7 @@ optimize(C3T3& c3t3, const MeshDomain& domain, Odt_task task, const Odt_paramete
   CGAL_GLOBAL_ODT_MESH_3_CHECK_PARAMETER(c3t3.triangulation().number_of_cells() <= Indexed_triangulation_3::most_cells,
                                          "c3t3 must not have more than 268,435,456 cells");
   if constexpr (is_periodic<C3T3>)
-    return optimize_periodic(c3t3, domain, p);
+    return Periodic_mesh_optimizer_3<C3T3, MeshDomain>(c3t3, domain, p)();
   else
   {
     User_constraints_3<C3T3> constraints;

@@ -1,0 +1,280 @@
+// Copyright (c) 2026 The Global ODT Mesh authors.
+// All rights reserved.
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later OR LicenseRef-Commercial
+//
+// Author(s)     : The Global ODT Mesh authors
+
+#ifndef CGAL_GLOBAL_ODT_MESH_3_INTERNAL_DOOR_OPTIMIZE_PERIODIC_MESH_3_H
+#define CGAL_GLOBAL_ODT_MESH_3_INTERNAL_DOOR_OPTIMIZE_PERIODIC_MESH_3_H
+
+#include <CGAL/license/Global_odt_mesh_3.h>
+
+#include <CGAL/Global_odt_mesh_3/internal/Mesh_optimizer_3.h>
+#include <CGAL/Global_odt_mesh_3/internal/Odt_parameters.h>
+#include <CGAL/Global_odt_mesh_3/internal/door/Periodic_complex_3.h>
+#include <CGAL/Global_odt_mesh_3/internal/door/Periodic_mesh_3.h>
+#include <CGAL/Global_odt_mesh_3/internal/door/Unrolled_mesh_3.h>
+#include <CGAL/Global_odt_mesh_3/internal/geometry/Angle_deficit_3.h>
+#include <CGAL/Global_odt_mesh_3/internal/geometry/Random_source.h>
+#include <CGAL/Global_odt_mesh_3/internal/geometry/Site.h>
+#include <CGAL/Global_odt_mesh_3/internal/geometry/Vector_3.h>
+#include <CGAL/Global_odt_mesh_3/internal/interface/Optimization_visitor.h>
+#include <CGAL/Global_odt_mesh_3/internal/interface/User_field_3.h>
+#include <CGAL/Global_odt_mesh_3/internal/parallel/Thread_policy.h>
+
+#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+#include <CGAL/Mesh_optimization_return_code.h>
+#include <CGAL/Real_timer.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <map>
+#include <optional>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Global_odt_mesh_3 {
+namespace internal {
+
+// Optimizes a c3t3 in a periodic triangulation.
+//
+// In each round, the mesh is cut open along the sides of a cube, and optimized as one that is not periodic, with vertices at the cut
+// that stay. The next cut is elsewhere, so that they move then. A round whose result is not a valid periodic mesh is left out.
+//
+// A mesh that is so coarse that it has a triangulation of one sheet only with the points of the lattice with which the mesh generator
+// begins keeps these where they are.
+template <class C3t3, class Mesh_domain>
+class Periodic_mesh_optimizer_3
+{
+public:
+  // Refers to its arguments.
+  Periodic_mesh_optimizer_3(C3t3& c3t3, const Mesh_domain& domain, const Odt_parameters& parameters)
+    : domain_of_mesh_(domain, Mesh::cube(c3t3.triangulation()))
+    , domain_(domain_of_mesh_)
+    , mesh_(c3t3, domain_)
+    , parameters_(parameters)
+    , random_(parameters.random_seed)
+  {
+    timer_.start();
+  }
+
+  Periodic_mesh_optimizer_3(const Periodic_mesh_optimizer_3&) = delete;
+  Periodic_mesh_optimizer_3& operator=(const Periodic_mesh_optimizer_3&) = delete;
+
+  Mesh_optimization_return_code operator()()
+  {
+    if(!mesh_.is_one_sheeted())
+      return CANT_IMPROVE_ANYMORE;
+    complex_ = mesh_.read();
+    set_input();
+    break_ties();
+    const Vector_3 first_corner(random_.uniform(), random_.uniform(), random_.uniform());
+    for(round_ = 0; round_ < most_rounds && goes_on_ && !is_done(); ++round_)
+    {
+      const double s = shift(round_);
+      const Vector_3 corner = complex_.cube.corner + complex_.cube.period * (first_corner + Vector_3(s, s, s));
+      if(!make_round(corner) && std::exchange(lattice_moves_, false))
+        make_round(corner);
+    }
+    if(is_changed_)
+      mesh_.write(complex_);
+    return code();
+  }
+
+private:
+  typedef Periodic_mesh_3<C3t3, Mesh_domain> Mesh;
+
+  static constexpr int usual_rounds = 5, most_rounds = 9, number_of_optimizations = 2;
+  static constexpr double wanted_angle = 30;                // of more rounds, if no bound is given
+  static constexpr double volume_tolerance = 0.02;
+  static constexpr double size_of_perturbation = 1e-3;      // relative to the shortest edge at a vertex
+
+  // Counts iterations.
+  struct Counter
+    : public Optimization_visitor
+  {
+    void end_of_iteration(int) override { ++number; }
+
+    std::size_t number = 0;
+  };
+
+  // Of the period, between the first cut and that of a round: as far from all before as can be (van der Corput, 1935).
+  static double shift(int round)
+  {
+    double result = 0;
+    for(double digit = 0.5; round > 0; round /= 2, digit /= 2)
+      result += round % 2 * digit;
+    return result;
+  }
+
+  // Of the work, in time.
+  static double share_before(int round)
+  {
+    constexpr std::array<double, number_of_optimizations + 1> shares = {{ 0, 0.45, 0.85 }};
+    if(round < number_of_optimizations)
+      return shares[round];
+    const double last = shares.back();
+    return last + (1 - last) * (round - number_of_optimizations) / (most_rounds - number_of_optimizations);
+  }
+
+  // Whether no more rounds are needed.
+  bool is_done() const
+  {
+    return round_ >= usual_rounds && complex_.number_of_slivers(parameters_.sliver_bound > 0 ? parameters_.sliver_bound : wanted_angle) == 0;
+  }
+
+  Mesh_optimization_return_code code() const
+  {
+    const bool is_failure = goes_on_ && code_ != TIME_LIMIT_REACHED && !is_changed_ && has_failed_;
+    const bool removes_slivers = goes_on_ && parameters_.do_remove_slivers && parameters_.sliver_bound > 0;
+    return is_failure || (removes_slivers && complex_.number_of_slivers(parameters_.sliver_bound) > 0) ? CANT_IMPROVE_ANYMORE : code_;
+  }
+
+  // Or else slivers are removed, and nothing else.
+  bool optimizes() const { return round_ < number_of_optimizations; }
+
+  // False if there is no triangulation of one sheet where the optimizer has led.
+  bool make_round(const Vector_3& corner)
+  {
+    const std::optional<Odt_parameters> p = parameters_of_round();
+    if(!p)
+      return true;
+    Unrolled_mesh_3<Exact_predicates_inexact_constructions_kernel> unrolled(complex_, corner, lattice_moves_);
+    if(!unrolled.is_faithful())
+    {
+      has_failed_ = true;
+      return true;
+    }
+    Counter counter;
+    const Odt_task task = optimizes() ? Odt_task::OPTIMIZE : Odt_task::REMOVE_SLIVERS;
+    const Mesh_optimization_return_code code
+      = optimize_mesh(unrolled, domain_, task, *p, User_field_3(), counter, Thread_policy());
+    iterations_ += counter.number;
+    if(optimizes() || code == TIME_LIMIT_REACHED)
+      code_ = code;
+    return !unrolled.is_changed() || adopt(unrolled.periodic_sites());
+  }
+
+  // None if there is nothing left to do.
+  std::optional<Odt_parameters> parameters_of_round()
+  {
+    Odt_parameters p = parameters_;
+    if(!optimizes() && !p.do_remove_slivers)
+      return std::nullopt;
+    p.random_seed += static_cast<unsigned int>(round_);
+    if(p.max_iteration_number > 0 && optimizes())
+    {
+      const std::size_t until_end = static_cast<std::size_t>(std::ceil(p.max_iteration_number * (round_ == 0 ? 0.5 : 1.)));
+      if(until_end <= iterations_)
+        return std::nullopt;
+      p.max_iteration_number = until_end - iterations_;
+    }
+    if(p.time_limit > 0)
+    {
+      const double begin = timer_.time(), left = p.time_limit - begin - rebuilding_ * (usual_rounds - (std::min)(round_, usual_rounds - 1));
+      p.time_limit = left * (share_before(round_ + 1) - share_before(round_)) / (1 - share_before(round_));
+      if(!(p.time_limit > 0))
+      {
+        code_ = TIME_LIMIT_REACHED;
+        goes_on_ = false;
+        return std::nullopt;
+      }
+    }
+    if(parameters_.callback)
+      p.callback = [this](double fraction)
+      {
+        const double begin = share_before(round_), end = share_before(round_ + 1);
+        reported_ = (std::max)(reported_, begin + fraction * (end - begin));
+        goes_on_ = parameters_.callback(reported_);
+        return goes_on_;
+      };
+    return p;
+  }
+
+  // Moves vertices of the interior a little: where cells have a common sphere, as those of the lattice have with which the mesh
+  // generator begins, the triangulation of copies may have others. If dual points lie on the surface, or the mesh is so coarse that
+  // the mesh generator has missed cells, labels get those of the domain.
+  void break_ties()
+  {
+    const std::vector<double> freedom = complex_.freedom_of_interior();
+    std::vector<Site> sites = complex_.sites;
+    for(std::size_t v = 0; v < sites.size(); ++v)
+      if(freedom[v] > 0)
+        sites[v] = site_at(complex_.cube.canonical(position(sites[v]) + size_of_perturbation * freedom[v] * random_.direction()), 0);
+    std::optional<Periodic_complex_3> candidate = rebuilt(std::move(sites));
+    const bool is_like = candidate && is_like_input(*candidate);
+    if(!candidate || (!is_like && mesh_.is_labelled_by_domain(complex_)))
+      return;
+    complex_ = std::move(*candidate);
+    if(!is_like)
+      set_input();
+  }
+
+  // What is kept is kept of this complex.
+  void set_input()
+  {
+    slivers_of_input_ = complex_.slivers();
+    volumes_ = complex_.volumes();
+    topology_ = complex_.topology_of_patches();
+  }
+
+  // Goes to these vertices if that makes a valid complex that keeps what is promised. False if it makes none at all.
+  bool adopt(std::vector<Site> sites)
+  {
+    std::optional<Periodic_complex_3> candidate = rebuilt(std::move(sites));
+    const bool is_acceptable
+      = candidate && is_like_input(*candidate)
+        && (!parameters_.do_remove_slivers || candidate->slivers().is_not_worse_than(slivers_of_input_, true));
+    (is_acceptable ? is_changed_ : has_failed_) = true;
+    if(is_acceptable)
+      complex_ = std::move(*candidate);
+    return candidate.has_value();
+  }
+
+  std::optional<Periodic_complex_3> rebuilt(std::vector<Site> sites)
+  {
+    const double begin = timer_.time();
+    std::optional<Periodic_complex_3> result = mesh_.rebuild(complex_, std::move(sites));
+    rebuilding_ = timer_.time() - begin;
+    return result;
+  }
+
+  // In topology and volumes.
+  bool is_like_input(const Periodic_complex_3& candidate) const
+  {
+    const std::map<int, double> volumes = candidate.volumes();
+    return candidate.topology_of_patches() == topology_
+           && std::equal(volumes.begin(), volumes.end(), volumes_.begin(), volumes_.end(), [](const auto& v, const auto& w)
+                         { return v.first == w.first && std::abs(v.second - w.second) <= volume_tolerance * w.second; });
+  }
+
+  Periodic_domain_3<Mesh_domain> domain_of_mesh_;
+  typename Mesh::Domain_view domain_;
+  Mesh mesh_;
+  const Odt_parameters& parameters_;
+  Random_source random_;
+  Real_timer timer_;
+  Periodic_complex_3 complex_;              // the last that is valid
+  Sliver_census_3 slivers_of_input_;
+  std::map<int, double> volumes_;           // of the input
+  std::map<int, std::array<long, 3> > topology_;
+  int round_ = 0;
+  bool lattice_moves_ = true;
+  bool goes_on_ = true, is_changed_ = false, has_failed_ = false;
+  std::size_t iterations_ = 0;
+  double rebuilding_ = 0;                   // seconds
+  double reported_ = 0;                     // of the work
+  Mesh_optimization_return_code code_ = CANT_IMPROVE_ANYMORE;
+};
+
+} // namespace internal
+} // namespace Global_odt_mesh_3
+} // namespace CGAL
+
+#endif // CGAL_GLOBAL_ODT_MESH_3_INTERNAL_DOOR_OPTIMIZE_PERIODIC_MESH_3_H

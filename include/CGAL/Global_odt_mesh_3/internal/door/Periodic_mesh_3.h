@@ -1,0 +1,370 @@
+// Copyright (c) 2026 The Global ODT Mesh authors.
+// All rights reserved.
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later OR LicenseRef-Commercial
+//
+// Author(s)     : The Global ODT Mesh authors
+
+#ifndef CGAL_GLOBAL_ODT_MESH_3_INTERNAL_DOOR_PERIODIC_MESH_3_H
+#define CGAL_GLOBAL_ODT_MESH_3_INTERNAL_DOOR_PERIODIC_MESH_3_H
+
+#include <CGAL/license/Global_odt_mesh_3.h>
+
+#include <CGAL/Global_odt_mesh_3/internal/door/Mesh_domain_view_3.h>
+#include <CGAL/Global_odt_mesh_3/internal/door/Periodic_complex_3.h>
+#include <CGAL/Global_odt_mesh_3/internal/geometry/Site.h>
+#include <CGAL/Global_odt_mesh_3/internal/geometry/Vector_3.h>
+#include <CGAL/Global_odt_mesh_3/internal/geometry/Vertex_tuples.h>
+#include <CGAL/Global_odt_mesh_3/internal/interface/Domain_view_3.h>
+
+#include <CGAL/Kernel_traits.h>
+#include <CGAL/Mesh_3/config.h>
+#include <CGAL/Time_stamper.h>
+#include <CGAL/Unique_hash_map.h>
+#include <CGAL/exceptions.h>
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <map>
+#include <optional>
+#include <tuple>
+#include <type_traits>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Global_odt_mesh_3 {
+namespace internal {
+
+// A domain that is known in a cube, repeated in all directions. Segments are asked about where the mesh generator asks: with their
+// lowest coordinates in the cube.
+template <class Mesh_domain>
+class Periodic_domain_3
+{
+public:
+  typedef typename Mesh_domain::Index Index;
+  typedef typename Mesh_domain::Subdomain_index Subdomain_index;
+  typedef typename Mesh_domain::Surface_patch_index Surface_patch_index;
+  typedef typename Mesh_domain::Point_3 Point_3;
+  typedef typename Mesh_domain::Intersection Intersection;
+  typedef typename Kernel_traits<Point_3>::Kernel::Segment_3 Segment_3;
+
+  Periodic_domain_3(const Mesh_domain& domain, const Periodic_cube_3& cube)
+    : domain_(domain)
+    , cube_(cube)
+  {}
+
+  auto is_in_domain_object() const
+  {
+    return [this](const Point_3& p) { return domain_.is_in_domain_object()(point(cube_.canonical(coordinates(p)))); };
+  }
+
+  auto do_intersect_surface_object() const
+  {
+    return [this](const Segment_3& s) { return domain_.do_intersect_surface_object()(translated(s, periods(s))); };
+  }
+
+  auto construct_intersection_object() const
+  {
+    return [this](const Segment_3& s) -> Intersection
+    {
+      const Periods n = periods(s);
+      const Intersection i = domain_.construct_intersection_object()(translated(s, n));
+      return Intersection(translated(std::get<0>(i), Periods{} - n), std::get<1>(i), std::get<2>(i));
+    };
+  }
+
+  Index index_from_surface_patch_index(const Surface_patch_index& patch) const { return domain_.index_from_surface_patch_index(patch); }
+  Index index_from_subdomain_index(const Subdomain_index& s) const { return domain_.index_from_subdomain_index(s); }
+  Surface_patch_index surface_patch_index(const Index& index) const { return domain_.surface_patch_index(index); }
+
+private:
+  static Point_3 point(const Vector_3& p) { return Point_3(p[0], p[1], p[2]); }
+
+  Point_3 translated(const Point_3& p, const Periods& n) const { return point(cube_.translated(coordinates(p), n)); }
+  Segment_3 translated(const Segment_3& s, const Periods& n) const { return Segment_3(translated(s.source(), n), translated(s.target(), n)); }
+
+  Periods periods(const Segment_3& s) const
+  {
+    const Vector_3 p = coordinates(s.source()), q = coordinates(s.target());
+    return cube_.periods_into(Vector_3((std::min)(p[0], q[0]), (std::min)(p[1], q[1]), (std::min)(p[2], q[2])), cube_.corner);
+  }
+
+  const Mesh_domain& domain_;
+  Periodic_cube_3 cube_;
+};
+
+// Reads, rebuilds, and writes a c3t3 in a periodic triangulation of one sheet.
+//
+// Vertices stay, with all that the c3t3 says of them, and get their points. Cells are new.
+template <class C3t3, class Mesh_domain>
+class Periodic_mesh_3
+{
+public:
+  typedef Mesh_domain_view_3<Periodic_domain_3<Mesh_domain> > Domain_view;
+  typedef typename C3t3::Triangulation Triangulation;
+
+  Periodic_mesh_3(C3t3& c3t3, Domain_view& domain)
+    : c3t3_(c3t3)
+    , domain_(domain)
+  {}
+
+  static Periodic_cube_3 cube(const Triangulation& tr)
+  {
+    return { coordinates((tr.domain().min)()), CGAL::to_double(tr.domain().xmax()) - CGAL::to_double(tr.domain().xmin()) };
+  }
+
+  bool is_one_sheeted() const { return c3t3_.triangulation().number_of_vertices() > 0 && c3t3_.triangulation().is_1_cover(); }
+
+  // Whether the domain says now what the mesh generator has been told of the complex that has been read.
+  bool is_labelled_by_domain(const Periodic_complex_3& complex) const
+  {
+    const std::vector<Cell_handle> cells = cells_of(c3t3_.triangulation());
+    for(std::size_t n = 0; n < cells.size(); ++n)
+      if(complex.cells[n].label != domain_.label(coordinates(c3t3_.triangulation().dual(cells[n]))))
+        return false;
+    return true;
+  }
+
+  Periodic_complex_3 read()
+  {
+    static_assert(std::is_same<typename Triangulation::Geom_traits::FT, double>::value,
+                  "as for Mesh_3, points are to have coordinates of type double");
+    const Triangulation& tr = c3t3_.triangulation();
+    Periodic_complex_3 complex;
+    complex.cube = cube(tr);
+    const std::vector<Cell_handle> cells = cells_of(tr);
+    for(Cell_handle c : cells)
+      domain_.number_subdomain(c->subdomain_index());
+    for(auto v = tr.vertices_begin(); v != tr.vertices_end(); ++v)
+    {
+      vertices_.push_back(v);
+      complex.sites.push_back(weighted_site(v->point()));
+      complex.dimensions.push_back(v->in_dimension());
+    }
+    read_cells(tr, vertices_, cells, complex);
+    for(std::size_t n = 0; n < cells.size(); ++n)
+    {
+      complex.cells[n].label = domain_.number_subdomain(cells[n]->subdomain_index());
+      for(int i = 0; i < 4; ++i)
+        if(cells[n]->is_facet_on_surface(i) && static_cast<int>(n) < complex.cells[n].neighbors[i])
+          complex.facets.push_back({ static_cast<int>(n), i, domain_.number_patch(cells[n]->surface_patch_index(i)),
+                                     coordinates(cells[n]->get_facet_surface_center(i)) });
+    }
+    for(Vertex_handle v : vertices_)
+      complex.patches.push_back(v->in_dimension() == 2 ? domain_.patch_at(v->index()) : int(Domain_view_3::other_patch));
+    return complex;
+  }
+
+  // The complex of these vertices. None if they have no triangulation of one sheet, or if the domain does not fit: where other
+  // subdomains or patches than those of the mesh come up, or no surface between two subdomains.
+  std::optional<Periodic_complex_3> rebuild(const Periodic_complex_3& before, std::vector<Site> sites)
+  {
+    Triangulation tr(c3t3_.triangulation().domain());
+    std::vector<Vertex_handle> vertices;
+    if(!triangulate(sites, tr, vertices))
+      return std::nullopt;
+    Periodic_complex_3 complex;
+    complex.cube = before.cube;
+    complex.sites = std::move(sites);
+    complex.dimensions = before.dimensions;
+    complex.patches = before.patches;
+    const std::vector<Cell_handle> cells = cells_of(tr);
+    read_cells(tr, vertices, cells, complex);
+    if(!label_cells(tr, cells, complex) || !find_facets(tr, cells, complex))
+      return std::nullopt;
+    return complex;
+  }
+
+  // Whatever may throw comes before the first change.
+  void write(const Periodic_complex_3& complex)
+  {
+    std::vector<Index> indices;
+    for(const Periodic_complex_3::Facet& f : complex.facets)
+      indices.push_back(domain_.index(f.patch));
+    Triangulation& tr = c3t3_.triangulation();
+    const std::vector<Cell_handle> old_cells = cells_of(tr), cells = create_cells(complex.cells.size());
+    erase(old_cells);
+    for(std::size_t v = 0; v < vertices_.size(); ++v)
+      if(const Site& s = complex.sites[v]; !same_place(s, weighted_site(vertices_[v]->point())))
+        vertices_[v]->set_point(weighted_point(s));
+    for(std::size_t n = 0; n < cells.size(); ++n)
+    {
+      const Periodic_complex_3::Cell& c = complex.cells[n];
+      for(int i = 0; i < 4; ++i)
+      {
+        cells[n]->set_vertex(i, vertices_[c.vertices[i]]);
+        cells[n]->set_neighbor(i, cells[c.neighbors[i]]);
+        vertices_[c.vertices[i]]->set_cell(cells[n]);
+      }
+      cells[n]->set_offsets(bits(c.offsets[0]), bits(c.offsets[1]), bits(c.offsets[2]), bits(c.offsets[3]));
+      if(complex.is_inside(c))
+        c3t3_.add_to_complex(cells[n], domain_.subdomain(c.label));
+    }
+    for(std::size_t n = 0; n < complex.facets.size(); ++n)
+      write_facet(Facet(cells[complex.facets[n].cell], complex.facets[n].index), complex.facets[n], indices[n]);
+  }
+
+private:
+  typedef typename Triangulation::Vertex_handle Vertex_handle;
+  typedef typename Triangulation::Cell_handle Cell_handle;
+  typedef typename Triangulation::Facet Facet;
+  typedef typename Triangulation::Bare_point Bare_point;
+  typedef typename Triangulation::Weighted_point Weighted_point;
+  typedef typename Domain_view::Index Index;
+  typedef CGAL::Hash_handles_with_or_without_timestamps Hash;
+
+  static Weighted_point weighted_point(const Site& s) { return Weighted_point(Bare_point(s.x, s.y, s.z), s.weight); }
+
+  // Of a cell: zero or one period.
+  static int bits(const Periods& n) { return 4 * n[0] + 2 * n[1] + n[2]; }
+
+  static std::vector<Cell_handle> cells_of(const Triangulation& tr)
+  {
+    std::vector<Cell_handle> cells;
+    for(auto c = tr.cells_begin(); c != tr.cells_end(); ++c)
+      cells.push_back(c);
+    return cells;
+  }
+
+  // Without labels and facets.
+  static void read_cells(const Triangulation& tr, const std::vector<Vertex_handle>& vertices, const std::vector<Cell_handle>& cells,
+                         Periodic_complex_3& complex)
+  {
+    CGAL::Unique_hash_map<Vertex_handle, int, Hash> vertex_number(-1, vertices.size());
+    for(std::size_t v = 0; v < vertices.size(); ++v)
+      vertex_number[vertices[v]] = static_cast<int>(v);
+    CGAL::Unique_hash_map<Cell_handle, int, Hash> cell_number(-1, cells.size());
+    for(std::size_t n = 0; n < cells.size(); ++n)
+      cell_number[cells[n]] = static_cast<int>(n);
+    complex.cells.resize(cells.size());
+    for(std::size_t n = 0; n < cells.size(); ++n)
+      for(int i = 0; i < 4; ++i)
+      {
+        const auto offset = tr.get_offset(cells[n], i);
+        complex.cells[n].vertices[i] = vertex_number[cells[n]->vertex(i)];
+        complex.cells[n].neighbors[i] = cell_number[cells[n]->neighbor(i)];
+        complex.cells[n].offsets[i] = {{ offset.x(), offset.y(), offset.z() }};
+      }
+  }
+
+  // False if that needs several sheets or hides a vertex. Gives the vertices in the order of the sites.
+  static bool triangulate(const std::vector<Site>& sites, Triangulation& tr, std::vector<Vertex_handle>& vertices)
+  {
+    std::vector<Weighted_point> points;
+    std::map<std::array<double, 3>, std::size_t> number;
+    for(const Site& s : sites)
+    {
+      number.emplace(std::array<double, 3>{{ s.x, s.y, s.z }}, points.size());
+      points.push_back(weighted_point(s));
+    }
+    try
+    {
+      static_cast<typename Triangulation::Base&>(tr).insert(points.begin(), points.end(), true);
+    }
+    catch(const Failure_exception&)
+    {
+      return false;
+    }
+    if(!tr.is_1_cover() || tr.number_of_vertices() != sites.size())
+      return false;
+    vertices.resize(sites.size());
+    for(auto v = tr.vertices_begin(); v != tr.vertices_end(); ++v)
+    {
+      const Site s = weighted_site(v->point());
+      const auto it = number.find({{ s.x, s.y, s.z }});
+      if(it == number.end())
+        return false;
+      vertices[it->second] = v;
+    }
+    return true;
+  }
+
+  bool label_cells(const Triangulation& tr, const std::vector<Cell_handle>& cells, Periodic_complex_3& complex) const
+  {
+    for(std::size_t n = 0; n < cells.size(); ++n)
+    {
+      complex.cells[n].label = domain_.label(coordinates(tr.dual(cells[n])));
+      if(complex.cells[n].label == Domain_view_3::other_subdomain)
+        return false;
+    }
+    return true;
+  }
+
+  bool find_facets(const Triangulation& tr, const std::vector<Cell_handle>& cells, Periodic_complex_3& complex) const
+  {
+    for(std::size_t n = 0; n < cells.size(); ++n)
+      for(int i = 0; i < 4; ++i)
+      {
+        const int m = complex.cells[n].neighbors[i];
+        if(m < static_cast<int>(n) || complex.cells[n].label == complex.cells[m].label)
+          continue;
+        Bare_point p, q;
+        tr.dual_segment(Facet(cells[n], i), p, q);
+        const Vector_3 from = coordinates(p), to = coordinates(q);
+        Vector_3 center = (from + to) / 2;
+        int patch;
+        if(!domain_.intersect(center, (to - from).normalized(), (to - from).length() / 2, patch) || patch == Domain_view_3::other_patch)
+          return false;
+        complex.facets.push_back({ static_cast<int>(n), i, patch, center });
+      }
+    return true;
+  }
+
+  // All or none.
+  std::vector<Cell_handle> create_cells(std::size_t number)
+  {
+    std::vector<Cell_handle> cells;
+    cells.reserve(number);
+    try
+    {
+      while(cells.size() < number)
+        cells.push_back(c3t3_.triangulation().tds().create_cell());
+    }
+    catch(...)
+    {
+      for(Cell_handle c : cells)
+        c3t3_.triangulation().tds().delete_cell(c);
+      throw;
+    }
+    return cells;
+  }
+
+  // Takes cells and their facets out of the complex and of the triangulation.
+  void erase(const std::vector<Cell_handle>& cells)
+  {
+    c3t3_.clear_manifold_info();
+    for(Cell_handle c : cells)
+    {
+      c3t3_.remove_from_complex(c);
+      for(int i = 0; i < 4; ++i)
+        if(c->is_facet_on_surface(i))
+          c3t3_.remove_from_complex(c, i);
+    }
+    for(Cell_handle c : cells)
+      c3t3_.triangulation().tds().delete_cell(c);
+  }
+
+  void write_facet(const Facet& f, const Periodic_complex_3::Facet& facet, const Index& index)
+  {
+    c3t3_.add_to_complex(f, domain_.patch(facet.patch));
+    for(const Facet& g : { f, c3t3_.triangulation().mirror_facet(f) })
+    {
+      g.first->set_facet_surface_center(g.second, Bare_point(facet.center[0], facet.center[1], facet.center[2]));
+      g.first->set_facet_surface_center_index(g.second, index);
+    }
+  }
+
+  C3t3& c3t3_;
+  Domain_view& domain_;
+  std::vector<Vertex_handle> vertices_;
+};
+
+} // namespace internal
+} // namespace Global_odt_mesh_3
+} // namespace CGAL
+
+#endif // CGAL_GLOBAL_ODT_MESH_3_INTERNAL_DOOR_PERIODIC_MESH_3_H
