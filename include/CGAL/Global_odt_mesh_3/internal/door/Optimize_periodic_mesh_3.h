@@ -79,8 +79,12 @@ public:
     {
       const double s = shift(round_);
       const Vector_3 corner = complex_.cube.corner + complex_.cube.period * (first_corner + Vector_3(s, s, s));
-      if(!make_round(corner) && std::exchange(lattice_moves_, false))
-        make_round(corner);
+      // The removal of slivers moves few vertices, and may succeed where the optimization has not.
+      const bool lattice_moves = lattice_moves_ || !optimizes();
+      if(make_round(corner, lattice_moves) || !lattice_moves)
+        continue;
+      lattice_moves_ = false;
+      make_round(corner, false);
     }
     if(is_changed_)
       mesh_.write(complex_);
@@ -140,12 +144,12 @@ private:
   bool optimizes() const { return round_ < number_of_optimizations; }
 
   // False if there is no triangulation of one sheet where the optimizer has led.
-  bool make_round(const Vector_3& corner)
+  bool make_round(const Vector_3& corner, bool lattice_moves)
   {
     const std::optional<Odt_parameters> p = parameters_of_round();
     if(!p)
       return true;
-    Unrolled_mesh_3<Exact_predicates_inexact_constructions_kernel> unrolled(complex_, corner, lattice_moves_);
+    Unrolled_mesh_3<Exact_predicates_inexact_constructions_kernel> unrolled(complex_, corner, lattice_moves);
     if(!unrolled.is_faithful())
     {
       has_failed_ = true;
