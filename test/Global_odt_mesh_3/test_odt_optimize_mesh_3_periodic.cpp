@@ -352,7 +352,8 @@ int main()
   {
     test_domain("Schwarz P", schwarz_p, 1, seed, 22, 0.8);
     test_domain("gyroid", gyroid, 2, seed, 20, 0.78);
-    test_domain("double diamond", double_diamond, seed == 0 ? 3 : 2, seed, 12, 0.72);
+    // So coarse that a sliver may be left at the surface.
+    test_domain("double diamond", double_diamond, seed == 0 ? 3 : 2, seed, 4, 0.72);
   }
   test_other_cube();
   test_calls();
