@@ -218,9 +218,9 @@ static void test_domain(const std::string& name, const Function& f, int subdomai
 static void test_other_cube()
 {
   CGAL::Random random(0);
-  const auto f = [](const Point& p) { return label(gyroid(Point(p.x() / 4, p.y() / 4, p.z() / 4)), 2); };
-  const Domain domain(f, Kernel::Iso_cuboid_3(-1, -3, 7, 3, 1, 11), params::p_rng = &random);
-  C3t3 c3t3 = make_mesh(domain, 0.4);
+  const auto f = [](const Point& p) { return label(gyroid(Point(p.x() / 2, p.y() / 2, p.z() / 2)), 2); };
+  const Domain domain(f, Kernel::Iso_cuboid_3(-1, -1, -1, 1, 1, 1), params::p_rng = &random);
+  C3t3 c3t3 = make_mesh(domain, 0.18);
   const State<C3t3> before(c3t3);
   CGAL::odt_optimize_mesh_3(c3t3, domain);
   const State<C3t3> after(c3t3);
@@ -352,7 +352,8 @@ int main()
   {
     test_domain("Schwarz P", schwarz_p, 1, seed, 22, 0.8);
     test_domain("gyroid", gyroid, 2, seed, 20, 0.78);
-    test_domain("double diamond", double_diamond, seed == 0 ? 3 : 2, seed, 12, 0.72);
+    // So coarse that a sliver may be left at the surface.
+    test_domain("double diamond", double_diamond, seed == 0 ? 3 : 2, seed, 4, 0.72);
   }
   test_other_cube();
   test_calls();

@@ -79,8 +79,12 @@ public:
     {
       const double s = shift(round_);
       const Vector_3 corner = complex_.cube.corner + complex_.cube.period * (first_corner + Vector_3(s, s, s));
-      if(!make_round(corner) && std::exchange(lattice_moves_, false))
-        make_round(corner);
+      // The removal of slivers moves few vertices, and may succeed where the optimization has not.
+      const bool lattice_moves = lattice_moves_ || !optimizes();
+      if(make_round(corner, lattice_moves) || !lattice_moves)
+        continue;
+      lattice_moves_ = false;
+      make_round(corner, false);
     }
     if(is_changed_)
       mesh_.write(complex_);
@@ -90,7 +94,7 @@ public:
 private:
   typedef Periodic_mesh_3<C3t3, Mesh_domain> Mesh;
 
-  static constexpr int usual_rounds = 5, most_rounds = 9, number_of_optimizations = 2;
+  static constexpr int usual_rounds = 5, most_rounds = 9, number_of_optimizations = 2, most_attempts = 4;
   static constexpr double wanted_angle = 30;                // of more rounds, if no bound is given
   static constexpr double volume_tolerance = 0.02;
   static constexpr double size_of_perturbation = 1e-3;      // relative to the shortest edge at a vertex
@@ -131,24 +135,27 @@ private:
 
   Mesh_optimization_return_code code() const
   {
-    const bool is_failure = goes_on_ && code_ != TIME_LIMIT_REACHED && !is_changed_ && has_failed_;
+    const bool is_failure = goes_on_ && code_ != TIME_LIMIT_REACHED && !is_changed_ && failures_ > 0;
     const bool removes_slivers = goes_on_ && parameters_.do_remove_slivers && parameters_.sliver_bound > 0;
     return is_failure || (removes_slivers && complex_.number_of_slivers(parameters_.sliver_bound) > 0) ? CANT_IMPROVE_ANYMORE : code_;
   }
 
-  // Or else slivers are removed, and nothing else.
-  bool optimizes() const { return round_ < number_of_optimizations; }
+  // Or else slivers are removed, and nothing else. Where a result is not valid, another cut may do better.
+  bool optimizes() const { return optimizations_ < number_of_optimizations && round_ < most_attempts; }
+
+  // Where the round is in the work.
+  int step() const { return optimizes() ? optimizations_ : (std::max)(round_, int(number_of_optimizations)); }
 
   // False if there is no triangulation of one sheet where the optimizer has led.
-  bool make_round(const Vector_3& corner)
+  bool make_round(const Vector_3& corner, bool lattice_moves)
   {
     const std::optional<Odt_parameters> p = parameters_of_round();
     if(!p)
       return true;
-    Unrolled_mesh_3<Exact_predicates_inexact_constructions_kernel> unrolled(complex_, corner, lattice_moves_);
+    Unrolled_mesh_3<Exact_predicates_inexact_constructions_kernel> unrolled(complex_, corner, lattice_moves);
     if(!unrolled.is_faithful())
     {
-      has_failed_ = true;
+      ++failures_;
       return true;
     }
     Counter counter;
@@ -158,7 +165,11 @@ private:
     iterations_ += counter.number;
     if(optimizes() || code == TIME_LIMIT_REACHED)
       code_ = code;
-    return !unrolled.is_changed() || adopt(unrolled.periodic_sites());
+    const int failures = failures_;
+    failures_ += !unrolled.is_changed() && code == CANT_IMPROVE_ANYMORE;
+    const bool is_one_sheeted = !unrolled.is_changed() || adopt(unrolled.periodic_sites());
+    optimizations_ += optimizes() && failures_ == failures;
+    return is_one_sheeted;
   }
 
   // None if there is nothing left to do.
@@ -178,7 +189,7 @@ private:
     if(p.time_limit > 0)
     {
       const double begin = timer_.time(), left = p.time_limit - begin - rebuilding_ * (usual_rounds - (std::min)(round_, usual_rounds - 1));
-      p.time_limit = left * (share_before(round_ + 1) - share_before(round_)) / (1 - share_before(round_));
+      p.time_limit = left * (share_before(step() + 1) - share_before(step())) / (1 - share_before(step()));
       if(!(p.time_limit > 0))
       {
         code_ = TIME_LIMIT_REACHED;
@@ -189,7 +200,7 @@ private:
     if(parameters_.callback)
       p.callback = [this](double fraction)
       {
-        const double begin = share_before(round_), end = share_before(round_ + 1);
+        const double begin = share_before(step()), end = share_before(step() + 1);
         reported_ = (std::max)(reported_, begin + fraction * (end - begin));
         goes_on_ = parameters_.callback(reported_);
         return goes_on_;
@@ -231,10 +242,15 @@ private:
     const bool is_acceptable
       = candidate && is_like_input(*candidate)
         && (!parameters_.do_remove_slivers || candidate->slivers().is_not_worse_than(slivers_of_input_, true));
-    (is_acceptable ? is_changed_ : has_failed_) = true;
+    const bool is_found = candidate.has_value();
     if(is_acceptable)
+    {
       complex_ = std::move(*candidate);
-    return candidate.has_value();
+      is_changed_ = true;
+    }
+    else
+      ++failures_;
+    return is_found;
   }
 
   std::optional<Periodic_complex_3> rebuilt(std::vector<Site> sites)
@@ -264,9 +280,9 @@ private:
   Sliver_census_3 slivers_of_input_;
   std::map<int, double> volumes_;           // of the input
   std::map<int, std::array<long, 3> > topology_;
-  int round_ = 0;
+  int round_ = 0, optimizations_ = 0, failures_ = 0;
   bool lattice_moves_ = true;
-  bool goes_on_ = true, is_changed_ = false, has_failed_ = false;
+  bool goes_on_ = true, is_changed_ = false;
   std::size_t iterations_ = 0;
   double rebuilding_ = 0;                   // seconds
   double reported_ = 0;                     // of the work
