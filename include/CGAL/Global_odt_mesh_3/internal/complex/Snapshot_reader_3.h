@@ -222,7 +222,8 @@ private:
     {
       const Quadruple q = cells.vertices(n);
       snapshot_.boundary_cells.insert(sorted(q), table_.cells[n].label);
-      numbering_->input_boundary_cells.insert(sorted(q), { q, table_.cells[n].label });
+      const auto& p = table_.cells[n].places;
+      numbering_->input_boundary_cells.insert(sorted(q), { {{ q[p[0]], q[p[1]], q[p[2]], q[p[3]] }}, table_.cells[n].label });
     }
   }
 

@@ -300,6 +300,8 @@ private:
       sorted_cells[n] = cells[order.number(n)];
       for(int i = 0; i < 4; ++i)
         table.cells[n].vertices[i] = order.vertices()[Half_facet(n, i).id()] - 1;
+      for(int i = 0; i < 4; ++i)
+        table.cells[n].places[index_in(sorted_cells[n], table.cells[n].vertices[i])] = static_cast<signed char>(i);
     });
     return sorted_cells;
   }
