@@ -6,6 +6,14 @@
 #ifndef GLOBAL_ODT_MESH_3_BENCHMARK_ODT_OF_MESH_3_H
 #define GLOBAL_ODT_MESH_3_BENCHMARK_ODT_OF_MESH_3_H
 
+#ifdef CGAL_LINKED_WITH_TBB
+// Mesh_global_optimizer.h of CGAL 6.0 needs it and does not include it.
+#  include <tbb/enumerable_thread_specific.h>
+#endif
+
+#include <CGAL/Mesh_3/Mesh_global_optimizer.h>
+#include <CGAL/Mesh_3/Mesh_sizing_field.h>
+#include <CGAL/Mesh_3/Odt_move.h>
 #include <CGAL/odt_optimize_mesh_3.h>
 
 // The optimizer behind the function of CGAL that ours takes the place of, with its constants.

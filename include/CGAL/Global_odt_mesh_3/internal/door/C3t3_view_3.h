@@ -43,6 +43,33 @@ namespace CGAL {
 namespace Global_odt_mesh_3 {
 namespace internal {
 
+// Takes cells with their facets out of the complex.
+template <class C3t3>
+void take_out_of_complex(const std::vector<typename C3t3::Cell_handle>& cells, C3t3& c3t3)
+{
+  c3t3.clear_manifold_info();
+  for(typename C3t3::Cell_handle c : cells)
+  {
+    c3t3.remove_from_complex(c);
+    for(int i = 0; i < 4; ++i)
+      if(c->is_facet_on_surface(i))
+        c3t3.remove_from_complex(c, i);
+  }
+}
+
+// Adds a facet with its surface center, of which either cell knows.
+template <class C3t3>
+void write_facet(const typename C3t3::Facet& f, const typename C3t3::Surface_patch_index& patch,
+                 const typename C3t3::Triangulation::Bare_point& center, const typename C3t3::Index& index, C3t3& c3t3)
+{
+  c3t3.add_to_complex(f, patch);
+  for(const typename C3t3::Facet& g : { f, c3t3.triangulation().mirror_facet(f) })
+  {
+    g.first->set_facet_surface_center(g.second, center);
+    g.first->set_facet_surface_center_index(g.second, index);
+  }
+}
+
 // Reads and writes a c3t3.
 //
 // Vertices and cells are read in an order that depends on positions alone, since files do not keep that of the triangulation.
@@ -159,7 +186,7 @@ public:
     created.keep();
     vertices_.insert(vertices_.end(), created.vertices().begin(), created.vertices().end());
     cells.insert(cells.end(), created.cells().begin(), created.cells().end());
-    empty(cells);
+    take_out_of_complex(cells, c3t3_);
     renew_cells(table.cells.size(), cells);
     connect_cells(table, vertices_, cells, Thread_policy(), tr);
     for(std::size_t v = 0; v < vertices_.size(); ++v)
@@ -171,7 +198,8 @@ public:
       if(table.cells[n].label != Domain_view_3::outside)
         c3t3_.add_to_complex(cells[n], domain_.subdomain(table.cells[n].label));
     for(std::size_t n = 0; n < centers.size(); ++n)
-      write_facet(Facet(cells[table.facets[n].cell], table.facets[n].index), table.facets[n].patch, centers[n]);
+      write_facet(Facet(cells[table.facets[n].cell], table.facets[n].index), domain_.patch(table.facets[n].patch), centers[n].first,
+                  centers[n].second, c3t3_);
   }
 
 private:
@@ -324,19 +352,6 @@ private:
     return centers;
   }
 
-  // Takes all cells and facets out of the complex.
-  void empty(const std::vector<Cell_handle>& cells)
-  {
-    c3t3_.clear_manifold_info();
-    for(Cell_handle c : cells)
-    {
-      c3t3_.remove_from_complex(c);
-      for(int i = 0; i < 4; ++i)
-        if(c->is_facet_on_surface(i))
-          c3t3_.remove_from_complex(c, i);
-    }
-  }
-
   // Erased in the opposite order, they come back in the same one.
   void renew_cells(std::size_t number, std::vector<Cell_handle>& cells)
   {
@@ -354,16 +369,6 @@ private:
       v->set_point(typename Triangulation::Weighted_point(Bare_point(s.x, s.y, s.z)));
     if(mean_circumradius > 0)
       v->set_meshing_info(mean_circumradius);
-  }
-
-  void write_facet(const Facet& f, int patch, const Center& center)
-  {
-    c3t3_.add_to_complex(f, domain_.patch(patch));
-    for(const Facet& g : { f, c3t3_.triangulation().mirror_facet(f) })
-    {
-      g.first->set_facet_surface_center(g.second, center.first);
-      g.first->set_facet_surface_center_index(g.second, center.second);
-    }
   }
 
   C3t3& c3t3_;

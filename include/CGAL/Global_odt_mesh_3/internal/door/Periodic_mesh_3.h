@@ -12,12 +12,14 @@
 
 #include <CGAL/license/Global_odt_mesh_3.h>
 
+#include <CGAL/Global_odt_mesh_3/internal/door/C3t3_view_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/door/Mesh_domain_view_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/door/Periodic_complex_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/geometry/Site.h>
 #include <CGAL/Global_odt_mesh_3/internal/geometry/Vector_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/geometry/Vertex_tuples.h>
 #include <CGAL/Global_odt_mesh_3/internal/interface/Domain_view_3.h>
+#include <CGAL/Global_odt_mesh_3/internal/interface/Mesh_view_3.h>
 
 #include <CGAL/Kernel_traits.h>
 #include <CGAL/Mesh_3/config.h>
@@ -122,7 +124,7 @@ public:
   // Whether the domain says now what the mesh generator has been told of the complex that has been read.
   bool is_labelled_by_domain(const Periodic_complex_3& complex) const
   {
-    const std::vector<Cell_handle> cells = cells_of(c3t3_.triangulation());
+    const std::vector<Cell_handle> cells = all_cells(c3t3_.triangulation());
     for(std::size_t n = 0; n < cells.size(); ++n)
       if(complex.cells[n].label != domain_.label(coordinates(c3t3_.triangulation().dual(cells[n]))))
         return false;
@@ -136,7 +138,7 @@ public:
     const Triangulation& tr = c3t3_.triangulation();
     Periodic_complex_3 complex;
     complex.cube = cube(tr);
-    const std::vector<Cell_handle> cells = cells_of(tr);
+    const std::vector<Cell_handle> cells = all_cells(tr);
     for(Cell_handle c : cells)
       domain_.number_subdomain(c->subdomain_index());
     for(auto v = tr.vertices_begin(); v != tr.vertices_end(); ++v)
@@ -172,7 +174,7 @@ public:
     complex.sites = std::move(sites);
     complex.dimensions = before.dimensions;
     complex.patches = before.patches;
-    const std::vector<Cell_handle> cells = cells_of(tr);
+    const std::vector<Cell_handle> cells = all_cells(tr);
     read_cells(tr, vertices, cells, complex);
     if(!label_cells(tr, cells, complex) || !find_facets(tr, cells, complex))
       return std::nullopt;
@@ -186,8 +188,10 @@ public:
     for(const Periodic_complex_3::Facet& f : complex.facets)
       indices.push_back(domain_.index(f.patch));
     Triangulation& tr = c3t3_.triangulation();
-    const std::vector<Cell_handle> old_cells = cells_of(tr), cells = create_cells(complex.cells.size());
-    erase(old_cells);
+    const std::vector<Cell_handle> old_cells = all_cells(tr), cells = create_cells(complex.cells.size());
+    take_out_of_complex(old_cells, c3t3_);
+    for(Cell_handle c : old_cells)
+      tr.tds().delete_cell(c);
     for(std::size_t v = 0; v < vertices_.size(); ++v)
       if(const Site& s = complex.sites[v]; !same_place(s, weighted_site(vertices_[v]->point())))
         vertices_[v]->set_point(weighted_point(s));
@@ -205,7 +209,10 @@ public:
         c3t3_.add_to_complex(cells[n], domain_.subdomain(c.label));
     }
     for(std::size_t n = 0; n < complex.facets.size(); ++n)
-      write_facet(Facet(cells[complex.facets[n].cell], complex.facets[n].index), complex.facets[n], indices[n]);
+    {
+      const Periodic_complex_3::Facet& f = complex.facets[n];
+      write_facet(Facet(cells[f.cell], f.index), domain_.patch(f.patch), Bare_point(f.center[0], f.center[1], f.center[2]), indices[n], c3t3_);
+    }
   }
 
 private:
@@ -221,14 +228,6 @@ private:
 
   // Of a cell: zero or one period.
   static int bits(const Periods& n) { return 4 * n[0] + 2 * n[1] + n[2]; }
-
-  static std::vector<Cell_handle> cells_of(const Triangulation& tr)
-  {
-    std::vector<Cell_handle> cells;
-    for(auto c = tr.cells_begin(); c != tr.cells_end(); ++c)
-      cells.push_back(c);
-    return cells;
-  }
 
   // Without labels and facets.
   static void read_cells(const Triangulation& tr, const std::vector<Vertex_handle>& vertices, const std::vector<Cell_handle>& cells,
@@ -331,31 +330,6 @@ private:
       throw;
     }
     return cells;
-  }
-
-  // Takes cells and their facets out of the complex and of the triangulation.
-  void erase(const std::vector<Cell_handle>& cells)
-  {
-    c3t3_.clear_manifold_info();
-    for(Cell_handle c : cells)
-    {
-      c3t3_.remove_from_complex(c);
-      for(int i = 0; i < 4; ++i)
-        if(c->is_facet_on_surface(i))
-          c3t3_.remove_from_complex(c, i);
-    }
-    for(Cell_handle c : cells)
-      c3t3_.triangulation().tds().delete_cell(c);
-  }
-
-  void write_facet(const Facet& f, const Periodic_complex_3::Facet& facet, const Index& index)
-  {
-    c3t3_.add_to_complex(f, domain_.patch(facet.patch));
-    for(const Facet& g : { f, c3t3_.triangulation().mirror_facet(f) })
-    {
-      g.first->set_facet_surface_center(g.second, Bare_point(facet.center[0], facet.center[1], facet.center[2]));
-      g.first->set_facet_surface_center_index(g.second, index);
-    }
   }
 
   C3t3& c3t3_;

@@ -274,17 +274,9 @@ private:
         if(f == nullptr)
           continue;
         c.facets |= 1 << i;
-        const Periodic_complex_3::Facet& facet = complex_.facets[*f];
-        table_.facets.push_back({ static_cast<int>(n), i, facet.patch, static_cast<int>(table_.facets.size()),
-                                  closest(facet.center, centroid(t, table_.sites)), facet.patch });
+        table_.facets.push_back({ static_cast<int>(n), i, complex_.facets[*f].patch, static_cast<int>(table_.facets.size()),
+                                  Vector_3(), 0 });
       }
-  }
-
-  // The copy of a point that is the closest to another point.
-  Vector_3 closest(const Vector_3& p, const Vector_3& to) const
-  {
-    const double half = complex_.cube.period / 2;
-    return complex_.cube.translated(p, complex_.cube.periods_into(p, to - Vector_3(half, half, half)));
   }
 
   const Periodic_complex_3& complex_;
