@@ -177,12 +177,12 @@ private:
 
   void triangulate()
   {
-    typedef typename Kernel::Weighted_point_3 Weighted_point;
-    std::vector<std::pair<Weighted_point, int> > points;
+    typedef typename Kernel::Weighted_point_3 Weighted_point_3;
+    std::vector<std::pair<Weighted_point_3, int> > points;
     for(std::size_t v = 0; v < table_.sites.size(); ++v)
     {
       const Site& s = table_.sites[v];
-      points.emplace_back(Weighted_point(typename Kernel::Point_3(s.x, s.y, s.z), s.weight), static_cast<int>(v));
+      points.emplace_back(Weighted_point_3(typename Kernel::Point_3(s.x, s.y, s.z), s.weight), static_cast<int>(v));
     }
     Triangulation tr;
     tr.insert(points.begin(), points.end());
