@@ -46,7 +46,7 @@ The function takes the place of the one of the same name in the package 3D Mesh 
 
 - Section \ref godt_kept lists what is kept: features, corners, topology, subdomains, sizes, and, unless vertices may be inserted or
 removed, their number and all handles to them. Section \ref godt_fixed tells how to keep more.
-- If the domain, a field, a property map, or the callback throws, `c3t3` is as it was before the call. The same holds for the
+- If the domain, a field, a property map, or the callback throws, `c3t3` is unchanged. The same holds for the
 visitor, until the mesh is final.
 - Arguments that are no named parameters, that are not listed below, or that occur twice are refused at compile time.
 Bad values violate preconditions, which are checked in each build (section \ref godt_errors).
@@ -84,7 +84,7 @@ version of %CGAL in use accepts: `parameters::time_limit = 10, parameters::do_fr
     \cgalParamPrecondition{a number, not negative}
     \cgalParamDefault{0}
     \cgalParamExtra{The removal of slivers and the insertion of vertices do not count. Where no valid mesh results, the optimization
-                    begins anew, with as many iterations and less freedom for the boundary.}
+                    starts again, with as many iterations and less freedom for the boundary.}
     \cgalParamExtra{From \cgal 5.6 on also called `number_of_iterations`.}
   \cgalParamNEnd
   \cgalParamNBegin{convergence}
@@ -132,8 +132,7 @@ version of %CGAL in use accepts: `parameters::time_limit = 10, parameters::do_fr
     \cgalParamExtra{Without insertion and removal, and with `number_of_vertices`, only ratios of sizes matter.}
     \cgalParamExtra{With `do_insert_vertices`, sizes bound circumradii, as those of `Mesh_criteria_3` do: larger cells are split, where no
                     feature edge or junction is in the way. With `do_remove_vertices`, vertices are removed where the mesh is finer.}
-    \cgalParamExtra{The field is evaluated at vertices, with their dimension and index, also outside of the domain, no farther from it than the
-                    edges around are long. A `quadrature` also evaluates it inside of cells, with dimension and index of the vertex of
+    \cgalParamExtra{The field is evaluated at vertices, with their dimension and index, also outside of the domain, no farther from it than the surrounding edges are long. A `quadrature` also evaluates it inside of cells, with dimension and index of the vertex of
                     the highest dimension. Insertion and removal also evaluate it for dimension 3 and the index of each
                     subdomain, inside of its cells and at vertices on its boundary. Two threads never evaluate it at once.}
     \cgalParamExtra{It is copied; pass `std::cref(field)` to avoid that.}
@@ -173,7 +172,7 @@ version of %CGAL in use accepts: `parameters::time_limit = 10, parameters::do_fr
     \cgalParamDefault{4 for momentum annealing, 20 for Algorithm 2}
   \cgalParamNEnd
   \cgalParamNBegin{sliver_bound}
-    \cgalParamDescription{the dihedral angle, in degrees, that all cells should exceed in the end. Slivers are removed in steps of 20, 30, 35, 40, 45, ... degrees,
+    \cgalParamDescription{the dihedral angle, in degrees, that all cells should exceed at the end. Slivers are removed in steps of 20, 30, 35, 40, 45, ... degrees,
                           and the removal stops at the first step that is not below the bound. 0 means as high as possible, as long as
                           slivers are exceptions: above 30 degrees, no step is taken that requires more than one cell in
                           twenty-five to be improved.}
@@ -190,7 +189,7 @@ version of %CGAL in use accepts: `parameters::time_limit = 10, parameters::do_fr
   \cgalParamNBegin{do_insert_vertices}
     \cgalParamDescription{whether vertices may be inserted, inside and on surfaces, but neither on features nor where surfaces
                           meet. Before vertices move, they are inserted into edges that are long compared with `sizing_field`. Without a field, edges are
-                          compared with the edges around and with feature edges nearby. In the end, they are inserted
+                          compared with the surrounding edges and with nearby feature edges. At the end, they are inserted
                           into cells whose circumradius exceeds `sizing_field` or, without sizes and densities, the largest of their subdomain in the input.
                           They are also inserted into facets that exceed the largest of the input. Neither is done where it would create more
                           angles below 30 degrees. If `do_remove_slivers` is `true`, they are inserted in and beside cells with angles below `sliver_bound`, or
@@ -205,8 +204,8 @@ version of %CGAL in use accepts: `parameters::time_limit = 10, parameters::do_fr
   \cgalParamNEnd
   \cgalParamNBegin{do_remove_vertices}
     \cgalParamDescription{whether vertices inside and on surfaces may be removed. Before vertices move, one end is removed of edges that are short
-                          compared with `sizing_field` or, without a field, with the edges around. If `do_remove_slivers`
-                          is `true`, vertices are also removed in the end, where that raises the angles of cells below `sliver_bound`, or 30 degrees
+                          compared with `sizing_field` or, without a field, with the surrounding edges. If `do_remove_slivers`
+                          is `true`, vertices are also removed at the end, where that raises the angles of cells below `sliver_bound`, or 30 degrees
                           if that is 0.}
     \cgalParamType{`bool`}
     \cgalParamDefault{`false`}
@@ -215,7 +214,7 @@ version of %CGAL in use accepts: `parameters::time_limit = 10, parameters::do_fr
   \cgalParamNEnd
   \cgalParamNBegin{number_of_vertices}
     \cgalParamDescription{how many vertices the mesh gets, those on features included (Algorithm 1 of
-                          \cgalCite{cgal:cwlls-rodt-14}). Edges are compared with `sizing_field` or `density` or, without, with the edges around.
+                          \cgalCite{cgal:cwlls-rodt-14}). Edges are compared with `sizing_field` or `density` or, without, with the surrounding edges.
                           The shortest lose and the longest get vertices until the number is reached, which no insertion passes. The number is met within
                           1 %, or two vertices, unless features, junctions, topology, or volumes do not permit that. Then the function returns
                           `CGAL::CANT_IMPROVE_ANYMORE`.}
@@ -240,7 +239,7 @@ version of %CGAL in use accepts: `parameters::time_limit = 10, parameters::do_fr
   \cgalParamNEnd
   \cgalParamNBegin{vertex_is_constrained_map}
     \cgalParamDescription{a property map that is `true` for vertices that are to stay: they neither move nor are removed, and keep their dimension
-                          and index. It is read once, before anything else. If no vertex may move, and none is to be inserted, the mesh comes back as it was.}
+                          and index. It is read once, before anything else. If no vertex may move, and none is to be inserted, the mesh is left unchanged.}
     \cgalParamType{a class model of `ReadablePropertyMap` with `C3T3::Vertex_handle` as key type and `bool` as value type}
     \cgalParamDefault{a constant property map that is `false` for all vertices}
     \cgalParamExtra{It is ignored at vertices that stay anyway, such as those on features.}
@@ -285,7 +284,7 @@ version of %CGAL in use accepts: `parameters::time_limit = 10, parameters::do_fr
   + `number_of_vertices` is not met, or `do_insert_vertices` permits no more vertices;
   + no step along the search direction, nor along the gradient, lowers the energy;
   + no valid mesh can be made, or only one with more cells below 10, 20, or 30 degrees, or with a smaller angle below 30.
-    In these cases, `c3t3` is as before. Angles may become smaller if `do_remove_slivers` is `false`, or with `sizing_field`, `density`, or
+    In these cases, `c3t3` is unchanged. Angles may become smaller if `do_remove_slivers` is `false`, or with `sizing_field`, `density`, or
     `number_of_vertices`.
 
 \pre No vertex but those on features carries a weight, that is, `exude_mesh_3()` has not been called before.

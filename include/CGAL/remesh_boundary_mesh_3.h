@@ -117,7 +117,7 @@ The guarantees are those of `odt_optimize_mesh_3()`, also if the domain, a prope
 - `CGAL::TIME_LIMIT_REACHED` when `time_limit` has passed, or `callback` returned `false`;
 - `CGAL::MAX_ITERATION_NUMBER_REACHED` when `max_iteration_number` iterations or all rounds have been made;
 - `CGAL::CONVERGENCE_REACHED` when a round lowers the energy by less than 0.02 %, also when no vertex may move;
-- `CGAL::CANT_IMPROVE_ANYMORE` when no valid mesh can be made, in which case `c3t3` is as before.
+- `CGAL::CANT_IMPROVE_ANYMORE` when no valid mesh can be made, in which case `c3t3` is unchanged.
 
 \pre No vertex but those on features carries a weight, that is, `exude_mesh_3()` has not been called before.
 

@@ -108,7 +108,7 @@ The guarantees are those of `odt_optimize_mesh_3()`, also if the domain, a prope
 \return a value of type `CGAL::Mesh_optimization_return_code`, which is
 - `CGAL::TIME_LIMIT_REACHED` when `time_limit` has passed, or `callback` returned `false`;
 - `CGAL::CANT_IMPROVE_ANYMORE` when cells below a positive `sliver_bound` are left, also when no vertex may move;
-- the same when no valid mesh can be made, in which case `c3t3` is as before;
+- the same when no valid mesh can be made, in which case `c3t3` is unchanged;
 - `CGAL::CONVERGENCE_REACHED` otherwise.
 
 \pre No vertex but those on features carries a weight, that is, `exude_mesh_3()` has not been called before.
