@@ -132,8 +132,9 @@ version of %CGAL in use accepts: `parameters::time_limit = 10, parameters::do_fr
     \cgalParamExtra{Without insertion and removal, and with `number_of_vertices`, only ratios of sizes matter.}
     \cgalParamExtra{With `do_insert_vertices`, sizes bound circumradii, as those of `Mesh_criteria_3` do: larger cells are split, where no
                     feature edge or junction is in the way. With `do_remove_vertices`, vertices are removed where the mesh is finer.}
-    \cgalParamExtra{The field is evaluated at vertices, with their dimension and index, also outside of the domain, no farther from it than the surrounding edges are long. A `quadrature` also evaluates it inside of cells, with dimension and index of the vertex of
-                    the highest dimension. Insertion and removal also evaluate it for dimension 3 and the index of each
+    \cgalParamExtra{The field is evaluated at vertices, with their dimension and index, also outside of the domain, no farther from it
+                    than the surrounding edges are long. A `quadrature` also evaluates it inside of cells, with dimension and index of
+                    the vertex of the highest dimension. Insertion and removal also evaluate it for dimension 3 and the index of each
                     subdomain, inside of its cells and at vertices on its boundary. Two threads never evaluate it at once.}
     \cgalParamExtra{It is copied; pass `std::cref(field)` to avoid that.}
   \cgalParamNEnd
