@@ -76,10 +76,10 @@ each vertex.
 */
 struct Adaptive_cubature_3
 {
-  /// the error of the integrals over a cell, relative to the mass of the cell, that is, the integral of the density; more is
-  /// allowed in cells with less energy than the mean where only the energy of the whole mesh is wanted; positive and finite
+  /// the error of the integrals over a cell, relative to the integral of the density over it; positive and finite. More is
+  /// allowed in cells with less energy than the mean where only the energy of the whole mesh is wanted
   double tolerance = 1e-6;
-  /// the number of parts into which a cell is divided at most; positive
+  /// the largest number of parts into which a cell is divided; positive
   int most_regions = 500;
 
   /// checks the values of all members. A value out of range violates a precondition that names it.

@@ -74,16 +74,16 @@ small where the boundary is curved or close to another part of it, and grow with
 object serves as `cell_size` and `facet_size` of `Mesh_criteria_3` and as `sizing_field` of
 `odt_optimize_mesh_3()`, so that mesh and optimizer agree.
 
-The boundary is sampled. The poles of a sample, the farthest vertices of its Voronoi cell on either side of the
-boundary, are near the medial axis \cgalCite{cgal:ab-srvf-99}, and the distance
+The boundary is sampled. The poles of a sample are the farthest vertices of its Voronoi cell on either side of the
+boundary. They are near the medial axis \cgalCite{cgal:ab-srvf-99}. The distance
 from a sample \f$ s \f$ to the nearest pole is the local feature size there. A pole counts only if it sees two of the
-samples that are nearest to it under an angle of 60 degrees at least, so that neither noise nor the edges of a finely
+samples that are nearest to it under an angle of 60 degrees at least. Hence neither noise nor the edges of a finely
 triangulated surface are taken for features. With \f$ h_s \f$ = `size_factor` times the local feature size, but
 not less than `smallest_size`, and \f$ K \f$ = `gradation`, the size is
 \f[ \mu(\mathbf{x}) = \min\left(\min_s \sqrt{h_s^2 + K^2 |\mathbf{x} - s|^2},\ \mathrm{largest\_size}\right). \f]
 It changes by at most \f$ K \f$ times the distance of two points. With \f$ K = 0 \f$ it is constant.
 
-`Mesh_criteria_3` takes sizes for bounds on radii, so that edges come out longer than the size, by a third with the default
+`Mesh_criteria_3` takes sizes for bounds on radii. Edges hence become longer than the size, by a third with the default
 parameters.
 
 At sharp edges and corners the local feature size is zero; the samples nearest to them decide how small the size gets,

@@ -76,10 +76,10 @@ struct Mesh_quality_report_3
   std::map<std::string, Subdomain> subdomains;   ///< the subdomains, by their indices as they are printed
   /// the numbers of cells and facets that the criteria of the mesh generator call bad, if criteria are given
   std::optional<std::pair<std::size_t, std::size_t> > bad_cells_and_facets;
-  /// the numbers of cells that violate each of the criteria for cells, as far as these are set: for `Mesh_cell_criteria_3`, the size
+  /// the numbers of cells that violate each of the criteria for cells that are set. `Mesh_cell_criteria_3` has the size
   /// and the radius-edge ratio, in this order. A cell counts for the first criterion that it violates
   std::vector<std::size_t> bad_cells_by_criterion;
-  /// the same for facets: for `Mesh_facet_criteria_3`, the angle, the size, the distance, and the topology, as far as these are set
+  /// the same for facets. `Mesh_facet_criteria_3` has the angle, the size, the distance, and the topology, as far as these are set
   std::vector<std::size_t> bad_facets_by_criterion;
 
   /// returns the sum over all subdomains.

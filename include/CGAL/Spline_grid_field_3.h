@@ -35,8 +35,8 @@ product of cubic splines that are twice continuously differentiable. This is how
 (section 5.2 of
 \cgalCite{cgal:cwlls-rodt-14}).
 
-An object serves as `sizing_field` of `odt_optimize_mesh_3()` and as a size of `Mesh_criteria_3`, if its values are
-sizes, in the unit of the coordinates, and as `density`, if they are densities.
+If its values are sizes, in the unit of the coordinates, an object serves as `sizing_field` of `odt_optimize_mesh_3()` and as a
+size of `Mesh_criteria_3`. If they are densities, it serves as `density`.
 
 Polynomials of degree three in each variable are reproduced. The error at smooth functions is of the fourth order in the
 distance of nodes. Where values jump, a spline overshoots, possibly below zero; sizes and densities should change

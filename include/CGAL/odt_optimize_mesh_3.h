@@ -37,26 +37,30 @@ namespace CGAL {
 /*!
 \ingroup PkgGlobalOdtMesh3Functions
 
-improves the cells of a tetrahedral mesh by global optimization and removal of slivers. Vertices move far below a nearby
-local minimum of the optimal Delaunay triangulation energy
-\f$ E^\rho_{ODT} = \sum_\tau \int_\tau \rho\,(f_I - \mathbf{x}^2) \f$,
-the \f$ L^1 \f$ error of interpolating \f$ \mathbf{x}^2 \f$ linearly in each cell,
-by a global search and the L-BFGS method, as proposed by Chen et al. \cgalCite{cgal:cwlls-rodt-14}. Then the slivers
-that are left are removed. The function takes the place of the one of the same
-name in the package 3D Mesh Generation. Section \ref godt_kept tells what is preserved: features, corners, topology, subdomains, sizes, and,
-unless vertices may be inserted or removed, their number and all handles to them; section \ref godt_fixed, how more is kept; section \ref godt_threads, what runs on several threads. If the
-domain, a field, a property map, the callback, or, until the mesh is final, the visitor throws, `c3t3` is as it was before the call. Meshes in periodic
-triangulations of one sheet are optimized, too (section \ref godt_periodic); of the parameters, they have `time_limit`, `max_iteration_number`, `convergence`,
-`freeze_bound`, `do_freeze`, `optimize_boundary`, `surface_weight`, `annealing_schedule`, `number_of_rounds`, `sliver_bound`, `do_remove_slivers`,
-`random_seed`, and `callback`. An argument that is no named parameter, one that is not listed
-below, and one that is given twice are refused at compile time; bad values violate preconditions, which are checked in each build.
+improves the cells of a tetrahedral mesh by global optimization and removal of slivers. The vertices move to a low value of the
+optimal Delaunay triangulation energy \f$ E^\rho_{ODT} = \sum_\tau \int_\tau \rho\,(f_I - \mathbf{x}^2) \f$. This is
+the \f$ L^1 \f$ error of interpolating \f$ \mathbf{x}^2 \f$ linearly in each cell. A global search and the L-BFGS method
+minimize it, as proposed by Chen et al. \cgalCite{cgal:cwlls-rodt-14}. Then the slivers that are left are removed.
+
+The function takes the place of the one of the same name in the package 3D Mesh Generation.
+
+- Section \ref godt_kept lists what is kept: features, corners, topology, subdomains, sizes, and, unless vertices may be inserted or
+removed, their number and all handles to them. Section \ref godt_fixed tells how to keep more.
+- If the domain, a field, a property map, or the callback throws, `c3t3` is unchanged. The same holds for the
+visitor, until the mesh is final.
+- Arguments that are no named parameters, that are not listed below, or that occur twice are refused at compile time.
+Bad values violate preconditions, which are checked in each build (section \ref godt_errors).
+- Section \ref godt_threads tells what runs on several threads.
+- Meshes in periodic triangulations of one sheet are optimized, too (section \ref godt_periodic). For them, the parameters are
+`time_limit`, `max_iteration_number`, `convergence`, `freeze_bound`, `do_freeze`, `optimize_boundary`, `surface_weight`,
+`annealing_schedule`, `number_of_rounds`, `sliver_bound`, `do_remove_slivers`, `random_seed`, and `callback`.
 
 \tparam C3T3 a model of the concept `MeshComplex_3InTriangulation_3` whose points have coordinates of type `double`, such as those of
 `Exact_predicates_inexact_constructions_kernel`
 \tparam MeshDomain a model of the concept `MeshDomain_3`
 \tparam NamedParameters a sequence of named parameters, in each of the notations that the
 version of %CGAL in use accepts: `parameters::time_limit = 10, parameters::do_freeze = false` in all,
-`parameters::time_limit(10).do_freeze(false)` from 5.6 on. In 5.5, the first five may also be given as numbers, by position.
+`parameters::time_limit(10).do_freeze(false)` from 5.6 on. In 5.5, the first five may also be numbers, by position.
 
 \param c3t3 the mesh, which is modified
 \param domain the domain from which `c3t3` was made
@@ -73,74 +77,75 @@ version of %CGAL in use accepts: `parameters::time_limit = 10, parameters::do_fr
     \cgalParamExtra{From \cgal 5.6 on also called `maximum_running_time`.}
   \cgalParamNEnd
   \cgalParamNBegin{max_iteration_number}
-    \cgalParamDescription{the number of iterations of all stages together, that is, of accepted evaluations of either
-                          energy, at most; 0 means 1000 in addition to those of the rounds. If it is small, the search is
-                          shortened in advance, and less or nothing is spent on the CVT of the surface. Removing slivers and
-                          inserting vertices does not count. Where no valid mesh results, the optimization begins anew, with as
-                          many iterations and less freedom for the boundary.}
+    \cgalParamDescription{the largest number of iterations of all stages together. An iteration is an accepted evaluation of the energy of cells
+                          or of surfaces. 0 means 1000 in addition to those of the rounds. If the number is small, the search is
+                          shortened in advance, and less or nothing is spent on the centroidal Voronoi tessellation of the surface.}
     \cgalParamType{`std::size_t`}
+    \cgalParamPrecondition{a number, not negative}
     \cgalParamDefault{0}
+    \cgalParamExtra{The removal of slivers and the insertion of vertices do not count. Where no valid mesh results, the optimization
+                    starts again, with as many iterations and less freedom for the boundary.}
     \cgalParamExtra{From \cgal 5.6 on also called `number_of_iterations`.}
   \cgalParamNEnd
   \cgalParamNBegin{convergence}
-    \cgalParamDescription{the process stops when the mean of the largest 0.2 % of the displacements falls below this
-                          ratio. The displacement of a vertex is the length of its move to the volume-weighted mean of
+    \cgalParamDescription{a ratio of lengths: the process stops when the mean of the largest 0.2 % of the displacements falls below it. The
+                          displacement of a vertex is the length of its move to the volume-weighted mean of
                           the circumcenters around it, relative to its shortest incident edge.}
     \cgalParamType{`double`}
     \cgalParamPrecondition{`0 <= convergence <= 1`}
     \cgalParamDefault{0.02}
   \cgalParamNEnd
   \cgalParamNBegin{freeze_bound}
-    \cgalParamDescription{a vertex whose displacement is below this ratio for six iterations in a row is frozen, if
-                          `do_freeze` is `true`.}
+    \cgalParamDescription{a ratio of lengths: a vertex whose displacement is below it for six iterations in a row is frozen.}
     \cgalParamType{`double`}
     \cgalParamPrecondition{`0 <= freeze_bound <= 1`}
     \cgalParamDefault{0.01}
+    \cgalParamExtra{It is ignored if `do_freeze` is `false`.}
   \cgalParamNEnd
   \cgalParamNBegin{do_freeze}
-    \cgalParamDescription{whether vertices that are frozen stay.}
+    \cgalParamDescription{whether frozen vertices no longer move. The process stops when all vertices are frozen.}
     \cgalParamType{`bool`}
     \cgalParamDefault{`true`}
   \cgalParamNEnd
   \cgalParamNBegin{optimize_boundary}
-    \cgalParamDescription{whether vertices of dimension 2 move on the surface.}
+    \cgalParamDescription{whether vertices of dimension 2 move on the surface. Otherwise they stay, and so do all facets of the complex.}
     \cgalParamType{`bool`}
     \cgalParamDefault{`true`}
   \cgalParamNEnd
   \cgalParamNBegin{surface_weight}
-    \cgalParamDescription{the importance of the triangles on surfaces relative to that of the cells: the weight of the
-                          energy of the surfaces' centroidal Voronoi tessellation. With a weight of 1, both energies are
-                          equally stiff, by the sums of their second derivatives, so that a mesh with few vertices in
-                          the interior spends no more on its triangles than the cells can bear. More gives better
-                          triangles and worse cells, 0 leaves the triangles to the cells.}
+    \cgalParamDescription{the weight of the energy of the surfaces' centroidal Voronoi tessellation, relative to the energy of the cells. With a
+                          weight of 1, both energies are equally stiff, by the sums of their second derivatives. A mesh with few vertices in
+                          the interior thus spends no more on its triangles than the cells can bear. More leads to better
+                          triangles and worse cells, and 0 leaves the triangles to the cells.}
     \cgalParamType{`double`}
     \cgalParamPrecondition{`surface_weight >= 0`, and finite}
     \cgalParamDefault{1.2}
+    \cgalParamExtra{It is ignored if `optimize_boundary` is `false`.}
   \cgalParamNEnd
   \cgalParamNBegin{sizing_field}
-    \cgalParamDescription{the size \f$ \mu \f$ of the cells, which goes into the densities \f$ 1/\mu^5 \f$ of the volume
-                          and \f$ 1/\mu^4 \f$ of surfaces. It is evaluated at vertices, with their dimension and index,
-                          also outside of the domain, no farther from it than the edges around are long, and never by two
-                          threads at once. A `quadrature` also evaluates it inside of cells, with dimension and index of the vertex of
-                          the highest dimension; insertion and removal also evaluate it for dimension 3 and the index of each
-                          subdomain, inside of its cells and at vertices on its boundary.}
+    \cgalParamDescription{the size \f$ \mu \f$ of the cells, in the unit of the coordinates. It goes into the densities \f$ 1/\mu^5 \f$ of the volume
+                          and \f$ 1/\mu^4 \f$ of surfaces.}
     \cgalParamType{a model of `MeshDomainField_3`, such as the `cell_size` of the criteria with which the mesh was made,
                    `CGAL::Local_feature_size_field_3` or `CGAL::Spline_grid_field_3`, or a number}
     \cgalParamPrecondition{all sizes are positive and finite; not together with `density`}
     \cgalParamDefault{the sizes of the input's cells}
+    \cgalParamExtra{Without insertion and removal, and with `number_of_vertices`, only ratios of sizes matter.}
+    \cgalParamExtra{With `do_insert_vertices`, sizes bound circumradii, as those of `Mesh_criteria_3` do: larger cells are split, where no
+                    feature edge or junction is in the way. With `do_remove_vertices`, vertices are removed where the mesh is finer.}
+    \cgalParamExtra{The field is evaluated at vertices, with their dimension and index, also outside of the domain, no farther from it
+                    than the surrounding edges are long. A `quadrature` also evaluates it inside of cells, with dimension and index of
+                    the vertex of the highest dimension. Insertion and removal also evaluate it for dimension 3 and the index of each
+                    subdomain, inside of its cells and at vertices on its boundary. Two threads never evaluate it at once.}
     \cgalParamExtra{It is copied; pass `std::cref(field)` to avoid that.}
-    \cgalParamExtra{By default, only ratios of sizes matter. With `do_insert_vertices`, sizes bound circumradii, as those of
-                    `Mesh_criteria_3` do: cells that are larger are split, where no feature edge or junction is in the way.
-                    With `do_remove_vertices`, vertices go where the mesh is finer. With `number_of_vertices`, only ratios matter.}
   \cgalParamNEnd
   \cgalParamNBegin{density}
-    \cgalParamDescription{the density \f$ \rho \f$ of the volume; that of surfaces is \f$ \rho^{4/5} \f$. It is
-                          evaluated and copied like `sizing_field`.}
+    \cgalParamDescription{the density \f$ \rho \f$ of the volume; that of surfaces is \f$ \rho^{4/5} \f$. Only ratios matter.}
     \cgalParamType{a model of `MeshDensity_3`, such as a lambda, `CGAL::Spline_grid_field_3`, or
                    `CGAL::Quadratic_density_3`}
     \cgalParamPrecondition{all densities are positive and finite, though a `CGAL::Quadratic_density_3` may be zero at
                            points; not together with `sizing_field`}
     \cgalParamDefault{that of the input's cells}
+    \cgalParamExtra{It is evaluated and copied like `sizing_field`.}
   \cgalParamNEnd
   \cgalParamNBegin{quadrature}
     \cgalParamDescription{how the density is integrated over cells in energy and gradient (equations (2.5) and (3.1) of
@@ -150,6 +155,7 @@ version of %CGAL in use accepts: `parameters::time_limit = 10, parameters::do_fr
                    `CGAL::Adaptive_cubature_3`}
     \cgalParamPrecondition{that of its members}
     \cgalParamDefault{`CGAL::Linear_density_rule_3()`; exact integrals if `density` is a `CGAL::Quadratic_density_3`}
+    \cgalParamExtra{It is ignored if neither `sizing_field` nor `density` is passed and the input is uniform, that is, if its sizes vary by less than half.}
   \cgalParamNEnd
   \cgalParamNBegin{annealing_schedule}
     \cgalParamDescription{the method of the global search, with its constants.}
@@ -163,16 +169,18 @@ version of %CGAL in use accepts: `parameters::time_limit = 10, parameters::do_fr
                           Algorithm 2 has as many as its schedule says. 0 means no search: the mesh goes to a local
                           minimum nearby.}
     \cgalParamType{`std::size_t`}
+    \cgalParamPrecondition{a number, not negative}
     \cgalParamDefault{4 for momentum annealing, 20 for Algorithm 2}
   \cgalParamNEnd
   \cgalParamNBegin{sliver_bound}
-    \cgalParamDescription{the dihedral angle, in degrees, that all cells should exceed in the end; the removal of
-                          slivers stops at the first step that is not below it. 0 means as high as possible, as long as
+    \cgalParamDescription{the dihedral angle, in degrees, that all cells should exceed at the end. Slivers are removed in steps of 20, 30, 35, 40, 45, ... degrees,
+                          and the removal stops at the first step that is not below the bound. 0 means as high as possible, as long as
                           slivers are exceptions: above 30 degrees, no step is taken that requires more than one cell in
                           twenty-five to be improved.}
     \cgalParamType{`double`}
     \cgalParamPrecondition{`0 <= sliver_bound <= 70.5`, the regular tetrahedron having angles of 70.53 degrees}
     \cgalParamDefault{0}
+    \cgalParamExtra{If `do_remove_slivers` is `false`, no sliver is removed, and the return code does not tell whether the bound is reached.}
   \cgalParamNEnd
   \cgalParamNBegin{do_remove_slivers}
     \cgalParamDescription{whether slivers are removed; otherwise the mesh is left where its energy has converged.}
@@ -181,81 +189,84 @@ version of %CGAL in use accepts: `parameters::time_limit = 10, parameters::do_fr
   \cgalParamNEnd
   \cgalParamNBegin{do_insert_vertices}
     \cgalParamDescription{whether vertices may be inserted, inside and on surfaces, but neither on features nor where surfaces
-                          meet: first into edges that are long compared with `sizing_field` or, without, with the edges
-                          around, or with feature edges nearby, before vertices move; then into cells whose circumradius
-                          exceeds `sizing_field` or, without sizes and densities, the largest of their subdomain in the input, and
-                          into facets that exceed the largest of the input, unless that would create more angles below 30 degrees;
-                          and, if `do_remove_slivers` is `true`, in and beside cells with
-                          angles below `sliver_bound`, or 30 degrees if that is 0, where no move helps. They get the
-                          dimension and index of where they are; what else a vertex of `c3t3` has is constructed by
-                          default. Handles to the other vertices stay valid. So that sizes in wrong units do not fill the memory, a
-                          call without `number_of_vertices` inserts only as long as there are fewer than 100,000, or than ten times
-                          those of the input if that is more, and fewer than \f$ 2^{25} \f$. Where that ends it, the edges and cells
-                          that are the largest, compared with their sizes, have been divided, and the function returns
-                          `CGAL::CANT_IMPROVE_ANYMORE`; another call goes on.}
+                          meet. Before vertices move, they are inserted into edges that are long compared with `sizing_field`. Without a field, edges are
+                          compared with the surrounding edges and with nearby feature edges. At the end, they are inserted
+                          into cells whose circumradius exceeds `sizing_field` or, without sizes and densities, the largest of their subdomain in the input.
+                          They are also inserted into facets that exceed the largest of the input. Neither is done where it would create more
+                          angles below 30 degrees. If `do_remove_slivers` is `true`, they are inserted in and beside cells with angles below `sliver_bound`, or
+                          30 degrees if that is 0, where no move helps.}
     \cgalParamType{`bool`}
     \cgalParamDefault{`false`}
+    \cgalParamExtra{New vertices get the dimension and index of where they are; what else a vertex of `c3t3` has is constructed by
+                    default. Handles to the other vertices stay valid.}
+    \cgalParamExtra{Sizes in wrong units do not fill the memory: a call without `number_of_vertices` stops inserting at 100,000 vertices, or at
+                    ten times those of the input if that is more. No call passes \f$ 2^{25} \f$ vertices. Then the edges and cells that are the largest,
+                    compared with their sizes, have been divided, and the function returns `CGAL::CANT_IMPROVE_ANYMORE`. Another call goes on.}
   \cgalParamNEnd
   \cgalParamNBegin{do_remove_vertices}
-    \cgalParamDescription{whether vertices inside and on surfaces may be removed: before vertices move, at edges that are short
-                          compared with `sizing_field` or, without, with the edges around; and, if `do_remove_slivers`
-                          is `true`, in the end, where that raises the angles of cells below `sliver_bound`, or 30 degrees
-                          if that is 0. Handles to these vertices become invalid. A visitor with a member
-                          `before_vertex_removal(Vertex_handle)` is told of each of them, before `c3t3` changes.}
+    \cgalParamDescription{whether vertices inside and on surfaces may be removed. Before vertices move, one end is removed of edges that are short
+                          compared with `sizing_field` or, without a field, with the surrounding edges. If `do_remove_slivers`
+                          is `true`, vertices are also removed at the end, where that raises the angles of cells below `sliver_bound`, or 30 degrees
+                          if that is 0.}
     \cgalParamType{`bool`}
     \cgalParamDefault{`false`}
+    \cgalParamExtra{Handles to these vertices become invalid. A visitor with a member
+                    `before_vertex_removal(Vertex_handle)` is told of each of them, before `c3t3` changes.}
   \cgalParamNEnd
   \cgalParamNBegin{number_of_vertices}
-    \cgalParamDescription{how many vertices the mesh gets, those on features included, as Algorithm 1 of
-                          \cgalCite{cgal:cwlls-rodt-14} is given a number: the edges that are the shortest or longest, compared
-                          with `sizing_field` or `density` or, without, with the edges around, lose or get
-                          vertices until the number is reached, which no insertion passes. Where there are to be *k* times fewer vertices, facets may be
-                          *k* times as far from surfaces as those of the input, and the volume of a subdomain may change by 0.1 (*k* - 1) of
-                          it, and 0.3 at most. The number is met within 1 %, or two vertices, unless features, junctions, topology, or
-                          volumes do not permit that; then the function returns `CGAL::CANT_IMPROVE_ANYMORE`.}
+    \cgalParamDescription{how many vertices the mesh gets, those on features included (Algorithm 1 of
+                          \cgalCite{cgal:cwlls-rodt-14}). Edges are compared with `sizing_field` or `density` or, without, with the surrounding edges.
+                          The shortest lose and the longest get vertices until the number is reached, which no insertion passes. The number is met within
+                          1 %, or two vertices, unless features, junctions, topology, or volumes do not permit that. Then the function returns
+                          `CGAL::CANT_IMPROVE_ANYMORE`.}
     \cgalParamType{`std::size_t`}
     \cgalParamPrecondition{positive, and at most \f$ 2^{25} \f$; `do_insert_vertices` and `do_remove_vertices` are `true`}
     \cgalParamDefault{any number}
+    \cgalParamExtra{With \f$ k \f$ times fewer vertices, facets may be \f$ k \f$ times as far from surfaces as those of the input. The volume of a
+                    subdomain may change by \f$ 0.1\,(k - 1) \f$ of it, and 0.3 at most.}
   \cgalParamNEnd
   \cgalParamNBegin{domain_is_thread_safe}
     \cgalParamDescription{whether several threads may query the domain at the same time, as the parallel mesh generation
-                          of \cgal does. It has no effect on the result, nor where only one thread is used.}
+                          of \cgal does. The result does not depend on it.}
     \cgalParamType{`bool`}
     \cgalParamDefault{`false`}
+    \cgalParamExtra{It is ignored where only one thread is used.}
   \cgalParamNEnd
   \cgalParamNBegin{random_seed}
     \cgalParamDescription{the seed of all random choices.}
     \cgalParamType{`unsigned int`}
     \cgalParamDefault{0}
+    \cgalParamExtra{It is spelled `parameters::random_seed(n)`.}
   \cgalParamNEnd
   \cgalParamNBegin{vertex_is_constrained_map}
     \cgalParamDescription{a property map that is `true` for vertices that are to stay: they neither move nor are removed, and keep their dimension
-                          and index. It is read once, before anything else. Vertices that would stay anyway, such as those on features, may
-                          have any value. If no vertex may move, and none is to be inserted, the mesh comes back as it was.}
+                          and index. It is read once, before anything else. If no vertex may move, and none is to be inserted, the mesh is left unchanged.}
     \cgalParamType{a class model of `ReadablePropertyMap` with `C3T3::Vertex_handle` as key type and `bool` as value type}
     \cgalParamDefault{a constant property map that is `false` for all vertices}
+    \cgalParamExtra{It is ignored at vertices that stay anyway, such as those on features.}
     \cgalParamExtra{It is spelled `parameters::vertex_is_constrained_map(m)` and copied.}
   \cgalParamNEnd
   \cgalParamNBegin{cell_is_selected_map}
     \cgalParamDescription{a property map that is `true` for the cells of the complex that may change. All others stay, with their facets and
-                          vertices: a vertex moves only if all cells of the complex around it are selected, and vertices are inserted in selected
-                          cells only. The map is read once, like the one above. The angles that may not become smaller are those of selected cells,
-                          while cells below `sliver_bound`, of which the return code tells, may be any.}
+                          vertices. A vertex moves only if all cells of the complex around it are selected, and vertices are inserted in selected
+                          cells only. The map is read once, like the one above.}
     \cgalParamType{a class model of `ReadablePropertyMap` with `C3T3::Cell_handle` as key type and `bool` as value type}
     \cgalParamDefault{a constant property map that is `true` for all cells}
-    \cgalParamExtra{It is spelled `parameters::cell_is_selected_map(m)` and copied. Also of cells that stay, handles do not remain valid.}
+    \cgalParamExtra{The angles that may not become smaller are those of selected cells. The cells below `sliver_bound` of which the return code tells
+                    may be any. Handles do not remain valid, also of cells that stay.}
+    \cgalParamExtra{It is spelled `parameters::cell_is_selected_map(m)` and copied.}
   \cgalParamNEnd
   \cgalParamNBegin{callback}
     \cgalParamDescription{a functor called before every iteration, and while slivers are removed and vertices are inserted or
-                          removed, with the fraction done, which never falls, and need not reach 1; when it returns `false` the process stops with
+                          removed, with the fraction done. This fraction never falls, and need not reach 1. When the functor returns `false`, the process stops with
                           the mesh found so far. Where it has ended iterations or insertion, a first step of the removal of slivers follows.}
     \cgalParamType{a model of `bool(double)`}
     \cgalParamDefault{none}
     \cgalParamExtra{It is spelled `parameters::callback(f)`.}
   \cgalParamNEnd
   \cgalParamNBegin{visitor}
-    \cgalParamDescription{an object that is told of the stages of each iteration, and, if it has a member
-                          `after_sliver_removal(std::size_t)`, of the number of cells that are left below
+    \cgalParamDescription{an object that is told of the stages of each iteration. If it has a member
+                          `after_sliver_removal(std::size_t)`, it is told of the number of cells that are left below
                           `sliver_bound`.}
     \cgalParamType{a model of `MeshOptimizationVisitor_3`}
     \cgalParamDefault{a visitor that does nothing}
@@ -269,11 +280,13 @@ version of %CGAL in use accepts: `parameters::time_limit = 10, parameters::do_fr
 - `CGAL::CONVERGENCE_REACHED` when the largest displacements are below `convergence`;
 - `CGAL::ALL_VERTICES_FROZEN` when `do_freeze` is `true` and all vertices that may move are frozen, also when there are
   none;
-- `CGAL::CANT_IMPROVE_ANYMORE` when neither time nor iterations have run out, and cells below a positive `sliver_bound` are left though
-  `do_remove_slivers` is `true`, also when no vertex may move, when `number_of_vertices` is not met, when `do_insert_vertices` permits no more vertices,
-  when no step along the search direction, nor along the gradient, lowers the energy, or when
-  no valid mesh can be made, or only one with more cells below 10, 20, or 30 degrees, or with a smaller angle below 30, in which cases `c3t3` is
-  as before. Angles may become smaller if `do_remove_slivers` is `false`, or with `sizing_field`, `density`, or `number_of_vertices`.
+- `CGAL::CANT_IMPROVE_ANYMORE` when neither time nor iterations have run out, and one of the following holds:
+  + cells below a positive `sliver_bound` are left though `do_remove_slivers` is `true`, also when no vertex may move;
+  + `number_of_vertices` is not met, or `do_insert_vertices` permits no more vertices;
+  + no step along the search direction, nor along the gradient, lowers the energy;
+  + no valid mesh can be made, or only one with more cells below 10, 20, or 30 degrees, or with a smaller angle below 30.
+    In these cases, `c3t3` is unchanged. Angles may become smaller if `do_remove_slivers` is `false`, or with `sizing_field`, `density`, or
+    `number_of_vertices`.
 
 \pre No vertex but those on features carries a weight, that is, `exude_mesh_3()` has not been called before.
 \pre The triangulation has at most \f$ 2^{28} \f$ cells.

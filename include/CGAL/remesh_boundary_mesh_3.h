@@ -38,17 +38,17 @@ typedef Parameter_list<tags::time_limit, tags::max_iteration_number, tags::sizin
 /*!
 \ingroup PkgGlobalOdtMesh3Functions
 
-spaces the vertices of a tetrahedral mesh evenly on its surfaces. Those of dimension 2 approach a centroidal Voronoi
-tessellation restricted to the surface (section 5.1 of \cgalCite{cgal:cwlls-rodt-14}), that is, a minimum of
-\f$ \sum_i \int_{V_i} \rho\,(\|\mathbf{x} - \mathbf{x}_i\|^2 - w_i) \f$, by the L-BFGS method in the tangential planes.
+spaces the vertices of a tetrahedral mesh evenly on its surfaces. Those of dimension 2 move to a centroidal Voronoi
+tessellation restricted to the surface (section 5.1 of \cgalCite{cgal:cwlls-rodt-14}). This is a minimum of
+\f$ \sum_i \int_{V_i} \rho\,(\|\mathbf{x} - \mathbf{x}_i\|^2 - w_i) \f$, which the L-BFGS method finds in the tangential planes.
 The Voronoi cells \f$ V_i \f$ are taken on the surfaces of the complex, which are reconstructed from
-the domain after each round of iterations. The density is \f$ \rho = 1/\mu^4 \f$, where \f$ \mu \f$ is the
-size of the cells of the input, so that a graded mesh stays graded, or the `sizing_field`.
+the domain after each round of iterations. The density is \f$ \rho = 1/\mu^4 \f$. Here \f$ \mu \f$ is the `sizing_field` or,
+without one, the size of the cells of the input, so that a graded mesh stays graded.
 Vertices of the interior follow by a few iterations of `odt_optimize_mesh_3()` in each round.
 
 That function, with `optimize_boundary` set to `false`, completes the procedure of the paper. By default, it
 begins with a round of the same kind, and keeps that energy along with the one of the cells (see its parameter
-`surface_weight`), so that there is no need to call this function before.
+`surface_weight`). There is then no need to call this function before.
 
 The guarantees are those of `odt_optimize_mesh_3()`, also if the domain, a property map, or the callback throws.
 
@@ -68,18 +68,21 @@ The guarantees are those of `odt_optimize_mesh_3()`, also if the domain, a prope
     \cgalParamDefault{0}
   \cgalParamNEnd
   \cgalParamNBegin{max_iteration_number}
-    \cgalParamDescription{the number of iterations, on surfaces and in the interior, at most; 0 means no limit but that of the rounds, of which there are 16 at most}
+    \cgalParamDescription{the largest number of iterations, on surfaces and in the interior; 0 means no limit but that of the rounds, of which there are 16 at most}
     \cgalParamType{`std::size_t`}
+    \cgalParamPrecondition{a number, not negative}
     \cgalParamDefault{0}
   \cgalParamNEnd
   \cgalParamNBegin{sizing_field}
     \cgalParamDescription{as for `odt_optimize_mesh_3()`}
     \cgalParamType{a model of `MeshDomainField_3`, or a number}
+    \cgalParamPrecondition{all sizes are positive and finite; not together with `density`}
     \cgalParamDefault{the sizes of the input's cells}
   \cgalParamNEnd
   \cgalParamNBegin{density}
     \cgalParamDescription{as for `odt_optimize_mesh_3()`}
     \cgalParamType{a model of `MeshDensity_3`}
+    \cgalParamPrecondition{all densities are positive and finite; not together with `sizing_field`}
     \cgalParamDefault{that of the input's cells}
   \cgalParamNEnd
   \cgalParamNBegin{domain_is_thread_safe}
@@ -114,7 +117,7 @@ The guarantees are those of `odt_optimize_mesh_3()`, also if the domain, a prope
 - `CGAL::TIME_LIMIT_REACHED` when `time_limit` has passed, or `callback` returned `false`;
 - `CGAL::MAX_ITERATION_NUMBER_REACHED` when `max_iteration_number` iterations or all rounds have been made;
 - `CGAL::CONVERGENCE_REACHED` when a round lowers the energy by less than 0.02 %, also when no vertex may move;
-- `CGAL::CANT_IMPROVE_ANYMORE` when no valid mesh can be made, in which case `c3t3` is as before.
+- `CGAL::CANT_IMPROVE_ANYMORE` when no valid mesh can be made, in which case `c3t3` is unchanged.
 
 \pre No vertex but those on features carries a weight, that is, `exude_mesh_3()` has not been called before.
 

@@ -41,9 +41,8 @@ removes the slivers of a tetrahedral mesh and leaves the rest as it is. This is 
 end, without minimizing an energy before. Like `perturb_mesh_3()`, it moves vertices of cells with small dihedral
 angles and keeps the triangulation regular without weights; few vertices move.
 
-The bound on the angles rises in steps of 20, 30, 35, 40, ... degrees, as described there. On a mesh that
-comes from Delaunay refinement, where every tenth cell may be a sliver, `odt_optimize_mesh_3()` reaches larger angles
-in all other cells, too.
+The bound on the angles rises in steps of 20, 30, 35, 40, ... degrees, as described in section \ref godt_slivers. In a mesh from
+Delaunay refinement, every tenth cell may be a sliver. There, `odt_optimize_mesh_3()` reaches larger angles in all other cells, too.
 
 The guarantees are those of `odt_optimize_mesh_3()`, also if the domain, a property map, or the callback throws.
 
@@ -63,7 +62,7 @@ The guarantees are those of `odt_optimize_mesh_3()`, also if the domain, a prope
     \cgalParamDefault{0}
   \cgalParamNEnd
   \cgalParamNBegin{sliver_bound}
-    \cgalParamDescription{as for `odt_optimize_mesh_3()`}
+    \cgalParamDescription{the dihedral angle, in degrees, that all cells should exceed; as for `odt_optimize_mesh_3()`}
     \cgalParamType{`double`}
     \cgalParamPrecondition{`0 <= sliver_bound <= 70.5`}
     \cgalParamDefault{0, that is, as high as possible}
@@ -108,8 +107,8 @@ The guarantees are those of `odt_optimize_mesh_3()`, also if the domain, a prope
 
 \return a value of type `CGAL::Mesh_optimization_return_code`, which is
 - `CGAL::TIME_LIMIT_REACHED` when `time_limit` has passed, or `callback` returned `false`;
-- `CGAL::CANT_IMPROVE_ANYMORE` when cells below a positive `sliver_bound` are left, also when no vertex may move, or when
-  no valid mesh can be made, in which case `c3t3` is as before;
+- `CGAL::CANT_IMPROVE_ANYMORE` when cells below a positive `sliver_bound` are left, also when no vertex may move;
+- the same when no valid mesh can be made, in which case `c3t3` is unchanged;
 - `CGAL::CONVERGENCE_REACHED` otherwise.
 
 \pre No vertex but those on features carries a weight, that is, `exude_mesh_3()` has not been called before.
