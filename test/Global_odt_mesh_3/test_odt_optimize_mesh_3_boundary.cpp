@@ -436,7 +436,7 @@ static void homes_are_given_up(const Ellipsoid_domain& domain, const Ellipsoid_c
   const auto reported = [&]
   {
     odt::Defect_report_3 report(candidate);
-    report.send_back(facet);
+    report.revert(facet);
     check::that(!report.is_clean(), "nothing is wrong");
     check::that(report.is_beyond_repair() == report.offending_vertices().empty(), "vertices go back that need not");
     return report.offending_vertices();

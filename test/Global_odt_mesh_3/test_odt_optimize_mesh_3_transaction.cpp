@@ -219,7 +219,7 @@ static void triangulations_are_restored(Fallible_ball& ball, const Labeled_domai
     const std::vector<double> before = contents(opened->complex);
     Editable_complex_3 complex = opened->complex.edit();
     Sliver_removal_3 removal(complex, Sliver_steps::last(30), 1);
-    removal.climb(100000, [] { return true; });
+    removal.raise_angles(100000, [] { return true; });
     check::that(removal.number_of_moves() > 5, "there are no slivers: the test is too weak");
     ball.fail(Fallible_ball::SAY_OUTSIDE, 0);
     check::that(!opened->complex.adopt(complex), "a complex was made of a domain that is empty");

@@ -314,7 +314,7 @@ void removal(const std::string& name, const C3t3& c3t3, const Domain& domain, bo
     Editable_complex_3 complex = setting.complex.edit();
     Sliver_removal_3 removal(complex, step, 1);
     const std::size_t before = removal.number_of_slivers();
-    removal.climb(1000000, [] { return true; });
+    removal.raise_angles(1000000, [] { return true; });
     const std::size_t after = complex.slivers(bound).size();
     check::that(after == removal.number_of_slivers(), name, ": not all slivers are known");
     std::cout << name << ": " << before << " -> " << after << " cells below " << bound << " degrees by "
@@ -407,12 +407,12 @@ void limits(const C3t3& c3t3, const Domain& domain)
   const Contents before(complex);
   const int step = Sliver_steps::last(30);
   Sliver_removal_3 without_tries(complex, step, 1), without_time(complex, step, 1);
-  without_tries.climb(0, [] { return true; });
-  without_time.climb(1000000, [] { return false; });
+  without_tries.raise_angles(0, [] { return true; });
+  without_time.raise_angles(1000000, [] { return false; });
   check::that(without_tries.number_of_moves() == 0 && without_time.number_of_moves() == 0 && Contents(complex) == before,
               "something is done without tries or without time");
   Sliver_removal_3 few(complex, Sliver_steps::number - 1, 1);
-  few.climb(2000, [] { return true; });
+  few.raise_angles(2000, [] { return true; });
   const Sliver_removal_parameters p;
   const std::size_t most_for_a_cell = 4 * (p.tries_of_start + p.tries_per_vertex);
   check::that(few.number_of_tries() <= 2000 + 32 * most_for_a_cell, few.number_of_tries(), " tries");

@@ -91,18 +91,18 @@ public:
     return !domain_.tells_distances() || domain_.distance_to_surface(point) <= farthest_centroid_;
   }
 
-  // Sends back vertices of facets that have become too thin.
+  // Reverts vertices of facets that have become too thin.
   void check_angles(const Complex_candidate_3& candidate, Defect_report_3& report) const
   {
     for(std::size_t n = 0; n < candidate.old_facets.size(); ++n)
     {
       const std::array<int, 3>& t = candidate.boundary_complex->facets()[n].vertices;
       if(!has_good_angles(t, candidate.sites) && !(candidate.old_facets[n] >= 0 && candidate.are_reverted(t)))
-        report.send_back_around(t);
+        report.revert_around(t);
     }
   }
 
-  // Sends back vertices of facets that have come too far from the surface.
+  // Reverts vertices of facets that have come too far from the surface.
   Defect_report_3 check_distances(Complex_candidate_3& candidate) const
   {
     Defect_report_3 report(candidate);
@@ -134,7 +134,7 @@ public:
         continue;
       candidate.centers[n].is_faithful = distances[n] <= farthest_centroid_;
       if(!candidate.centers[n].is_faithful)
-        report.send_back(candidate.boundary_complex->facets()[n].vertices);
+        report.revert(candidate.boundary_complex->facets()[n].vertices);
     }
     return report;
   }
@@ -181,7 +181,7 @@ inline Defect_report_3 check_topology(const Complex_candidate_3& candidate)
   for(int v : changed)
   {
     around[v].push_back(v);
-    report.send_back(around[v]);
+    report.revert(around[v]);
   }
   return report;
 }
@@ -203,15 +203,15 @@ std::vector<int> intruders(const Complex_candidate_3& candidate, const Vertices&
   return result;
 }
 
-// Sends back those, or else what is around.
+// Reverts those, or else what is around.
 template <class Vertices>
-void send_back_intruders(const Complex_candidate_3& candidate, const Vertices& around, const Vector_3& center, Defect_report_3& report)
+void revert_intruders(const Complex_candidate_3& candidate, const Vertices& around, const Vector_3& center, Defect_report_3& report)
 {
   const std::vector<int> inside = intruders(candidate, around, center);
   if(inside.empty())
-    report.send_back(around);
+    report.revert(around);
   else
-    report.send_back(inside);
+    report.revert(inside);
 }
 
 // The label that is on the other side of a facet of a cell in the snapshot.
@@ -238,11 +238,11 @@ inline Defect_report_3 check_facets_stay(const Complex_candidate_3& candidate)
     if(old >= 0)
       is_found[old] = true;
     if(old < 0 || !Boundary_complex_3::same_labels(f.labels, facets[old].labels))
-      report.send_back(f.vertices);
+      report.revert(f.vertices);
   }
   for(std::size_t n = 0; n < is_found.size(); ++n)
     if(!is_found[n])
-      send_back_intruders(candidate, facets[n].vertices, candidate.snapshot.centers[n].point, report);
+      revert_intruders(candidate, facets[n].vertices, candidate.snapshot.centers[n].point, report);
   return report;
 }
 
@@ -262,14 +262,14 @@ inline Defect_report_3 check_kept_cells(const Complex_candidate_3& candidate)
     is_found[*n] = true;
     for(int i = 0; i < 4; ++i)
       if(c->neighbor(i)->label() != label_beyond(candidate.snapshot, c, i))
-        report.send_back(candidate.numbers(c->neighbor(i)));
+        report.revert(candidate.numbers(c->neighbor(i)));
   }
   for(std::size_t n = 0; n < is_found.size(); ++n)
     if(const Quadruple& q = kept.entries()[n].first; !is_found[n])
     {
       const std::vector<Site>& s = candidate.sites;
       const Cell_products t(s[q[0]], s[q[1]], s[q[2]], s[q[3]]);
-      send_back_intruders(candidate, q, position(s[q[0]]) + Vector_3(t.nx, t.ny, t.nz) / (2 * t.determinant), report);
+      revert_intruders(candidate, q, position(s[q[0]]) + Vector_3(t.nx, t.ny, t.nz) / (2 * t.determinant), report);
     }
   return report;
 }

@@ -49,23 +49,23 @@ public:
     const std::vector<Cell_handle>& cells = candidate_.working.cells();
     const auto find_cells_in_question = [&](int n, std::vector<int>& found)
     {
-      const bool is_labelled = cells[n]->has_flag(IS_SETTLED) || label_by_vertices(cells[n]);
+      const bool is_labelled = cells[n]->has_flag(IS_LABELLED) || label_by_vertices(cells[n]);
       if(!is_labelled || cells[n]->has_flag(MAY_HAVE_BOUNDARY_FACETS))
         found.push_back(n);
     };
     const std::vector<int> in_question
       = collect_in_chunks(static_cast<int>(cells.size()), candidate_.threads, find_cells_in_question);
-    typedef std::pair<Cell_handle, Findings> Doubt;
-    const auto label_where_clear = [&](int n, std::vector<Doubt>& found)
+    typedef std::pair<Cell_handle, Findings> Unlabelled_cell;
+    const auto label_where_clear = [&](int n, std::vector<Unlabelled_cell>& found)
     {
       const Cell_handle c = cells[in_question[n]];
-      if(c->has_flag(IS_SETTLED))
+      if(c->has_flag(IS_LABELLED))
         return;
       const Findings findings = examine(c);
-      if(!settle(c, findings))
+      if(!label_if_domain_agrees(c, findings))
         found.emplace_back(c, findings);
     };
-    for(const Doubt& d : domain_.collect<Doubt>(in_question.size(), label_where_clear))
+    for(const Unlabelled_cell& d : domain_.collect<Unlabelled_cell>(in_question.size(), label_where_clear))
       label_or_report(d.first, d.second, report);
     collect_cells_at_boundary(in_question);
     return report;
@@ -102,7 +102,7 @@ private:
     if(is_in_question || !candidate_.numbering.find_label(q, label))
       return false;
     c->set_label(label);
-    c->set_flag(IS_SETTLED);
+    c->set_flag(IS_LABELLED);
     return true;
   }
 
@@ -122,7 +122,7 @@ private:
   }
 
   // Labels a cell that the domain agrees about; or else it is left alone.
-  bool settle(Cell_handle c, const Findings& found) const
+  bool label_if_domain_agrees(Cell_handle c, const Findings& found) const
   {
     const bool is_boundary_cell = found.label == no_subdomain;
     if(found.has_several_labels || (!is_boundary_cell && found.label != found.label_of_dual))
@@ -130,7 +130,7 @@ private:
     c->set_label(found.label_of_dual);
     if(is_boundary_cell)
       c->set_flag(IS_BOUNDARY_CELL);
-    c->set_flag(IS_SETTLED);
+    c->set_flag(IS_LABELLED);
     return true;
   }
 
@@ -141,9 +141,9 @@ private:
     c->set_label(found.label);
     // What was wrong in the input may stay so.
     if(!found.has_several_labels && candidate_.numbering.is_input_cell(q, candidate_.sites))
-      c->set_flag(IS_SETTLED);
+      c->set_flag(IS_LABELLED);
     else
-      report.send_back(q);
+      report.revert(q);
   }
 
   // Those among the cells with these numbers.

@@ -67,7 +67,7 @@ struct Complex_candidate_3
 
   // Of facets' centroids from the surface, until their vertices move.
   std::unordered_map<Triple, double, boost::hash<Triple> > known_distances;
-  std::map<int, int> vertices_sent_back;     // and how often
+  std::map<int, int> times_reverted;     // and how often
 
   Complex_candidate_3(const Complex_snapshot_3& from, Working_triangulation_3& triangulation, const std::vector<Site>& target,
                       bool is_last, const Thread_policy& policy)

@@ -70,16 +70,16 @@ public:
   // That of the snapshot, which is made if there is none.
   Working_triangulation_3& triangulation()
   {
-    if(!is_of_snapshot_)
+    if(!is_up_to_date_)
       restore_triangulation(snapshot_, threads_, triangulation_);
-    is_of_snapshot_ = true;
+    is_up_to_date_ = true;
     return triangulation_;
   }
 
   // Frees its memory; triangulation() builds it anew on demand.
   void release_triangulation()
   {
-    is_of_snapshot_ = false;
+    is_up_to_date_ = false;
     triangulation_.release();
   }
 
@@ -105,7 +105,7 @@ public:
   Editable_complex_3 edit(const Vertex_numbering_3& numbering)
   {
     triangulation();
-    is_of_snapshot_ = false;
+    is_up_to_date_ = false;
     return Editable_complex_3(snapshot_, numbering, triangulation_, domain_, bounds_, boundary_moves_, threads_);
   }
 
@@ -114,7 +114,7 @@ public:
   {
     if(snapshot_.has_positions(trials.sites))
     {
-      is_of_snapshot_ = true;
+      is_up_to_date_ = true;
       return true;
     }
     Complex_candidate_3 candidate(snapshot_, triangulation_, trials.sites, true, threads_);
@@ -149,7 +149,7 @@ private:
   void replace_snapshot(Complex_candidate_3& candidate)
   {
     snapshot_ = candidate.finish();
-    is_of_snapshot_ = true;
+    is_up_to_date_ = true;
   }
 
   // Without a mesh, no cells are transferred.
@@ -162,7 +162,7 @@ private:
   bool advance(const std::vector<Site>& target, const Moving_triangulation_3* mesh, bool is_final)
   {
     const Stage_clock::In_stage in_stage(threads_.clock(), Stage_clock::CHECK);
-    is_of_snapshot_ = false;
+    is_up_to_date_ = false;
     Complex_candidate_3 candidate(snapshot_, triangulation_, target, is_final, threads_);
     if(!complete(candidate, mesh))
       return false;
@@ -219,7 +219,7 @@ private:
     Defect_report_3 report(candidate);
     for(int v = 0; v < candidate.numbering.number_of_vertices(); ++v)
       if(!candidate.working.is_visible(v))
-        report.send_back(std::vector<int>(1, v));
+        report.revert(std::vector<int>(1, v));
     if(report.offending_vertices().empty())
       report.give_up();
     return report;
@@ -231,7 +231,7 @@ private:
   Facet_bounds_3& bounds_;
   Complex_snapshot_3 snapshot_;
   Working_triangulation_3 triangulation_;
-  bool is_of_snapshot_ = false;              // whether that is the triangulation of the snapshot, with its labels
+  bool is_up_to_date_ = false;               // whether that is the triangulation of the snapshot, with its labels
   std::size_t number_of_transfers_ = 0;
 };
 

@@ -90,23 +90,23 @@ public:
 
   const std::set<int>& offending_vertices() const { return offending_vertices_; }
 
-  // Sends back those of the vertices that have not reverted or, if there are none, those around them. If there are none
+  // Reverts those of the vertices that have not reverted or, if there are none, those around them. If there are none
   // either, what is wrong was so before, where less was asked for; then those revert to the input that are elsewhere than
   // there, of which nothing more can be asked.
   template <class Vertices>
-  void send_back(const Vertices& vertices)
+  void revert(const Vertices& vertices)
   {
-    if(!send_back_around(vertices)
-       && !send_back_nearest(vertices, most_rings_to_input, [this](int v) { return !candidate_.is_at_input(v); }))
+    if(!revert_around(vertices)
+       && !revert_nearest(vertices, most_rings_to_input, [this](int v) { return !candidate_.is_at_input(v); }))
       give_up();
   }
 
   // Those only that have not reverted, or else those around them; whether there are any. Numbers below zero, of the infinite
   // vertex, do not matter.
   template <class Vertices>
-  bool send_back_around(const Vertices& vertices)
+  bool revert_around(const Vertices& vertices)
   {
-    return send_back_nearest(vertices, most_rings, [this](int v) { return !candidate_.is_reverted(v); });
+    return revert_nearest(vertices, most_rings, [this](int v) { return !candidate_.is_reverted(v); });
   }
 
   void give_up() { is_beyond_repair_ = true; }
@@ -124,9 +124,9 @@ private:
   // Positions of the input among others may be wrong where the input as a whole is not.
   static constexpr int most_rings_to_input = 6;
 
-  // Sends back those movable vertices that satisfy the predicate in the first ring around some that has any.
+  // Reverts those movable vertices that satisfy the predicate in the first ring around some that has any.
   template <class Vertices, class Predicate>
-  bool send_back_nearest(const Vertices& vertices, int rings, const Predicate& goes_back)
+  bool revert_nearest(const Vertices& vertices, int rings, const Predicate& goes_back)
   {
     Vertex_rings_3 region(candidate_.working, vertices);
     for(int ring = 0; ring < rings; ++ring, region.grow())
@@ -198,7 +198,7 @@ public:
     {
       if(!candidate_.numbering.is_movable(v) || candidate_.is_reverted(v))
         continue;
-      send_back(v, attempt);
+      revert(v, attempt);
       if(!rebuilds)
         candidate_.move(v);
     }
@@ -224,11 +224,11 @@ private:
     return std::set<int>(region.vertices().begin(), region.vertices().end());
   }
 
-  void send_back(int v, int attempt)
+  void revert(int v, int attempt)
   {
     const bool on_surface = !candidate_.numbering.is_interior(v);
     const int most = on_surface ? halfway_returns_on_surface : halfway_returns;
-    const bool is_halfway = attempt < patient_attempts && candidate_.vertices_sent_back[v]++ < most;
+    const bool is_halfway = attempt < patient_attempts && candidate_.times_reverted[v]++ < most;
     Site& s = candidate_.sites[v];
     const Site& home = candidate_.revert_sites[v];
     s = is_halfway ? site_at((position(s) + position(home)) / 2, home.weight) : home;

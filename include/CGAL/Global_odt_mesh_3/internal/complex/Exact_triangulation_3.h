@@ -34,7 +34,7 @@ typedef Robust_weighted_circumcenter_filtered_traits_3<Exact_predicates_inexact_
 // What else is known of a cell as long as its vertices stay: the cells that a vertex leaves behind are gone when it moves.
 enum Cell_flag
 {
-  IS_SETTLED, IS_BOUNDARY_CELL, MAY_HAVE_BOUNDARY_FACETS,     // while a candidate is labelled
+  IS_LABELLED, IS_BOUNDARY_CELL, MAY_HAVE_BOUNDARY_FACETS,     // while a candidate is labelled
   GIVES_WAY,                                                  // while some cells are replaced
   BORDERS_TRANSFER                                            // and the next three: while cells are transferred, its facets
 };

@@ -148,7 +148,7 @@ public:
     });
     for(std::size_t n = 0; n < candidate_.facets.size(); ++n)
       if(is_lost[n])
-        report.send_back(vertices(n));
+        report.revert(vertices(n));
     return report;
   }
 

@@ -332,7 +332,7 @@ private:
   {
     before_ = after_ = Sliver_count();
     double guessed = 0;
-    doubts_.clear();
+    questions_.clear();
     for(Cell* c : cavity_.old_cells())
       if(is_inside(c->label))
         before_.add(lack(*c), goal_.steps());
@@ -344,14 +344,14 @@ private:
         return false;
       if(c.label == Editable_complex_3::unknown)
       {
-        doubts_.emplace_back(-lack(c).deficit, n);
+        questions_.emplace_back(-lack(c).deficit, n);
         if(c.lack.deficit > 0 && is_inside(guess(c)))
           guessed += c.lack.deficit;
       }
       else if(is_inside(c.label))
         after_.add(lack(c), goal_.steps());
       if(c.label != Editable_complex_3::unknown && is_at_boundary(c))
-        doubts_.emplace_back(0., n);
+        questions_.emplace_back(0., n);
       if(!(after_.deficit + guessed - before_.deficit < most))
         return false;
     }
@@ -362,8 +362,8 @@ private:
   // false as soon as the change is not less, or one does not fit.
   bool ask_in_doubt(double most)
   {
-    std::sort(doubts_.begin(), doubts_.end());
-    for(const auto& d : doubts_)
+    std::sort(questions_.begin(), questions_.end());
+    for(const auto& d : questions_)
     {
       Cell& c = *cavity_.new_cells()[d.second];
       const bool was_unknown = c.label == Editable_complex_3::unknown;
@@ -446,7 +446,7 @@ private:
   Site from_ = { 0, 0, 0, 0 };
   double mean_edge_ = 0, shortest_edge_ = 0;    // of all, and on the boundary
   Vector_3 normal_;            // zero if there is no facet of the patch
-  std::vector<std::pair<double, std::size_t> > doubts_;         // new cells, by what they may lack
+  std::vector<std::pair<double, std::size_t> > questions_;         // new cells, by what they may lack
   Sliver_count before_, after_;
 };
 

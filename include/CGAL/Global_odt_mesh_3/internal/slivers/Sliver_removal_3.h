@@ -95,7 +95,7 @@ public:
 
   // Until there are none, nothing improves them any more, the tries are used up, or `may_go_on()`, asked now and then, says no.
   template <class Predicate>
-  void climb(std::size_t most_tries, const Predicate& may_go_on)
+  void raise_angles(std::size_t most_tries, const Predicate& may_go_on)
   {
     most_tries += number_of_tries_;
     for(int step = 0; step <= step_ && make_passes(step, most_tries, may_go_on); ++step) {}
@@ -367,7 +367,7 @@ public:
   {
     bool goes_on = true;
     for(int step = first_step; goes_on && step <= Sliver_steps::last(bound_) && may_go_on(); ++step)
-      goes_on = climb(step, has_time);
+      goes_on = make_step(step, has_time);
   }
 
 private:
@@ -375,7 +375,7 @@ private:
   // All tries are in proportion to the cells, and to those that there are to remove in the first step.
   static constexpr std::size_t fewest_tries = 10000, tries_for_two_cells = 5, tries_for_a_sliver = 80;
   static constexpr std::size_t tries_for_a_removed_cell = 100;      // what pays
-  static constexpr double share_of_climb = 0.8;         // of the tries; the others are for the worst cells
+  static constexpr double share_of_passes = 0.8;         // of the tries; the others are for the worst cells
   // Above the angle, no step is taken if no bound is given, and cells are left below the one before or more of them
   // below this.
   static constexpr double always_wanted = 30, most_slivers = 1 / 25.;
@@ -390,7 +390,7 @@ private:
 
   // Whether another step may reach more.
   template <class Has_time>
-  bool climb(int step, const Has_time& has_time)
+  bool make_step(int step, const Has_time& has_time)
   {
     Editable_complex_3 complex = complex_.edit();
     complex.size_bound = size_bound_;
@@ -401,7 +401,7 @@ private:
     if(step == first_step)
       most_tries_ = fewest_tries + tries_for_two_cells * complex.working.cells().size() / 2 + tries_for_a_sliver * before;
     const std::size_t left = most_tries_ - (std::min)(number_of_tries_, most_tries_);
-    removal.climb(std::size_t(share_of_climb * double(left)), has_time);
+    removal.raise_angles(std::size_t(share_of_passes * double(left)), has_time);
     removal.raise_smallest_angle(left - (std::min)(removal.number_of_tries(), left), has_time);
     number_of_tries_ += removal.number_of_tries();
     const std::size_t after = removal.number_of_slivers();

@@ -239,22 +239,22 @@ public:
     , irregular_(irregular)
   {}
 
-  // `stuck` gets the cells that no flip improves, and those that are left after too many flips.
-  void run(std::vector<int>& stuck)
+  // `tangled` gets the cells that no flip improves, and those that are left after too many flips.
+  void run(std::vector<int>& tangled)
   {
     std::size_t budget = 100 + 8 * inverted_.size();
-    stuck.clear();
+    tangled.clear();
     for( ; !inverted_.empty() && budget > 0; --budget)
     {
       const int c = inverted_.back();
       inverted_.pop_back();
       if(mesh_.is_inverted(c) && !flip_best(c))
-        stuck.push_back(c);
+        tangled.push_back(c);
     }
-    stuck.insert(stuck.end(), inverted_.begin(), inverted_.end());
+    tangled.insert(tangled.end(), inverted_.begin(), inverted_.end());
     inverted_.clear();
     // Other flips may have improved some since.
-    stuck.erase(std::remove_if(stuck.begin(), stuck.end(), [this](int c) { return !mesh_.is_inverted(c); }), stuck.end());
+    tangled.erase(std::remove_if(tangled.begin(), tangled.end(), [this](int c) { return !mesh_.is_inverted(c); }), tangled.end());
   }
 
 private:

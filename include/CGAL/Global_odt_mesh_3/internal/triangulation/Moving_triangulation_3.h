@@ -38,19 +38,19 @@ namespace internal {
 
 struct Position_parameters_3
 {
-  // A vertex is held back to a half of its step, to half of that and so on; at this time it stays.
+  // The step of a vertex is shortened to a half, to half of that and so on; at this time the vertex stays.
   int times_to_standstill = 4;
 
-  // Where the vertices of the stuck cells stand still, those around them follow, and then those around these. Farther
+  // Where the vertices of the tangled cells stand still, those around them follow, and then those around these. Farther
   // away there is no reason why a step should not be feasible.
-  int rings_held_back = 3;
+  int rings_slowed_down = 3;
 
-  // Holding back is given up when that many cells more are stuck than were inverted at first, since the step was much
+  // No shorter steps are tried when that many cells more are tangled than were inverted at first, since the step was much
   // too long.
   std::size_t cells_out_of_reach = 20;
 };
 
-// Holds vertices back on their way from the state that their mesh keeps, a Moving_triangulation_3.
+// Shortens the steps of vertices from the state that their mesh keeps, a Moving_triangulation_3.
 template <class Mesh>
 class Position_control_3
 {
@@ -60,16 +60,16 @@ public:
     , parameters_(parameters)
   {}
 
-  // Starts again from the kept state, with shorter steps for the vertices of stuck cells and, once these do not
+  // Starts again from the kept state, with shorter steps for the vertices of tangled cells and, once these do not
   // move at all, of the vertices around. False if no such steps are found.
-  bool hold_back(std::size_t number_of_inverted_cells)
+  bool shorten_steps(std::size_t number_of_inverted_cells)
   {
-    if(mesh_.stuck_cells().size() > parameters_.cells_out_of_reach + number_of_inverted_cells)
+    if(mesh_.tangled_cells().size() > parameters_.cells_out_of_reach + number_of_inverted_cells)
       return false;
     std::map<int, int> times;
-    for(int n = 0; n < parameters_.rings_held_back * parameters_.times_to_standstill; ++n)
+    for(int n = 0; n < parameters_.rings_slowed_down * parameters_.times_to_standstill; ++n)
     {
-      const std::vector<int> held = vertices_to_hold_back(n / parameters_.times_to_standstill);
+      const std::vector<int> held = vertices_to_slow_down(n / parameters_.times_to_standstill);
       for(int v : held)
         if(v < mesh_.number_of_movable_vertices)
           times[v] = (std::min)(times[v] + 1, parameters_.times_to_standstill);
@@ -87,11 +87,11 @@ public:
   }
 
 private:
-  // Those of the stuck cells and of so many rings around. Leads back to the kept topology.
-  std::vector<int> vertices_to_hold_back(int rings)
+  // Those of the tangled cells and of so many rings around. Leads back to the kept topology.
+  std::vector<int> vertices_to_slow_down(int rings)
   {
     std::vector<int> vertices;
-    for(int c : mesh_.stuck_cells())
+    for(int c : mesh_.tangled_cells())
       vertices.insert(vertices.end(), mesh_.topology.vertices(c), mesh_.topology.vertices(c) + 4);
     mesh_.topology.undo_trial();
     for(int ring = 0; ; ++ring)
@@ -230,7 +230,7 @@ public:
     const std::size_t number_of_inverted_cells = inverted_.size();
     if(number_of_inverted_cells > most_inverted_cells())
       return false;
-    if(number_of_inverted_cells > 0 && !untangle() && !Position_control(*this).hold_back(number_of_inverted_cells))
+    if(number_of_inverted_cells > 0 && !untangle() && !Position_control(*this).shorten_steps(number_of_inverted_cells))
       return false;
     const bool is_regular = make_regular();
     CGAL_expensive_assertion(topology.is_valid());
@@ -313,15 +313,15 @@ private:
 
   bool make_regular() { return Lawson_flips_3<Moving_triangulation_3>(*this, *this, irregular_).make_regular(); }
 
-  // Gives all cells positive volume by flips. The cells for which this fails are left in stuck_.
+  // Gives all cells positive volume by flips. The cells for which this fails are left in tangled_.
   bool untangle()
   {
     statistics_.untangled_cells += inverted_.size();
-    Untangling_flips_3<Moving_triangulation_3>(*this, *this, inverted_, irregular_).run(stuck_);
-    return stuck_.empty();
+    Untangling_flips_3<Moving_triangulation_3>(*this, *this, inverted_, irregular_).run(tangled_);
+    return tangled_.empty();
   }
 
-  const std::vector<int>& stuck_cells() const { return stuck_; }
+  const std::vector<int>& tangled_cells() const { return tangled_; }
   const Site& kept_site(int v) const { return kept_sites_[v]; }
 
   void add_stopped(int v) { stopped_.push_back(v); }
@@ -381,7 +381,7 @@ private:
   Energy_choice_3 choice_;
   Fused_pass_3::Gradient gradient_;   // the last part is what repairs add
   double energy_ = 0, kept_energy_ = 0, energy_of_pass_ = 0;
-  std::vector<int> inverted_, stuck_, stopped_;
+  std::vector<int> inverted_, tangled_, stopped_;
   std::vector<Half_facet> irregular_, star_;
   std::vector<Site> kept_sites_;
   std::map<int, Site> asked_for_sites_;   // of vertices that repairs have moved
