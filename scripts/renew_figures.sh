@@ -6,17 +6,17 @@
 #   renew_figures.sh [--large] [--paper] [--quick] [--runs N] [--output DIRECTORY] [PART ...]
 #
 # Parts, all of which are made if none is named:
-#   provenance quality tools threads large sizes quadrature boundary search robustness periodic parameter_number_of_rounds
-#   parameter_sliver_bound parameter_surface_weight parameter_insertion parameter_sizing_field parameter_number_of_vertices
-#   parameter_time_limit pictures
+#   provenance quality tools threads large sizes quadrature boundary search insertion robustness periodic
+#   parameter_number_of_rounds parameter_sliver_bound parameter_surface_weight parameter_insertion parameter_sizing_field
+#   parameter_number_of_vertices parameter_time_limit pictures
 # --large goes on to meshes of 271,000 and 891,000 vertices, --paper adds the experiments of the paper, and --runs is the number of
 # random runs, 100 without it. --quick tries everything with small settings, and leaves tables and pictures in the directory, which is
 # build-figures if none is named. A part that fails leaves its old files, and the others go on. Nothing else should run meanwhile.
 set -euo pipefail
 cd "$(dirname "$0")/.."
-parts=(provenance quality tools threads large sizes quadrature boundary search robustness periodic parameter_number_of_rounds
-       parameter_sliver_bound parameter_surface_weight parameter_insertion parameter_sizing_field parameter_number_of_vertices
-       parameter_time_limit pictures)
+parts=(provenance quality tools threads large sizes quadrature boundary search insertion robustness periodic
+       parameter_number_of_rounds parameter_sliver_bound parameter_surface_weight parameter_insertion parameter_sizing_field
+       parameter_number_of_vertices parameter_time_limit pictures)
 most_vertices=100000
 quick=0
 runs=100
@@ -106,7 +106,8 @@ make_tools() {
   cp "$directory/time_and_quality_sphere.png" "$figures/"
   [ "$quick" -eq 1 ] || cp "$directory/time_and_quality_elephant.png" "$figures/"
   if grep -qx '<!-- results -->' "$readme" && grep -qx '<!-- end of results -->' "$readme"; then
-    sed -i -e '/^<!-- results -->$/,/^<!-- end of results -->$/{//!d}' -e "/^<!-- results -->\$/r $results/readme.md" "$readme"
+    { echo; cat "$results/readme.md"; echo; } > "$directory/between.md"
+    sed -i -e '/^<!-- results -->$/,/^<!-- end of results -->$/{//!d}' -e "/^<!-- results -->\$/r $directory/between.md" "$readme"
   else
     echo "$readme has no lines <!-- results --> and <!-- end of results -->, and stays as it is"
   fi
@@ -139,6 +140,7 @@ make_paper() {
   local figure made options=(--output "$output/paper")
   [ "$quick" -eq 0 ] || options+=(--quick)
   scripts/reproduce_paper.sh "${options[@]}"
+  cp "$output/paper/paper.md" "$results/"
   for figure in doc/Global_odt_mesh_3/fig/paper_*.png; do
     figure=$(basename "$figure")
     made=$(find "$output/paper" -name "${figure#paper_}" | head -n 1)
@@ -159,6 +161,7 @@ make_part() {
     quadrature) table quadrature graded_cube "$(choose 3 1)" "$(choose 4000 800)" "$(choose 1200 100)" ;;
     boundary) table boundary move_boundary "$(choose 10 1)" "$(choose '' 'coarse sphere')" ;;
     search) table search search_in_cube "$(choose 3 1)" 1 0 rows "$(choose 18083 4000)" ;;
+    insertion) table insertion insert_vertices "$(choose '' joint)" ;;
     robustness) make_robustness ;;
     periodic) table periodic compare_periodic "$(choose '' 0.12)" ;;
     parameter_*) table "$1" vary_parameters "${1#parameter_}" ;;

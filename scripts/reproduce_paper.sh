@@ -83,7 +83,7 @@ table=$output/paper.md
   echo "$(scripts/describe_machine.sh)$([ $quick -eq 0 ] || echo ', quick run')"
   echo
   echo "| figure | what | paper | here |"
-  echo "|---|---|---|---|"
+  echo "|---|---|---:|---:|"
 } > "$table"
 status=0
 done_runs=""

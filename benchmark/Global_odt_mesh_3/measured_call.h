@@ -37,13 +37,12 @@ Measured_mesh measured(const C3t3& c3t3)
   return m;
 }
 
-// What `optimize(c3t3)` makes of a copy of the mesh in a process of its own.
+// What `optimize(c3t3)` makes of the mesh in a process of its own, so that it is as before in this one.
 template <class C3t3, class Optimize>
-Measured_mesh measured_call(const C3t3& input, const Optimize& optimize)
+Measured_mesh measured_call_on(C3t3& c3t3, const Optimize& optimize)
 {
   const Measured_mesh m = in_process_of_its_own<Measured_mesh>([&]
   {
-    C3t3 c3t3(input);
     CGAL::get_default_random() = CGAL::Random(0);
     CGAL::Real_timer timer;
     timer.start();
@@ -57,6 +56,14 @@ Measured_mesh measured_call(const C3t3& input, const Optimize& optimize)
   if(m.vertices == 0)
     throw std::runtime_error("a call has failed");
   return m;
+}
+
+// The same of a copy.
+template <class C3t3, class Optimize>
+Measured_mesh measured_call(const C3t3& input, const Optimize& optimize)
+{
+  C3t3 c3t3(input);
+  return measured_call_on(c3t3, optimize);
 }
 
 #endif // GLOBAL_ODT_MESH_3_BENCHMARK_MEASURED_CALL_H

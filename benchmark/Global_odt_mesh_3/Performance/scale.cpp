@@ -180,13 +180,13 @@ static Markdown_table compare_threads(const std::string& directory, int most)
   Markdown_table table({ "mesh" },
                        { { "vertices", 0, Better::NEITHER }, { "mean 3r/R: CGAL's odt", 4, Better::HIGH },
                          { "mean 3r/R: this package", 4, Better::HIGH },
-                         { "smallest dihedral angle, degrees: CGAL's odt", 1, Better::HIGH },
-                         { "smallest dihedral angle, degrees: this package", 1, Better::HIGH }, { "CPU s: CGAL's odt", 1, Better::LOW },
-                         { "CPU s: this package", 1, Better::LOW },
-                         { "wall s, two threads: CGAL's odt", 1, Better::LOW }, { "wall s, two threads: this package", 1, Better::LOW },
-                         { "wall s, one thread over two: CGAL's odt", 2, Better::HIGH },
-                         { "wall s, one thread over two: this package", 2, Better::HIGH },
-                         { "outside of loops, %", 0, Better::NEITHER }, { "memory, kB a vertex", 1, Better::NEITHER } },
+                         { "smallest dihedral angle (degrees): CGAL's odt", 1, Better::HIGH },
+                         { "smallest dihedral angle (degrees): this package", 1, Better::HIGH }, { "CPU time (s): CGAL's odt", 1, Better::LOW },
+                         { "CPU time (s): this package", 1, Better::LOW },
+                         { "wall time on two threads (s): CGAL's odt", 1, Better::LOW }, { "wall time on two threads (s): this package", 1, Better::LOW },
+                         { "wall time on one thread over that on two: CGAL's odt", 2, Better::HIGH },
+                         { "wall time on one thread over that on two: this package", 2, Better::HIGH },
+                         { "outside of shared loops (%)", 0, Better::NEITHER }, { "memory beside the mesh (kB a vertex)", 1, Better::NEITHER } },
                        Markdown_table::Compare::COLUMNS);
   for(const char* name : { "sphere", "elephant", "graded sphere" })
     for(int vertices : sizes)
@@ -212,24 +212,28 @@ static Markdown_table compare_threads(const std::string& directory, int most)
 
 static Markdown_table list_stages(const std::string& directory, int most)
 {
-  std::vector<Column> columns = { { "vertices", 0, Better::NEITHER } };
-  for(int n = 0; n < odt::Stage_clock::NUMBER_OF_STAGES; ++n)
-    columns.push_back({ odt::Stage_clock::name(n) + std::string(", microseconds a vertex"), 1, Better::NEITHER });
-  columns.push_back({ "all, microseconds a vertex", 0, Better::NEITHER });
-  columns.push_back({ "memory, kB a vertex", 1, Better::NEITHER });
-  Markdown_table table({ "mesh" }, columns);
+  std::vector<Scaled_run> runs;
+  std::vector<Column> columns;
   for(int vertices : sizes)
+    if(vertices <= most)
+    {
+      runs.push_back(run_alone("sphere", vertices, 1, true, directory));
+      columns.push_back({ std::to_string(std::lround(runs.back().mesh.vertices / 1000)) + ",000 vertices (microseconds a vertex)", 1,
+                          Better::NEITHER });
+    }
+  columns.push_back({ "ten million vertices, extrapolated (minutes)", 1, Better::NEITHER });
+  Markdown_table table({ "stage" }, columns);
+  const auto add = [&](const std::string& stage, const auto& seconds)
   {
-    if(vertices > most)
-      break;
-    const Scaled_run r = run_alone("sphere", vertices, 1, true, directory);
-    std::vector<double> values = { r.mesh.vertices };
-    for(double s : r.stages)
-      values.push_back(1e6 * s / r.mesh.vertices);
-    values.push_back(1e6 * r.mesh.wall / r.mesh.vertices);
-    values.push_back(r.memory / 1000);
-    table.add({ "sphere" }, values);
-  }
+    std::vector<double> values;
+    for(const Scaled_run& r : runs)
+      values.push_back(1e6 * seconds(r) / r.mesh.vertices);
+    values.push_back(values.back() * 10 / 60);
+    table.add({ stage }, values);
+  };
+  for(std::size_t n = 0; n < odt::Stage_clock::NUMBER_OF_STAGES; ++n)
+    add(odt::Stage_clock::name(static_cast<int>(n)), [n](const Scaled_run& r) { return r.stages[n]; });
+  add("all", [](const Scaled_run& r) { return r.mesh.wall; });
   return table;
 }
 

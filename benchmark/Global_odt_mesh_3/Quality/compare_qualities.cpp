@@ -72,9 +72,9 @@ int main(int argc, char* argv[])
   Markdown_table table({ "mesh", "method" },
                        { { "vertices", 0, Better::NEITHER },
                          { "mean 3r/R", 4, Better::HIGH }, { "worst", 4, Better::HIGH },
-                         { "smallest dihedral angle, degrees", 1, Better::HIGH }, { "worst", 1, Better::HIGH },
-                         { "cells < 20 degrees", 0, Better::LOW }, { "worst", 0, Better::LOW },
-                         { "CPU s", 1, Better::LOW } });
+                         { "smallest dihedral angle (degrees)", 1, Better::HIGH }, { "worst", 1, Better::HIGH },
+                         { "cells below 20 degrees", 0, Better::LOW }, { "worst", 0, Better::LOW },
+                         { "CPU time (s)", 1, Better::LOW } });
   const auto compare_on = [&](const char* name, const auto& input, const auto& domain) { compare(name, input, domain, seeds, table); };
   for_each_input(compare_on, only);
   for_each_coarse_part(compare_on, only);

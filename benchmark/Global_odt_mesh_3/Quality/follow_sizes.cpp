@@ -111,8 +111,8 @@ int main(int argc, char* argv[])
   Paper_record record(argc > 2 ? argv[2] : "");
   Markdown_table table({ "mesh", "method" },
                        { { "deviation of log(edge / size)", 3, Better::LOW }, { "largest edge over smallest", 1, Better::NEITHER },
-                         { "mean 3r/R", 4, Better::HIGH }, { "smallest dihedral angle, degrees", 1, Better::HIGH },
-                         { "CPU s", 1, Better::LOW } });
+                         { "mean 3r/R", 4, Better::HIGH }, { "smallest dihedral angle (degrees)", 1, Better::HIGH },
+                         { "CPU time (s)", 1, Better::LOW } });
   {
     const Labeled_domain domain = sphere_domain();
     const double smallest = 0.0392;

@@ -94,8 +94,9 @@ int main(int argc, char* argv[])
                                     { "cubature", quadrature_maker(CGAL::Adaptive_cubature_3{ 1e-4 }) } };
   Function_density_3 density([](const Site& s) { return density_of_figure_8(s.x, s.y, s.z); });
   const std::vector<std::string> methods
-    = { "AVV, 500 iterations", "L-BFGS, linear rule", "L-BFGS, 4 points", "L-BFGS, 15 points", "L-BFGS, cubature",
-        "search of " + std::to_string(steps) + " steps, linear rule", "search of " + std::to_string(steps) + " steps, 4 points" };
+    = { "AVV, 500 iterations", "L-BFGS, `Linear_density_rule_3`", "L-BFGS, `Four_point_rule_3`", "L-BFGS, `Fifteen_point_rule_3`",
+        "L-BFGS, `Adaptive_cubature_3`", "search of " + std::to_string(steps) + " steps, `Linear_density_rule_3`",
+        "search of " + std::to_string(steps) + " steps, `Four_point_rule_3`" };
   std::vector<Mean_of_runs> means(methods.size());
   for(unsigned int seed = 1; seed <= seeds; ++seed)
   {
@@ -156,10 +157,10 @@ int main(int argc, char* argv[])
       means[5 + n].add(gain_of_search, run, outcome(run.mesh(), run.time()), Markdown_table::none, 0);
     }
   }
-  Markdown_table table({ "method" }, { { "energy, % over AVV's lowest", 2, Better::LOW }, { "iterations", 0, Better::NEITHER },
-                                       { "rises of the energy", 0, Better::LOW }, { "largest rise, 1e-6 of the energy", 0, Better::LOW },
-                                       { "mean 3r/R", 3, Better::HIGH }, { "smallest dihedral angle, degrees", 1, Better::HIGH },
-                                       { "CPU s", 1, Better::LOW } });
+  Markdown_table table({ "method" }, { { "energy over the lowest of AVV (%)", 2, Better::LOW }, { "iterations", 0, Better::NEITHER },
+                                       { "rises of the energy", 0, Better::LOW }, { "largest rise (millionths of the energy)", 0, Better::LOW },
+                                       { "mean 3r/R", 3, Better::HIGH }, { "smallest dihedral angle (degrees)", 1, Better::HIGH },
+                                       { "CPU time (s)", 1, Better::LOW } });
   for(std::size_t n = 0; n < methods.size(); ++n)
     table.add({ methods[n] }, means[n].values());
   std::cout << table;

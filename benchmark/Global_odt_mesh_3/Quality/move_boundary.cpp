@@ -104,9 +104,9 @@ int main(int argc, char* argv[])
 {
   const int search_rounds = argc > 1 ? std::atoi(argv[1]) : 10;
   Markdown_table table({ "mesh", "boundary" },
-                       { { "mean 3r/R", 4, Better::HIGH }, { "mean smallest angle of facets, degrees", 1, Better::HIGH },
-                         { "change of volume, %", 2, Better::NEITHER }, { "domain queries a surface vertex", 1, Better::NEITHER },
-                         { "closest points a surface vertex", 1, Better::NEITHER }, { "CPU s", 1, Better::LOW } });
+                       { { "mean 3r/R", 4, Better::HIGH }, { "mean of the smallest angles of facets (degrees)", 1, Better::HIGH },
+                         { "change of volume (%)", 2, Better::NEITHER }, { "domain queries a surface vertex", 1, Better::NEITHER },
+                         { "closest points a surface vertex", 1, Better::NEITHER }, { "CPU time (s)", 1, Better::LOW } });
   for_each_input([&](const char* name, const auto& input, const auto& domain) { compare(name, input, domain, search_rounds, table); },
                  argc > 2 ? argv[2] : "");
   std::cout << table;

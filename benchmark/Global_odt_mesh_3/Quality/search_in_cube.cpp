@@ -107,9 +107,9 @@ static double mean(const std::vector<Outcome>& outcomes, Member what)
 static Markdown_table table(const std::vector<Way>& ways, const std::vector<std::vector<Outcome> >& all)
 {
   const double energy = mean(all[0], &Outcome::energy), time = mean(all[0], &Outcome::time);
-  Markdown_table table({ "method" }, { { "energy, % over AVV's", 2, Better::LOW }, { "mean 3r/R", 4, Better::HIGH },
-                                       { "cells < 10 degrees", 0, Better::LOW }, { "cells < 20 degrees", 0, Better::LOW },
-                                       { "CPU s", 2, Better::LOW }, { "CPU time over AVV's", 2, Better::LOW } });
+  Markdown_table table({ "method" }, { { "energy over AVV's (%)", 2, Better::LOW }, { "mean 3r/R", 4, Better::HIGH },
+                                       { "cells below 10 degrees", 0, Better::LOW }, { "cells below 20 degrees", 0, Better::LOW },
+                                       { "CPU time (s)", 2, Better::LOW }, { "CPU time over AVV's", 2, Better::LOW } });
   for(std::size_t m = 0; m < ways.size(); ++m)
   {
     const auto below = [&](std::size_t bound)

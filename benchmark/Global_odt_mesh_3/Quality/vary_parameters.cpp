@@ -47,9 +47,9 @@ static Markdown_table table_of(const std::string& parameter)
 {
   return Markdown_table({ "mesh", parameter },
                         { { "vertices", 0, Better::NEITHER }, { "mean 3r/R", 4, Better::HIGH },
-                          { "smallest dihedral angle, degrees", 1, Better::HIGH }, { "cells < 20 degrees", 0, Better::LOW },
-                          { "cells < 30 degrees", 0, Better::LOW }, { "smallest angle of a facet, degrees", 1, Better::HIGH },
-                          { "mean smallest angle of facets, degrees", 1, Better::HIGH }, { "CPU s", 1, Better::LOW } });
+                          { "smallest dihedral angle (degrees)", 1, Better::HIGH }, { "cells below 20 degrees", 0, Better::LOW },
+                          { "cells below 30 degrees", 0, Better::LOW }, { "smallest angle of a facet (degrees)", 1, Better::HIGH },
+                          { "mean of the smallest angles of facets (degrees)", 1, Better::HIGH }, { "CPU time (s)", 1, Better::LOW } });
 }
 
 // Calls f(name, mesh, domain) for the elephant that compare_tools has, too.
@@ -145,8 +145,8 @@ static Markdown_table vary_sizing_field()
 {
   Markdown_table table({ "`sizing_field`" },
                        { { "deviation of log(edge / size)", 3, Better::NEITHER }, { "largest edge over smallest", 1, Better::NEITHER },
-                         { "mean 3r/R", 4, Better::HIGH }, { "smallest dihedral angle, degrees", 1, Better::HIGH },
-                         { "CPU s", 1, Better::LOW } });
+                         { "mean 3r/R", 4, Better::HIGH }, { "smallest dihedral angle (degrees)", 1, Better::HIGH },
+                         { "CPU time (s)", 1, Better::LOW } });
   const Labeled_domain domain = sphere_domain();
   const Graded_sphere_size graded = { 0.0392 };
   const Labeled_c3t3 input = graded_sphere(domain, graded.smallest);
