@@ -11,7 +11,8 @@
 #   parameter_number_of_vertices parameter_time_limit pictures
 # --large goes on to meshes of 271,000 and 891,000 vertices, --paper adds the experiments of the paper, and --runs is the number of
 # random runs, 100 without it. --quick tries everything with small settings, and leaves tables and pictures in the directory, which is
-# build-figures if none is named. A part that fails leaves its old files, and the others go on. Nothing else should run meanwhile.
+# build-figures if none is named. What a part that fails has not made stays as it was, and the others go on. Nothing else should run
+# meanwhile.
 set -euo pipefail
 cd "$(dirname "$0")/.."
 parts=(provenance quality tools threads large sizes quadrature boundary search insertion robustness periodic
@@ -33,7 +34,7 @@ while [ $# -gt 0 ]; do
     *)
       case " ${parts[*]} " in
         *" $1 "*) wanted+=("$1") ;;
-        *) sed -n '2,16s/^# \{0,1\}//p' "$0" >&2; exit 2 ;;
+        *) sed -n '2,17s/^# \{0,1\}//p' "$0" >&2; exit 2 ;;
       esac ;;
   esac
   shift
@@ -58,9 +59,8 @@ mkdir "$output/meshes"
 scripts/install_dependencies.sh tetgen gmsh
 CGAL_DATA_DIR=${CGAL_DATA_DIR:-$(scripts/extract_data.sh "$output")}
 export CGAL_DATA_DIR
+[ -d "$CGAL_DATA_DIR/meshes" ] || { echo "CGAL's data is not there; CGAL_DATA_DIR says where it is" >&2; exit 1; }
 build=$output/build
-programs=$build/benchmark/Global_odt_mesh_3
-examples=$build/examples/Global_odt_mesh_3
 
 # configure DIRECTORY OPTION...
 configure() {
@@ -68,10 +68,9 @@ configure() {
     > "$1.log" 2>&1 || { cat "$1.log"; return 1; }
 }
 
-# compile TARGET...: one after another, as a process needs gigabytes, and unless they are there.
+# compile TARGET...: one after another.
 compile() {
-  configure "$build" -DGLOBAL_ODT_MESH_3_BUILD_BENCHMARKS=ON -DGLOBAL_ODT_MESH_3_BUILD_EXAMPLES=ON
-  cmake --build "$build" --target "$@" > "$build.log" 2>&1 || { tail -n 50 "$build.log"; return 1; }
+  cmake --build "$build" --target "$@" > "$output/compile.log" 2>&1 || { tail -n 50 "$output/compile.log"; return 1; }
 }
 
 # choose USUAL QUICK: the setting of this run.
@@ -79,12 +78,32 @@ choose() {
   if [ "$quick" -eq 1 ]; then echo "$2"; else echo "$1"; fi
 }
 
-# table NAME PROGRAM ARGUMENT...: what the program prints. Empty arguments are none.
+# programs PART: those that make it.
+programs() {
+  case $1 in
+    quality) echo compare_qualities ;;
+    tools) echo compare_tools ;;
+    threads | large) echo scale ;;
+    sizes) echo follow_sizes ;;
+    quadrature) echo graded_cube ;;
+    boundary) echo move_boundary ;;
+    search) echo search_in_cube ;;
+    insertion) echo insert_vertices ;;
+    periodic) echo compare_periodic ;;
+    parameter_*) echo vary_parameters ;;
+    pictures) printf '%s\n' optimize_polyhedral_mesh remesh_boundary optimize_graded_mesh optimize_mesh_with_features \
+                             optimize_labeled_image_mesh optimize_periodic_mesh ;;
+  esac
+}
+
+# table PART ARGUMENT...: what its program prints. Empty arguments are none.
 table() {
-  local name=$1 program=$2 argument arguments=()
-  for argument in "${@:3}"; do [ -z "$argument" ] || arguments+=("$argument"); done
+  local name=$1 program argument arguments=()
+  program=$(programs "$1")
+  for argument in "${@:2}"; do [ -z "$argument" ] || arguments+=("$argument"); done
   compile "$program"
-  "$programs/$program" "${arguments[@]}" > "$output/$name.md" 2> "$output/$name.log" || { tail "$output/$name.log"; return 1; }
+  "$build/benchmark/Global_odt_mesh_3/$program" "${arguments[@]}" > "$output/$name.md" 2> "$output/$name.log" \
+    || { tail "$output/$name.log"; return 1; }
   mv "$output/$name.md" "$results/$name.md"
 }
 
@@ -93,7 +112,7 @@ picture() {
   compile "$2"
   rm -rf "${output:?}/$1"
   mkdir "$output/$1"
-  (cd "$output/$1" && "$examples/$2" "${@:4}" > log.txt) || { tail "$output/$1/log.txt"; return 1; }
+  (cd "$output/$1" && "$build/examples/Global_odt_mesh_3/$2" "${@:4}" > log.txt) || { tail "$output/$1/log.txt"; return 1; }
   cp "$output/$1/$3" "$figures/$1.png"
 }
 
@@ -101,7 +120,7 @@ make_tools() {
   local directory=$output/tools
   rm -rf "$directory"
   mkdir "$directory"
-  table tools compare_tools "$directory" "$(choose '' sphere)"
+  table tools "$directory" "$(choose '' sphere)"
   mv "$directory/readme.md" "$results/readme.md"
   cp "$directory/time_and_quality_sphere.png" "$figures/"
   [ "$quick" -eq 1 ] || cp "$directory/time_and_quality_elephant.png" "$figures/"
@@ -119,7 +138,8 @@ make_robustness() {
   rm -rf "$directory"
   mkdir "$directory"
   configure "$build-with-assertions" -DGLOBAL_ODT_MESH_3_BUILD_BENCHMARKS=ON -DCMAKE_CXX_FLAGS_RELEASE=-O2
-  cmake --build "$build-with-assertions" --target random_runs > "$build.log" 2>&1 || { tail -n 50 "$build.log"; return 1; }
+  cmake --build "$build-with-assertions" --target random_runs > "$output/compile.log" 2>&1 \
+    || { tail -n 50 "$output/compile.log"; return 1; }
   "$build-with-assertions/benchmark/Global_odt_mesh_3/random_runs" "$directory/runs" both "$(choose "$runs" 4)" 1 "$(nproc)" \
     > "$directory/table.md" || echo "some runs are not well; see $directory"
   [ -s "$directory/table.md" ]
@@ -153,22 +173,30 @@ make_part() {
     provenance)
       scripts/describe_machine.sh > "$output/provenance.md"
       mv "$output/provenance.md" "$results/" ;;
-    quality) table quality compare_qualities "$(choose 5 2)" "$(choose '' 'coarse cross')" ;;
+    quality) table quality "$(choose 5 2)" "$(choose '' 'coarse cross')" ;;
     tools) make_tools ;;
-    threads) table threads scale threads "$output/meshes" "$(choose "$most_vertices" 18000)" ;;
-    large) table large scale stages "$output/meshes" "$(choose "$most_vertices" 18000)" ;;
-    sizes) table sizes follow_sizes "$(choose 3 1)" ;;
-    quadrature) table quadrature graded_cube "$(choose 3 1)" "$(choose 4000 800)" "$(choose 1200 100)" ;;
-    boundary) table boundary move_boundary "$(choose 10 1)" "$(choose '' 'coarse sphere')" ;;
-    search) table search search_in_cube "$(choose 3 1)" 1 0 rows "$(choose 18083 4000)" ;;
-    insertion) table insertion insert_vertices "$(choose '' joint)" ;;
+    threads) table threads threads "$output/meshes" "$(choose "$most_vertices" 18000)" ;;
+    large) table large stages "$output/meshes" "$(choose "$most_vertices" 18000)" ;;
+    sizes) table sizes "$(choose 3 1)" ;;
+    quadrature) table quadrature "$(choose 3 1)" "$(choose 4000 800)" "$(choose 1200 100)" ;;
+    boundary) table boundary "$(choose 10 1)" "$(choose '' 'coarse sphere')" ;;
+    search) table search "$(choose 3 1)" 1 0 rows "$(choose 18083 4000)" ;;
+    insertion) table insertion "$(choose '' joint)" ;;
     robustness) make_robustness ;;
-    periodic) table periodic compare_periodic "$(choose '' 0.12)" ;;
-    parameter_*) table "$1" vary_parameters "${1#parameter_}" ;;
+    periodic) table periodic "$(choose '' 0.12)" ;;
+    parameter_*) table "$1" "${1#parameter_}" ;;
     pictures) make_pictures ;;
     paper) make_paper ;;
   esac
 }
+
+# What takes the most is compiled at once, after the libraries that all link; a part whose program cannot be compiled says why.
+configure "$build" -DGLOBAL_ODT_MESH_3_BUILD_BENCHMARKS=ON -DGLOBAL_ODT_MESH_3_BUILD_EXAMPLES=ON
+compile core_for_benchmarks core_for_examples
+begin=$SECONDS
+for part in "${wanted[@]}"; do programs "$part"; done | sort -u \
+  | xargs -P "${JOBS:-2}" -I '{}' cmake --build "$build" --target '{}' > "$output/compile.log" 2>&1 || true
+echo "compiled in $((SECONDS - begin)) s"
 
 status=0
 for part in "${wanted[@]}" "${paper[@]}"; do
@@ -179,7 +207,7 @@ for part in "${wanted[@]}" "${paper[@]}"; do
   (set -e; make_part "$part")
   code=$?
   set -e
-  [ $code -eq 0 ] || { status=1; echo "$part has failed, and its old files are left"; }
+  [ $code -eq 0 ] || { status=1; echo "$part has failed; what it has not made is as it was"; }
   echo "$((SECONDS - begin)) s"
 done
 exit $status
