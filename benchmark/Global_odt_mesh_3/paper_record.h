@@ -65,8 +65,8 @@ public:
   {
     std::string command;
     for(std::size_t n = 0; n < titles.size(); ++n)
-      command += (n == 0 ? "plot " : ", ") + text("data index %zu using ", n) + columns + " with " + style + " title '" + titles[n]
-                 + "'";
+      command += (n == 0 ? "plot " : ", ") + text("data index %zu using ", n) + columns + " with " + style + " title \"" + titles[n]
+                 + "\"";
     return command + "\n";
   }
 

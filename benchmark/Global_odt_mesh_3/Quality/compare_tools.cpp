@@ -30,6 +30,8 @@
 #include <CGAL/odt_optimize_mesh_3.h>
 #include <CGAL/tetrahedral_remeshing.h>
 
+#include <boost/algorithm/string/erase.hpp>
+
 #include <sys/resource.h>
 
 #include <algorithm>
@@ -191,10 +193,9 @@ static void compare_peers(const std::string& title, const Tetrahedral_mesh& mesh
 }
 
 template <class C3t3, class Domain>
-void compare(const std::string& name, const std::string& kind, const std::string& directory, const Domain& domain,
+void compare(const std::string& name, const std::string& title, const std::string& directory, const Domain& domain,
              const std::function<C3t3()>& make, Tables& tables)
 {
-  const std::string title = kind + " (" + name + ")";
   C3t3 input;
   const double making = seconds([&] { input = make(); });
   const Timed_row made(row_of(input), making);
@@ -221,6 +222,7 @@ void compare(const std::string& name, const std::string& kind, const std::string
       tables.readme.add({ title, what }, { double(result.first.vertices), result.first.smallest_angle, result.first.radius_ratio,
                                            result.second });
     titles.push_back(what);
+    boost::erase_all(titles.back(), "`");       // which would be a command of gnuplot
     points << "\n\n";
   };
   row("CGAL's lloyd", false, [&](C3t3& c3t3) { CGAL::lloyd_optimize_mesh_3(c3t3, domain); });
@@ -246,8 +248,9 @@ void compare(const std::string& name, const std::string& kind, const std::string
   points.close();
   std::string plots = Paper_record::plot("1:2", titles, "points pt 7 ps 1.5");
   plots.pop_back();
-  record.draw(picture, "set termoption noenhanced\nset logscale x\nset xlabel 'CPU s'\nset title 'mean 3r/R, " + name + "'\n"
-              "set key below maxcols 3\nset offsets graph 0.1, graph 0.1, graph 0.1, graph 0.1\n" + plots
+  record.draw(picture, "set termoption noenhanced\nset logscale x\nset xlabel 'CPU s' offset 0,0.5\nset title 'mean 3r/R, " + name + "'\n"
+              "set xtics (0.1, 0.2, 0.5, 1, 2, 5, 10, 20, 50)\nset autoscale xfix\nset key below Left reverse samplen 2 maxcols 2\n"
+              "set offsets graph 0.1, graph 0.1, graph 0.1, graph 0.1\n" + plots
               + ", data index " + std::to_string(titles.size()) + " using 1:2 with linespoints lw 2 title 'this package, 0 to 20 rounds'\n",
               900, 480);
   if(of_input.volumes.size() == 1)
@@ -264,7 +267,7 @@ int main(int argc, char* argv[])
   const std::string directory = argv[1], only = argc > 2 ? argv[2] : "";
   Tables tables;
   const auto is_wanted = [&](const char* name) { return only.empty() || only == name; };
-  const auto compare_model = [&](const char* name, const char* kind, double relative_size, bool with_features)
+  const auto compare_model = [&](const char* name, const char* title, double relative_size, bool with_features)
   {
     if(!is_wanted(name))
       return;
@@ -272,31 +275,31 @@ int main(int argc, char* argv[])
     Polyhedral_domain domain(polyhedron);
     if(with_features)
       domain.detect_features();
-    compare<Polyhedral_c3t3>(name, kind, directory, domain, [&] { return polyhedral_mesh(domain, relative_size, with_features); },
+    compare<Polyhedral_c3t3>(name, title, directory, domain, [&] { return polyhedral_mesh(domain, relative_size, with_features); },
                              tables);
   };
-  const auto compare_labels = [&](const char* name, const char* kind, const Labeled_domain& domain,
+  const auto compare_labels = [&](const char* name, const char* title, const Labeled_domain& domain,
                                   const std::function<Labeled_c3t3()>& make)
   {
-    compare<Labeled_c3t3>(name, kind, directory, domain, make, tables);
+    compare<Labeled_c3t3>(name, title, directory, domain, make, tables);
   };
-  const auto compare_image = [&](const char* name, const CGAL::Image_3& image, double facet_size, double cell_size)
+  const auto compare_image = [&](const char* name, const char* title, const CGAL::Image_3& image, double facet_size, double cell_size)
   {
     const Labeled_domain domain = image_domain(image);
-    compare_labels(name, "image", domain, [&] { return image_mesh(domain, facet_size, cell_size); });
+    compare_labels(name, title, domain, [&] { return image_mesh(domain, facet_size, cell_size); });
   };
   if(is_wanted("sphere"))
   {
     const Labeled_domain domain = sphere_domain();
-    compare_labels("sphere", "implicit", domain, [&] { return sphere(domain, 0.096); });
+    compare_labels("sphere", "ball", domain, [&] { return sphere(domain, 0.096); });
   }
-  compare_model("elephant", "surface", 0.02, false);
-  compare_model("fandisk", "CAD part", 0.03, true);
-  compare_model("anchor", "CAD part", 0.03, true);
+  compare_model("elephant", "elephant", 0.02, false);
+  compare_model("fandisk", "CAD part (fandisk)", 0.03, true);
+  compare_model("anchor", "CAD part (anchor)", 0.03, true);
   if(is_wanted("liver"))
-    compare_image("liver", read_image("liver.inr.gz"), 6, 8);
+    compare_image("liver", "image of a liver", read_image("liver.inr.gz"), 6, 8);
   if(is_wanted("polycrystal"))
-    compare_image("polycrystal", synthetic_images::polycrystal(80, 20), 4, 5);
+    compare_image("polycrystal", "image of a polycrystal", synthetic_images::polycrystal(80, 20), 4, 5);
   std::cout << tables.tools;
   std::ofstream(directory + "/readme.md") << tables.readme;
   return EXIT_SUCCESS;
