@@ -34,12 +34,9 @@ class Markdown_table
 public:
   static constexpr double none = std::numeric_limits<double>::quiet_NaN();     // an empty cell
 
-  // Numbers are compared down a column, among rows that agree in all texts but the last; or, if told so, along a row,
-  // among columns whose titles agree up to a colon.
-  enum class Compare { ROWS, COLUMNS };
-
-  Markdown_table(std::vector<std::string> texts, std::vector<Column> columns, Compare compare = Compare::ROWS)
-    : texts_(std::move(texts)), columns_(std::move(columns)), compare_(compare)
+  // Numbers are compared down a column, among rows that agree in all texts but the last.
+  Markdown_table(std::vector<std::string> texts, std::vector<Column> columns)
+    : texts_(std::move(texts)), columns_(std::move(columns))
   {}
 
   // What others begin with, such as an input, is not to be compared with them.
@@ -75,7 +72,7 @@ public:
       for(std::size_t k = 0; k < row.values.size(); ++k)
       {
         const std::string number = table.printed(row.values[k], k);
-        const char* const mark = table.is_best(row, n, k, ranges) ? "**" : "";
+        const char* const mark = table.is_best(row, k, ranges) ? "**" : "";
         out << ' ' << mark << number << mark << " |";
       }
     }
@@ -109,10 +106,8 @@ private:
   { return row.is_compared && columns_[column].better != Better::NEITHER && !std::isnan(row.values[column]); }
 
   // The same for numbers that are compared.
-  std::string group(const Row& row, std::size_t number, std::size_t column) const
+  static std::string group(const Row& row, std::size_t column)
   {
-    if(compare_ == Compare::COLUMNS)
-      return std::to_string(number) + '|' + columns_[column].title.substr(0, columns_[column].title.find(':'));
     std::string key = std::to_string(column);
     for(std::size_t k = 0; k + 1 < row.texts.size(); ++k)
       key += '|' + row.texts[k];
@@ -122,30 +117,29 @@ private:
   std::map<std::string, Range> ranges() const
   {
     std::map<std::string, Range> ranges;
-    for(std::size_t n = 0; n < rows_.size(); ++n)
+    for(const Row& row : rows_)
       for(std::size_t k = 0; k < columns_.size(); ++k)
-        if(can_be_best(rows_[n], k))
+        if(can_be_best(row, k))
         {
-          const double x = value(rows_[n], k);
-          Range& range = ranges.emplace(group(rows_[n], n, k), Range(x, x)).first->second;
+          const double x = value(row, k);
+          Range& range = ranges.emplace(group(row, k), Range(x, x)).first->second;
           range = Range((std::min)(range.first, x), (std::max)(range.second, x));
         }
     return ranges;
   }
 
   // Where all are equal, none is.
-  bool is_best(const Row& row, std::size_t number, std::size_t column, const std::map<std::string, Range>& ranges) const
+  bool is_best(const Row& row, std::size_t column, const std::map<std::string, Range>& ranges) const
   {
     if(!can_be_best(row, column))
       return false;
-    const Range& range = ranges.at(group(row, number, column));
+    const Range& range = ranges.at(group(row, column));
     return range.first < range.second
            && value(row, column) == (columns_[column].better == Better::HIGH ? range.second : range.first);
   }
 
   std::vector<std::string> texts_;
   std::vector<Column> columns_;
-  Compare compare_;
   std::vector<Row> rows_;
 };
 
