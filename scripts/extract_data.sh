@@ -4,8 +4,8 @@
 set -euo pipefail
 target=$1/data
 archive=/usr/share/doc/libcgal-demo/data.tar.gz
-if [ ! -f "$target/meshes/armadillo.off" ] && [ -f "$archive" ]; then
+if [ ! -f "$target/meshes/spool.off" ] && [ -f "$archive" ]; then
   mkdir -p "$1"
-  tar xzf "$archive" -C "$1" data/meshes/{elephant,fandisk,joint,armadillo}.off data/images/liver.inr.gz
+  tar xzf "$archive" -C "$1" data/meshes data/images
 fi
 [ ! -d "$target" ] || (cd "$target" && pwd)

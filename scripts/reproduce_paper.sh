@@ -27,14 +27,7 @@ if [ ${#figures[@]} -eq 0 ]; then
   [ $quick -eq 1 ] || figures+=(8 13 15)
 fi
 
-scripts/install_dependencies.sh
-sudo=""
-[ "$(id -u)" -eq 0 ] || sudo=sudo
-for peer in tetgen gmsh netgen; do
-  command -v $peer > /dev/null && continue
-  $sudo env DEBIAN_FRONTEND=noninteractive apt-get install -y -qq --no-install-recommends $peer > /dev/null 2>&1 \
-    || echo "$peer cannot be installed"
-done
+scripts/install_dependencies.sh tetgen gmsh netgen
 
 # The program of a figure.
 program() {
@@ -86,13 +79,11 @@ for f in "${figures[@]}"; do program "$f"; done | sort -u \
 
 export CGAL_DATA_DIR=$data
 table=$output/paper.md
-version=$(printf '#include <CGAL/version.h>\nCGAL_VERSION_STR\n' | "${CXX:-c++}" -E -P -x c++ - | tail -n 1 | tr -d '"')
 {
-  echo "CGAL ${version:-unknown}, $(sed -n 's/^model name.*: //p' /proc/cpuinfo | head -n 1), $(nproc) cores," \
-       "commit $(git rev-parse --short HEAD 2> /dev/null || echo unknown)$([ $quick -eq 0 ] || echo ', quick run')"
+  echo "$(scripts/describe_machine.sh)$([ $quick -eq 0 ] || echo ', quick run')"
   echo
   echo "| figure | what | paper | here |"
-  echo "|---|---|---|---|"
+  echo "|---|---|---:|---:|"
 } > "$table"
 status=0
 done_runs=""
@@ -106,7 +97,7 @@ for f in "${figures[@]}"; do
   echo "=== figure $f: ${run/@/$directory} ==="
   begin=$SECONDS
   # shellcheck disable=SC2046
-  "$output/build/benchmark/Global_odt_mesh_3/$(program "$f")" $(arguments "$f" | sed "s|@|$directory|") > "$directory/log.txt" \
+  "$output/build/benchmark/Global_odt_mesh_3/$(program "$f")" $(arguments "$f" | sed "s|@|$directory|") > "$directory/log.txt" 2>&1 \
     || { status=1; echo "figure $f: a claim of the paper does not hold, or the program failed; see $directory/log.txt"; }
   echo "$((SECONDS - begin)) s"
   [ ! -f "$directory/rows.md" ] || cat "$directory/rows.md" >> "$table"

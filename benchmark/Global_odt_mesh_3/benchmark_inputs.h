@@ -90,6 +90,16 @@ inline Labeled_c3t3 graded_sphere(const Labeled_domain& domain, double smallest)
   return reproducible_mesh<Labeled_c3t3>(domain, criteria);
 }
 
+// Of CGAL's data directory.
+inline CGAL::Image_3 read_image(const std::string& name)
+{
+  const std::string file = CGAL::data_file_path("images/" + name);
+  CGAL::Image_3 image;
+  if(!image.read(file.c_str()))
+    throw std::runtime_error("cannot read the image " + file);
+  return image;
+}
+
 inline Labeled_domain image_domain(const CGAL::Image_3& image)
 {
   return Labeled_domain::create_labeled_image_mesh_domain(image);
@@ -169,10 +179,7 @@ void for_each_input(const Function& f, const std::string& only = "")
     for_model_with_features(f, "fandisk", "fandisk", 0.0158);
   if(is_wanted("liver"))
   {
-    const std::string file = CGAL::data_file_path("images/liver.inr.gz");
-    CGAL::Image_3 image;
-    if(!image.read(file.c_str()))
-      throw std::runtime_error("cannot read the image " + file);
+    const CGAL::Image_3 image = read_image("liver.inr.gz");
     const Labeled_domain domain = image_domain(image);
     f("liver", image_mesh(domain, 4.4, 5.6), domain);
   }

@@ -42,7 +42,7 @@ public:
   // "-": the paper does not say.
   void row(const std::string& figure, const std::string& what, const std::string& paper, const std::string& here)
   {
-    std::cout << figure << ", " << what << ": paper " << paper << ", here " << here << std::endl;
+    std::cerr << figure << ", " << what << ": paper " << paper << ", here " << here << std::endl;
     if(has_directory())
       std::ofstream(directory_ + "/rows.md", std::ios::app)
         << "| " << figure << " | " << what << " | " << paper << " | " << here << " |\n";
@@ -65,8 +65,8 @@ public:
   {
     std::string command;
     for(std::size_t n = 0; n < titles.size(); ++n)
-      command += (n == 0 ? "plot " : ", ") + text("data index %zu using ", n) + columns + " with " + style + " title '" + titles[n]
-                 + "'";
+      command += (n == 0 ? "plot " : ", ") + text("data index %zu using ", n) + columns + " with " + style + " title \"" + titles[n]
+                 + "\"";
     return command + "\n";
   }
 
@@ -80,7 +80,7 @@ public:
                           << "set output '" << directory_ << "/" << name << ".png'\n"
                           << "data = '" << directory_ << "/" << name << ".dat'\n" << commands;
     if(std::system(("gnuplot '" + script + "'").c_str()) != 0)
-      std::cout << "there is no picture " << name << ".png" << std::endl;
+      std::cerr << "there is no picture " << name << ".png" << std::endl;
   }
 
   // Calls draw(file), where `file` is that of the picture without its ending.
@@ -115,7 +115,7 @@ public:
     angles.close();
     ratios.close();
     const std::string plots = plot("1:2", titles, "histeps lw 2");
-    draw(name, "set multiplot layout 1,2\nset key top left\nset title 'radius ratios 3r/R'\nset xrange [0:1]\n" + plots
+    draw(name, "set multiplot layout 1,2\nset key top left\nset yrange [0:*]\nset title 'radius ratios 3r/R'\nset xrange [0:1]\n" + plots
                + "data = '" + directory_ + "/" + name + "_angles.dat'\nunset key\nset title 'dihedral angles'\nset xrange [0:180]\n" + plots
                + "unset multiplot\n");
   }

@@ -19,7 +19,9 @@
 #include <fstream>
 #include <iomanip>
 #include <iostream>
+#include <iterator>
 #include <limits>
+#include <set>
 #include <sstream>
 #include <string>
 #include <vector>
@@ -66,13 +68,15 @@ inline double smallest_dihedral_angle(const std::array<Point_3, 4>& p)
   return smallest;
 }
 
-// Cells with an angle below 10 degrees are red, below 20 orange; others yellowish inside, and blue on the surface.
-inline int color_of_facet(double smallest_angle, bool is_cut, double light)
+// Cells with an angle below 10 degrees are red, below 20 orange; others yellowish inside, or greenish, purple, or gray, by the
+// number of their subdomain, and blue on the surface.
+inline int color_of_facet(double smallest_angle, bool is_cut, std::size_t subdomain, double light)
 {
   typedef std::array<double, 3> Rgb;
+  static const std::array<Rgb, 4> inside = {{ {{ 250, 240, 200 }}, {{ 190, 230, 180 }}, {{ 225, 195, 235 }}, {{ 225, 225, 225 }} }};
   const Rgb rgb = smallest_angle < 10 ? Rgb{{ 220, 30, 30 }}
                 : smallest_angle < 20 ? Rgb{{ 250, 150, 30 }}
-                : is_cut ? Rgb{{ 250, 240, 200 }} : Rgb{{ 130, 170, 230 }};
+                : is_cut ? inside[subdomain % inside.size()] : Rgb{{ 130, 170, 230 }};
   int color = 0;
   for(double x : rgb)
     color = 256 * color + static_cast<int>(x * light);
@@ -90,6 +94,8 @@ public:
   {
     const auto box = c3t3.bbox();
     middle_ = Vector_3((box.xmin() + box.xmax()) / 2, (box.ymin() + box.ymax()) / 2, (box.zmin() + box.zmax()) / 2) * view_;
+    for(auto c = c3t3_.cells_in_complex_begin(); c != c3t3_.cells_in_complex_end(); ++c)
+      subdomains_.insert(c3t3_.subdomain_index(c));
   }
 
   // From back to front.
@@ -99,7 +105,7 @@ public:
     for(auto c = c3t3_.cells_in_complex_begin(); c != c3t3_.cells_in_complex_end(); ++c)
       if(is_behind(c))
         for(int i = 0; i < 4; ++i)
-          if(!is_behind(c->neighbor(i)) && outward_normal(c, i) * view_ > 0)
+          if(!goes_on(c, i) && outward_normal(c, i) * view_ > 0)
             facets.push_back(facet(c, i));
     std::sort(facets.begin(), facets.end(), [](const Polygon& p, const Polygon& q) { return p.depth < q.depth; });
     return facets;
@@ -120,6 +126,13 @@ private:
     return (center - CGAL::ORIGIN) * view_ < middle_;
   }
 
+  // In a periodic mesh, the neighbor beyond the sides of the period is drawn elsewhere.
+  bool goes_on(Cell_handle c, int i) const
+  {
+    const Cell_handle n = c->neighbor(i);
+    return is_behind(n) && point(n, n->index(c->vertex((i + 1) % 4))) == point(c, (i + 1) % 4);
+  }
+
   Vector_3 outward_normal(Cell_handle c, int i) const
   {
     const Point_3 p = point(c, (i + 1) % 4);
@@ -132,17 +145,20 @@ private:
     const Point_3 p = point(c, (i + 1) % 4), q = point(c, (i + 2) % 4), r = point(c, (i + 3) % 4);
     const Vector_3 normal = outward_normal(c, i);
     const double light = 0.5 + 0.5 * (normal * view_) / std::sqrt(normal * normal);
-    const bool is_cut = c3t3_.subdomain_index(c->neighbor(i)) == c3t3_.subdomain_index(c);
+    const auto subdomain = c3t3_.subdomain_index(c);
+    const bool is_cut = c3t3_.subdomain_index(c->neighbor(i)) == subdomain;
+    const std::size_t number = static_cast<std::size_t>(std::distance(subdomains_.begin(), subdomains_.find(subdomain)));
     const double angle = smallest_dihedral_angle({{ point(c, 0), point(c, 1), point(c, 2), point(c, 3) }});
     const Vector_3 a = p - CGAL::ORIGIN, b = q - CGAL::ORIGIN, d = r - CGAL::ORIGIN;
     return { {{ a * right_, a * up_, b * right_, b * up_, d * right_, d * up_ }},
-             (a + b + d) * view_, is_cut, color_of_facet(angle, is_cut, light) };
+             (a + b + d) * view_, is_cut, color_of_facet(angle, is_cut, number, light) };
   }
 
   static Vector_3 unit_vector(const Vector_3& v) { return v / std::sqrt(v * v); }
 
   const C3t3& c3t3_;
   double middle_;
+  std::set<typename C3t3::Subdomain_index> subdomains_;
   // The viewer looks against `view_`, with the y-axis upward.
   const Vector_3 view_ = unit_vector({ 0.6, 0.25, 0.76 });
   const Vector_3 right_ = unit_vector(CGAL::cross_product(Vector_3(0, 1, 0), view_));

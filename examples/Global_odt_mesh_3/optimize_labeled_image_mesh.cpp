@@ -7,6 +7,7 @@
 //
 //   optimize_labeled_image_mesh [image.inr.gz]
 
+#include "mesh_picture.h"
 #include "write_mesh.h"
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
@@ -45,9 +46,11 @@ int main(int argc, char* argv[])
   const Criteria criteria(params::facet_angle = 30, params::facet_size = 6, params::facet_distance = 2,
                           params::cell_radius_edge_ratio = 3, params::cell_size = 8);
   C3t3 c3t3 = CGAL::make_mesh_3<C3t3>(domain, criteria, params::no_perturb(), params::no_exude());
-  std::cout << "--- before ---\n" << CGAL::mesh_quality_report_3(c3t3);
+  const C3t3 before(c3t3);
+  std::cout << "--- before ---\n" << CGAL::mesh_quality_report_3(before);
   CGAL::odt_optimize_mesh_3(c3t3, domain);
   std::cout << "--- after ---\n" << CGAL::mesh_quality_report_3(c3t3);
   write_mesh(c3t3, "labeled_image");
+  draw_before_and_after(before, c3t3, "labeled_image", 1);
   return EXIT_SUCCESS;
 }

@@ -3,22 +3,23 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// The default call, with domains that are safe for threads, on meshes of growing size that are made for them: wall-clock
-// and CPU time for each vertex, the share of each stage and how much of it is in loops that threads share, memory beside
-// the mesh, quality, and a hash of all coordinates, which must not depend on the number of threads.
+// The default call, with domains that are safe for threads, on meshes of growing size that are made for them, as tables in Markdown,
+// each call in a process of its own.
 //
-//   scale sphere|elephant|graded [vertices, about; default 18000] [threads, default 1] [what, default ours]
-//         [directory where meshes are kept from run to run]
+//   scale threads|stages directory [most vertices, default 100000]
 //
-// `what` is "ours" or "cgal", which is CGAL's own optimizer on the same mesh with the same number of threads.
-// Environment: CGAL_DATA_DIR, the directory of CGAL's data.
+// "threads" compares one thread with two, and both with CGAL's own optimizer on the same mesh, on meshes of up to so many vertices:
+// wall-clock and CPU time, the part of it that is outside of loops which threads share, memory beside the mesh, and quality. All
+// coordinates of ours have to be the same on one and two threads, or the program fails. "stages" says how many microseconds a vertex each stage
+// takes on one thread. Meshes are kept in the directory from run to run. Environment: CGAL_DATA_DIR, the directory of CGAL's data.
 
+#include "Markdown_table.h"
 #include "benchmark_inputs.h"
 #include "cpu_seconds.h"
+#include "measured_call.h"
 #include "odt_of_mesh_3.h"
 
 #include <CGAL/IO/File_binary_mesh_3.h>
-#include <CGAL/Mesh_quality_report_3.h>
 #include <CGAL/Real_timer.h>
 #include <CGAL/odt_optimize_mesh_3.h>
 
@@ -28,14 +29,16 @@
 
 #include <boost/functional/hash.hpp>
 
+#include <array>
 #include <cmath>
 #include <cstddef>
-#include <cstdio>
 #include <cstdlib>
 #include <fstream>
+#include <iostream>
 #include <sstream>
 #include <stdexcept>
 #include <string>
+#include <vector>
 
 using namespace inputs;
 namespace odt = CGAL::Global_odt_mesh_3::internal;
@@ -87,26 +90,18 @@ void load(C3t3& c3t3, const std::string& file, const Make& make)
     throw std::runtime_error("the mesh cannot be loaded");
 }
 
-static void print_stages(const odt::Stage_clock& clock)
+// Of a call.
+struct Scaled_run
 {
-  odt::Stage_clock::Seconds total;
-  for(int n = 0; n < odt::Stage_clock::NUMBER_OF_STAGES; ++n)
-  {
-    total.all += clock.seconds(n).all;
-    total.in_loops += clock.seconds(n).in_loops;
-  }
-  const auto print = [&total](const char* name, const odt::Stage_clock::Seconds& s)
-  {
-    std::printf("  %-16s %8.2f s %5.1f %%   outside of loops for threads %8.2f s %5.1f %%\n", name, s.all,
-                100 * s.all / total.all, s.all - s.in_loops, 100 * (s.all - s.in_loops) / total.all);
-  };
-  for(int n = 0; n < odt::Stage_clock::NUMBER_OF_STAGES; ++n)
-    print(odt::Stage_clock::name(n), clock.seconds(n));
-  print("all", total);
-}
+  Measured_mesh mesh;
+  std::array<double, odt::Stage_clock::NUMBER_OF_STAGES> stages{};      // wall-clock seconds
+  double outside_of_loops = 0;                                          // seconds of that
+  double memory = 0;                                                    // beside the mesh, bytes a vertex
+  std::size_t hash = 0;
+};
 
 template <class C3t3, class Domain>
-void run_ours(C3t3& c3t3, const Domain& domain)
+void run_ours(C3t3& c3t3, const Domain& domain, Scaled_run& run)
 {
   typedef CGAL::Mesh_3::Null_global_optimizer_visitor<C3t3> Visitor;
   Visitor visitor;
@@ -114,42 +109,41 @@ void run_ours(C3t3& c3t3, const Domain& domain)
   parameters.domain_is_thread_safe = true;
   odt::Odt_mesh_optimizer_3<C3t3, Domain, Visitor> optimizer(c3t3, domain, odt::Odt_task::OPTIMIZE, parameters, visitor);
   optimizer();
-  print_stages(optimizer.clock());
+  for(int n = 0; n < odt::Stage_clock::NUMBER_OF_STAGES; ++n)
+  {
+    const odt::Stage_clock::Seconds& s = optimizer.clock().seconds(n);
+    run.stages[static_cast<std::size_t>(n)] = s.all;
+    run.outside_of_loops += s.all - s.in_loops;
+  }
 }
 
 template <class C3t3, class Domain>
-void measure(C3t3& c3t3, const Domain& domain, const std::string& what)
+Scaled_run run(C3t3& c3t3, const Domain& domain, bool is_ours)
 {
-  const std::size_t vertices = c3t3.triangulation().number_of_vertices();
-  std::printf("%zu vertices, %zu cells\n", vertices, std::size_t(c3t3.number_of_cells_in_complex()));
+  Scaled_run run;
   forget_peak();
   const double memory = peak_memory();
   CGAL::Real_timer timer;
   timer.start();
-  const double cpu = seconds([&] { what == "cgal" ? odt_of_mesh_3(c3t3, domain) : run_ours(c3t3, domain); });
+  const double cpu = seconds([&] { is_ours ? run_ours(c3t3, domain, run) : odt_of_mesh_3(c3t3, domain); });
   timer.stop();
   const double peak = peak_memory();
-  const CGAL::Mesh_quality_report_3 q = CGAL::mesh_quality_report_3(c3t3, { 10, 20, 30, 40 });
-  std::printf("  wall %.2f s, CPU %.2f s, %.1f microseconds a vertex; memory beside the mesh %.2f kB a vertex\n", timer.time(),
-              cpu, 1e6 * cpu / vertices, (peak - memory) / 1000 / vertices);
-  std::printf("  angles %.2f - %.2f, mean 3r/R %.4f, cells below 20, 30, 40: %zu %zu %zu\n", q.smallest_angle, q.largest_angle,
-              q.mean_radius_ratio, q.cells_below[1].second, q.cells_below[2].second, q.cells_below[3].second);
-  std::printf("  hash %016zx\n", hash_of_coordinates(c3t3));
+  run.mesh = measured(c3t3);
+  run.mesh.cpu = cpu;
+  run.mesh.wall = timer.time();
+  run.memory = (peak - memory) / run.mesh.vertices;
+  run.hash = hash_of_coordinates(c3t3);
+  return run;
 }
 
-int main(int argc, char* argv[])
+// From the sizes of the meshes of 18,000 vertices.
+static Scaled_run run(const std::string& name, int vertices, int threads, bool is_ours, const std::string& directory)
 {
-  const std::string name = argc > 1 ? argv[1] : "sphere";
-  const double vertices = argc > 2 ? std::atof(argv[2]) : 18000;
-  const int threads = argc > 3 ? std::atoi(argv[3]) : 1;
-  const std::string what = argc > 4 ? argv[4] : "ours";
-  const std::string file = argc > 5 ? std::string(argv[5]) + "/" + name + "_" + std::to_string(int(vertices)) + ".binary" : "";
 #ifdef CGAL_LINKED_WITH_TBB
   tbb::global_control control(tbb::global_control::max_allowed_parallelism, threads);
 #endif
-  std::printf("%s, %d threads, %s\n", name.c_str(), threads, what.c_str());
-  // From the sizes of the meshes of 18,000 vertices.
-  const double finer = std::cbrt(vertices / 18000);
+  const double finer = std::cbrt(vertices / 18000.);
+  const std::string file = directory + "/" + name + "_" + std::to_string(vertices) + ".binary";
   if(name == "elephant")
   {
     typedef CGAL::Mesh_triangulation_3<Polyhedral_domain, CGAL::Default, Concurrency_tag>::type Triangulation;
@@ -159,16 +153,95 @@ int main(int argc, char* argv[])
     const Polyhedral_domain domain(elephant);
     C3t3 c3t3;
     load(c3t3, file, [&] { return polyhedral_mesh(domain, 0.0102 / finer, false, 1 / 6.); });
-    measure(c3t3, domain, what);
+    return run(c3t3, domain, is_ours);
   }
-  else
+  typedef CGAL::Mesh_triangulation_3<Labeled_domain, CGAL::Default, Concurrency_tag>::type Triangulation;
+  typedef CGAL::Mesh_complex_3_in_triangulation_3<Triangulation> C3t3;
+  const Labeled_domain domain = sphere_domain();
+  C3t3 c3t3;
+  load(c3t3, file, [&] { return name == "graded sphere" ? graded_sphere(domain, 0.0378 / finer) : sphere(domain, 0.0572 / finer); });
+  return run(c3t3, domain, is_ours);
+}
+
+// A process must not have used threads before it is divided.
+static Scaled_run run_alone(const std::string& name, int vertices, int threads, bool is_ours, const std::string& directory)
+{
+  const Scaled_run result = in_process_of_its_own<Scaled_run>([&] { return run(name, vertices, threads, is_ours, directory); });
+  if(result.mesh.vertices == 0)
+    throw std::runtime_error("a call has failed");
+  return result;
+}
+
+// The sizes of meshes, more or less.
+static const std::array<int, 4> sizes = {{ 18000, 100000, 300000, 1000000 }};
+
+static std::string thousands(double vertices) { return ", " + std::to_string(std::lround(vertices / 1000)) + ",000 vertices"; }
+
+static Markdown_table compare_threads(const std::string& directory, int most)
+{
+  Markdown_table table({ "mesh", "method" },
+                       { { "mean 3r/R", 4, Better::HIGH }, { "smallest dihedral angle (degrees)", 1, Better::HIGH },
+                         { "CPU time (s)", 1, Better::LOW }, { "wall time on one thread (s)", 1, Better::LOW },
+                         { "on two threads (s)", 1, Better::LOW }, { "outside of shared loops (%)", 0, Better::NEITHER },
+                         { "memory beside the mesh (kB a vertex)", 1, Better::NEITHER } });
+  for(const char* name : { "sphere", "elephant", "graded sphere" })
+    for(int vertices : sizes)
+    {
+      // Others than the sphere are slow to be made.
+      if(vertices > most || (vertices > 100000 && name != std::string("sphere")))
+        break;
+      for(bool is_ours : { false, true })
+      {
+        // On the largest, CGAL's takes a quarter of an hour.
+        if(!is_ours && vertices > 300000)
+          continue;
+        const Scaled_run one = run_alone(name, vertices, 1, is_ours, directory), two = run_alone(name, vertices, 2, is_ours, directory);
+        if(is_ours && one.hash != two.hash)
+          throw std::runtime_error("two threads lead to other coordinates than one");
+        const Measured_mesh& m = one.mesh;
+        table.add({ name + thousands(m.vertices), is_ours ? "this package" : "CGAL's odt" },
+                  { m.radius_ratio, m.smallest_angle, m.cpu, m.wall, two.mesh.wall,
+                    is_ours ? 100 * one.outside_of_loops / m.wall : Markdown_table::none, two.memory / 1000 });
+      }
+    }
+  return table;
+}
+
+static Markdown_table list_stages(const std::string& directory, int most)
+{
+  std::vector<Scaled_run> runs;
+  std::vector<Column> columns;
+  for(int vertices : sizes)
+    if(vertices <= most)
+    {
+      runs.push_back(run_alone("sphere", vertices, 1, true, directory));
+      columns.push_back({ "sphere" + thousands(runs.back().mesh.vertices) + " (microseconds a vertex)", 1, Better::NEITHER });
+    }
+  columns.push_back({ "ten million vertices, extrapolated (minutes)", 1, Better::NEITHER });
+  Markdown_table table({ "stage" }, columns);
+  const auto add = [&](const std::string& stage, const auto& seconds)
   {
-    typedef CGAL::Mesh_triangulation_3<Labeled_domain, CGAL::Default, Concurrency_tag>::type Triangulation;
-    typedef CGAL::Mesh_complex_3_in_triangulation_3<Triangulation> C3t3;
-    const Labeled_domain domain = sphere_domain();
-    C3t3 c3t3;
-    load(c3t3, file, [&] { return name == "graded" ? graded_sphere(domain, 0.0378 / finer) : sphere(domain, 0.0572 / finer); });
-    measure(c3t3, domain, what);
+    std::vector<double> values;
+    for(const Scaled_run& r : runs)
+      values.push_back(1e6 * seconds(r) / r.mesh.vertices);
+    values.push_back(values.back() * 10 / 60);
+    table.add({ stage }, values);
+  };
+  for(std::size_t n = 0; n < odt::Stage_clock::NUMBER_OF_STAGES; ++n)
+    add(odt::Stage_clock::name(static_cast<int>(n)), [n](const Scaled_run& r) { return r.stages[n]; });
+  add("all", [](const Scaled_run& r) { return r.mesh.wall; });
+  return table;
+}
+
+int main(int argc, char* argv[])
+{
+  const std::string what = argc > 2 ? argv[1] : "";
+  if(what != "threads" && what != "stages")
+  {
+    std::cerr << "usage: " << argv[0] << " threads|stages directory [most vertices, default 100000]" << std::endl;
+    return EXIT_FAILURE;
   }
+  const int most = argc > 3 ? std::atoi(argv[3]) : 100000;
+  std::cout << (what == "threads" ? compare_threads : list_stages)(argv[2], most);
   return EXIT_SUCCESS;
 }

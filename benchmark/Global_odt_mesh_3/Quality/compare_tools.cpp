@@ -5,7 +5,8 @@
 
 // What CGAL's optimizers, Tetrahedral Remeshing, this package, and, where they are installed, other mesh generators make of
 // six domains: vertices, dihedral angles, cells below 20 degrees, the mean of 3r/R, the smallest angle of a facet, the largest
-// change of a subdomain's volume, and the CPU time, as a table in Markdown.
+// change of a subdomain's volume, and the CPU time, as a table in Markdown; in another, readme.md, CGAL's odt, perturb and exude beside
+// this package.
 //
 // CGAL's functions begin with the same mesh of make_mesh_3(), whose time is that of the first row alone. TetGen and Gmsh fill
 // the boundary of that mesh, which they keep, where there is one subdomain. Their sizes are such that about as many vertices
@@ -13,9 +14,10 @@
 //
 //   compare_tools directory [name of an input]
 //
-// Files for the other programs go to the directory, and a picture for each input, time_and_quality_<name>.png, in which our
+// Files for the other programs and readme.md go to the directory, and a picture for each input, time_and_quality_<name>.png, in which our
 // calls with 0, 1, 2, 4, 8, and 20 rounds are joined by a line. Environment: CGAL_DATA_DIR, the directory of CGAL's data.
 
+#include "Markdown_table.h"
 #include "benchmark_inputs.h"
 #include "cpu_seconds.h"
 #include "odt_of_mesh_3.h"
@@ -28,6 +30,8 @@
 #include <CGAL/odt_optimize_mesh_3.h>
 #include <CGAL/tetrahedral_remeshing.h>
 
+#include <boost/algorithm/string/erase.hpp>
+
 #include <sys/resource.h>
 
 #include <algorithm>
@@ -37,6 +41,7 @@
 #include <cstdio>
 #include <cstdlib>
 #include <functional>
+#include <iostream>
 #include <map>
 #include <string>
 #include <utility>
@@ -71,7 +76,7 @@ Row row_of(const C3t3& c3t3)
 static Row row_of(const Tetrahedral_mesh& mesh, int subdomain)
 {
   namespace odt = CGAL::Global_odt_mesh_3::internal;
-  const auto site = [&mesh](int v) { return odt::site_at(mesh.points[v], 0); };
+  const auto site = [&mesh](int v) { return odt::site_at(odt::coordinates(mesh.points[v]), 0); };
   Row row;
   row.vertices = mesh.points.size();
   row.radius_ratio = mesh.mean_radius_ratio();
@@ -127,18 +132,33 @@ double mean_edge(const C3t3& c3t3)
   return sum / double(edges);
 }
 
-static void print(const char* what, const Row& row, const Row& input, double cpu)
+typedef std::pair<Row, double> Timed_row;
+
+// What comes of it all.
+struct Tables
 {
-  double change = 0;
-  for(const auto& v : input.volumes)
+  Markdown_table tools{ { "mesh", "tool" },
+                        { { "vertices", 0, Better::NEITHER }, { "smallest dihedral angle (degrees)", 1, Better::HIGH },
+                          { "largest dihedral angle (degrees)", 1, Better::LOW }, { "cells below 20 degrees", 0, Better::LOW },
+                          { "mean 3r/R", 3, Better::HIGH }, { "smallest angle of a facet (degrees)", 1, Better::HIGH },
+                          { "change of volume (%)", 2, Better::NEITHER }, { "CPU time (s)", 1, Better::NEITHER } } };
+  Markdown_table readme{ { "mesh", "method" },
+                         { { "vertices", 0, Better::NEITHER }, { "smallest dihedral angle (degrees)", 1, Better::HIGH },
+                           { "mean radius ratio 3r/R", 3, Better::HIGH }, { "CPU time (s)", 1, Better::LOW } } };
+
+  void add(const std::string& mesh, const std::string& tool, const Timed_row& result, const Row& input)
   {
-    const auto now = row.volumes.find(v.first);
-    change = (std::max)(change, std::abs((now == row.volumes.end() ? 0 : now->second) / v.second - 1));
+    const Row& row = result.first;
+    double change = 0;
+    for(const auto& v : input.volumes)
+    {
+      const auto now = row.volumes.find(v.first);
+      change = (std::max)(change, std::abs((now == row.volumes.end() ? 0 : now->second) / v.second - 1));
+    }
+    tools.add({ mesh, tool }, { double(row.vertices), row.smallest_angle, row.largest_angle, double(row.below_20), row.radius_ratio,
+                                row.facet_angle, 100 * change, result.second }, &row != &input);     // the input is as it is
   }
-  std::printf("| %-32s | %8zu | %8.1f | %7.1f | %5zu | %.3f | %5.1f | %8.2f | %5.1f |\n", what, row.vertices, row.smallest_angle,
-              row.largest_angle, row.below_20, row.radius_ratio, row.facet_angle, 100 * change, cpu);
-  std::fflush(stdout);
-}
+};
 
 // The CPU time of the processes that have been waited for.
 static double seconds_of_children()
@@ -150,7 +170,8 @@ static double seconds_of_children()
 }
 
 // Other mesh generators, for a domain of one piece.
-static void compare_peers(const Tetrahedral_mesh& mesh, const Row& input, const std::string& directory)
+static void compare_peers(const std::string& title, const Tetrahedral_mesh& mesh, const Row& input, const std::string& directory,
+                          Tables& tables)
 {
   for(const Peer_mesher& peer : peer_meshers(mesh, directory))
   {
@@ -165,22 +186,23 @@ static void compare_peers(const Tetrahedral_mesh& mesh, const Row& input, const 
     };
     const Tetrahedral_mesh result = mesh_of_size(timed, mesh.points.size(), std::cbrt(mesh.volume() / double(mesh.points.size())));
     if(result.cells.empty())
-      std::printf("| %-32s | none |||||||\n", peer.name.c_str());
+      std::cerr << peer.name << " is not there, or makes no mesh" << std::endl;
     else
-      print(peer.name.c_str(), row_of(result, input.volumes.begin()->first), input, cpu[result.points.size()]);
+      tables.add(title, peer.name, { row_of(result, input.volumes.begin()->first), cpu[result.points.size()] }, input);
   }
 }
 
 template <class C3t3, class Domain>
-void compare(const char* name, const std::string& directory, const Domain& domain, const std::function<C3t3()>& make)
+void compare(const std::string& name, const std::string& title, const std::string& directory, const Domain& domain,
+             const std::function<C3t3()>& make, Tables& tables)
 {
-  std::printf("| **%s** |||||||||\n", name);
   C3t3 input;
   const double making = seconds([&] { input = make(); });
-  const Row of_input = row_of(input);
-  print("make_mesh_3()", of_input, of_input, making);
+  const Timed_row made(row_of(input), making);
+  const Row& of_input = made.first;
+  tables.add(title, "`make_mesh_3()`", made, of_input);
   const Paper_record record(directory);
-  const std::string picture = std::string("time_and_quality_") + name;
+  const std::string picture = "time_and_quality_" + name;
   std::ofstream points = record.data(picture);
   std::vector<std::string> titles;
   const auto run = [&](const std::function<void(C3t3&)>& optimize)
@@ -190,50 +212,49 @@ void compare(const char* name, const std::string& directory, const Domain& domai
     const double cpu = seconds([&] { optimize(c3t3); });
     const Row row = row_of(c3t3);
     points << cpu << ' ' << row.radius_ratio << '\n';
-    return std::make_pair(row, cpu);
+    return Timed_row(row, cpu);
   };
-  const auto row = [&](const char* what, const std::function<void(C3t3&)>& optimize)
+  const auto row = [&](const char* what, bool is_in_readme, const std::function<void(C3t3&)>& optimize)
   {
-    const std::pair<Row, double> result = run(optimize);
-    print(what, result.first, of_input, result.second);
+    const Timed_row result = run(optimize);
+    tables.add(title, what, result, of_input);
+    if(is_in_readme)
+      tables.readme.add({ title, what }, { double(result.first.vertices), result.first.smallest_angle, result.first.radius_ratio,
+                                           result.second });
     titles.push_back(what);
+    boost::erase_all(titles.back(), "`");       // which would be a command of gnuplot
     points << "\n\n";
   };
-  row("lloyd", [&](C3t3& c3t3) { CGAL::lloyd_optimize_mesh_3(c3t3, domain); });
-  row("odt of Mesh_3", [&](C3t3& c3t3) { odt_of_mesh_3(c3t3, domain); });
-  row("odt of Mesh_3, perturb, exude", [&](C3t3& c3t3)
+  row("CGAL's lloyd", false, [&](C3t3& c3t3) { CGAL::lloyd_optimize_mesh_3(c3t3, domain); });
+  row("CGAL's odt", false, [&](C3t3& c3t3) { odt_of_mesh_3(c3t3, domain); });
+  row("CGAL's odt, perturb, exude", true, [&](C3t3& c3t3)
   {
     odt_of_mesh_3(c3t3, domain);
     CGAL::perturb_mesh_3(c3t3, domain, params::sliver_bound = 20);
     CGAL::exude_mesh_3(c3t3);
   });
   const double length = mean_edge(input);
-  row("Tetrahedral Remeshing", [&](C3t3& c3t3)
+  row("Tetrahedral Remeshing", false, [&](C3t3& c3t3)
   {
     CGAL::tetrahedral_isotropic_remeshing(c3t3, length, params::number_of_iterations(3));
   });
-  row("this package", [&](C3t3& c3t3) { CGAL::odt_optimize_mesh_3(c3t3, domain); });
-  row("this package, do_insert_vertices", [&](C3t3& c3t3)
+  row("this package", true, [&](C3t3& c3t3) { CGAL::odt_optimize_mesh_3(c3t3, domain); });
+  row("this package, `do_insert_vertices`", true, [&](C3t3& c3t3)
   {
     CGAL::odt_optimize_mesh_3(c3t3, domain, params::do_insert_vertices(true));
   });
   for(std::size_t rounds : { 0, 1, 2, 4, 8, 20 })
-  {
-    const std::pair<Row, double> result = run([&](C3t3& c3t3)
-    {
-      CGAL::odt_optimize_mesh_3(c3t3, domain, params::number_of_rounds(rounds));
-    });
-    print(("number_of_rounds = " + std::to_string(rounds)).c_str(), result.first, of_input, result.second);
-  }
+    run([&](C3t3& c3t3) { CGAL::odt_optimize_mesh_3(c3t3, domain, params::number_of_rounds(rounds)); });
   points.close();
   std::string plots = Paper_record::plot("1:2", titles, "points pt 7 ps 1.5");
   plots.pop_back();
-  record.draw(picture, "set termoption noenhanced\nset logscale x\nset xlabel 'CPU s'\nset title 'mean 3r/R, " + std::string(name) + "'\n"
-              "set key outside right center\nset offsets graph 0.1, graph 0.1, graph 0.1, graph 0.1\n" + plots
+  record.draw(picture, "set termoption noenhanced\nset logscale x\nset xlabel 'CPU s' offset 0,0.5\nset title 'mean 3r/R, " + name + "'\n"
+              "set xtics (0.1, 0.2, 0.5, 1, 2, 5, 10, 20, 50)\nset autoscale xfix\nset key below Left reverse samplen 2 maxcols 2\n"
+              "set offsets graph 0.1, graph 0.1, graph 0.1, graph 0.1\n" + plots
               + ", data index " + std::to_string(titles.size()) + " using 1:2 with linespoints lw 2 title 'this package, 0 to 20 rounds'\n",
-              900, 400);
+              900, 480);
   if(of_input.volumes.size() == 1)
-    compare_peers(tetrahedral_mesh(input), of_input, directory);
+    compare_peers(title, tetrahedral_mesh(input), of_input, directory, tables);
 }
 
 int main(int argc, char* argv[])
@@ -244,9 +265,9 @@ int main(int argc, char* argv[])
     return EXIT_FAILURE;
   }
   const std::string directory = argv[1], only = argc > 2 ? argv[2] : "";
-  std::printf("| %-32s | vertices | smallest | largest | < 20  | 3r/R  | facet | volume, %% | CPU s |\n|---|---|---|---|---|---|---|---|---|\n", "");
+  Tables tables;
   const auto is_wanted = [&](const char* name) { return only.empty() || only == name; };
-  const auto compare_model = [&](const char* name, double relative_size, bool with_features)
+  const auto compare_model = [&](const char* name, const char* title, double relative_size, bool with_features)
   {
     if(!is_wanted(name))
       return;
@@ -254,31 +275,32 @@ int main(int argc, char* argv[])
     Polyhedral_domain domain(polyhedron);
     if(with_features)
       domain.detect_features();
-    compare<Polyhedral_c3t3>(name, directory, domain, [&] { return polyhedral_mesh(domain, relative_size, with_features); });
+    compare<Polyhedral_c3t3>(name, title, directory, domain, [&] { return polyhedral_mesh(domain, relative_size, with_features); },
+                             tables);
   };
-  const auto compare_labels = [&](const char* name, const Labeled_domain& domain, const std::function<Labeled_c3t3()>& make)
+  const auto compare_labels = [&](const char* name, const char* title, const Labeled_domain& domain,
+                                  const std::function<Labeled_c3t3()>& make)
   {
-    compare<Labeled_c3t3>(name, directory, domain, make);
+    compare<Labeled_c3t3>(name, title, directory, domain, make, tables);
+  };
+  const auto compare_image = [&](const char* name, const char* title, const CGAL::Image_3& image, double facet_size, double cell_size)
+  {
+    const Labeled_domain domain = image_domain(image);
+    compare_labels(name, title, domain, [&] { return image_mesh(domain, facet_size, cell_size); });
   };
   if(is_wanted("sphere"))
   {
     const Labeled_domain domain = sphere_domain();
-    compare_labels("sphere", domain, [&] { return sphere(domain, 0.096); });
+    compare_labels("sphere", "ball", domain, [&] { return sphere(domain, 0.096); });
   }
-  compare_model("elephant", 0.02, false);
-  compare_model("fandisk", 0.03, true);
-  compare_model("anchor", 0.03, true);
-  CGAL::Image_3 liver;
-  if(is_wanted("liver") && liver.read(CGAL::data_file_path("images/liver.inr.gz").c_str()))
-  {
-    const Labeled_domain domain = image_domain(liver);
-    compare_labels("liver", domain, [&] { return image_mesh(domain, 6, 8); });
-  }
+  compare_model("elephant", "elephant", 0.02, false);
+  compare_model("fandisk", "CAD part (fandisk)", 0.03, true);
+  compare_model("anchor", "CAD part (anchor)", 0.03, true);
+  if(is_wanted("liver"))
+    compare_image("liver", "image of a liver", read_image("liver.inr.gz"), 6, 8);
   if(is_wanted("polycrystal"))
-  {
-    const CGAL::Image_3 image = synthetic_images::polycrystal(80, 20);
-    const Labeled_domain domain = image_domain(image);
-    compare_labels("polycrystal", domain, [&] { return image_mesh(domain, 4, 5); });
-  }
+    compare_image("polycrystal", "image of a polycrystal", synthetic_images::polycrystal(80, 20), 4, 5);
+  std::cout << tables.tools;
+  std::ofstream(directory + "/readme.md") << tables.readme;
   return EXIT_SUCCESS;
 }

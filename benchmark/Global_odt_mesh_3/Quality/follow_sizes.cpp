@@ -9,10 +9,11 @@
 //
 //   follow_sizes [number of seeds, default 3 [directory for rows and pictures]]
 //
-// Printed are the standard deviation of log(mean edge length around a vertex / size wanted there), the slope of one logarithm over
-// the other, and the ratio of the largest mean edge length to the smallest. Environment: CGAL_DATA_DIR, the
-// directory of CGAL's data.
+// Prints a table in Markdown: the standard deviation of log(mean edge length around a vertex / size wanted there), the ratio of the
+// largest mean edge length to the smallest, the quality, and the time, as means of the seeds, and the smallest angle of all. Environment:
+// CGAL_DATA_DIR, the directory of CGAL's data.
 
+#include "Markdown_table.h"
 #include "benchmark_inputs.h"
 #include "cpu_seconds.h"
 #include "mesh_contract.h"
@@ -25,23 +26,38 @@
 #include <CGAL/Mesh_quality_report_3.h>
 #include <CGAL/odt_optimize_mesh_3.h>
 
+#include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <cstdlib>
+#include <iostream>
 #include <string>
+#include <vector>
 
 using namespace inputs;
 
-template <class C3t3, class Size>
-void print(const std::string& what, const C3t3& c3t3, const Size& size, double time, double reference)
+// Of some meshes.
+class Mean_of_meshes
 {
-  const CGAL::Mesh_quality_report_3 r = CGAL::mesh_quality_report_3(c3t3, { 10, 15, 20 });
-  const Realized_sizes sizes(c3t3, size);
-  std::printf("  %-22s %.4f  %6.2f - %6.2f  %4zu %4zu %5zu   %.4f  %6.3f  %5.1f  %7.2f s  %5.2f\n", what.c_str(),
-              r.mean_radius_ratio, r.smallest_angle, r.largest_angle, r.cells_below[0].second, r.cells_below[1].second,
-              r.cells_below[2].second, sizes.deviation, sizes.slope, sizes.ratio, time, time / reference);
-  std::fflush(stdout);
-}
+public:
+  template <class C3t3, class Size>
+  void add(const C3t3& c3t3, const Size& size, double cpu)
+  {
+    const CGAL::Mesh_quality_report_3 r = CGAL::mesh_quality_report_3(c3t3);
+    const Realized_sizes sizes(c3t3, size);
+    ++number_;
+    deviation_ += sizes.deviation;
+    ratio_ += sizes.ratio;
+    radius_ratio_ += r.mean_radius_ratio;
+    smallest_angle_ = (std::min)(smallest_angle_, r.smallest_angle);
+    cpu_ += cpu;
+  }
+
+  std::vector<double> values() const
+  { return { deviation_ / number_, ratio_ / number_, radius_ratio_ / number_, smallest_angle_, cpu_ / number_ }; }
+
+private:
+  double number_ = 0, deviation_ = 0, ratio_ = 0, radius_ratio_ = 0, smallest_angle_ = 180, cpu_ = 0;
+};
 
 template <class C3t3, class Size>
 void record_figure_13(Paper_record& record, const std::string& name, const std::string& what, const C3t3& input,
@@ -57,42 +73,51 @@ void record_figure_13(Paper_record& record, const std::string& name, const std::
 
 template <class C3t3, class Domain, class Size>
 void compare(const char* name, const C3t3& input, const Domain& domain, const Size& size, unsigned int seeds, double tolerance,
-             Paper_record& record)
+             Paper_record& record, Markdown_table& table)
 {
-  std::printf("\n%s: %zu vertices\n  %-22s %-7s %-16s %4s %4s %5s   %-7s %6s  %6s %9s  %s\n", name,
-              std::size_t(input.triangulation().number_of_vertices()), "", "3r/R", "dihedral", "<10", "<15", "<20", "std log",
-              "slope", "ratio", "CPU", "over CGAL's odt");
-  print("input", input, size, 0, 1);
-  double reference = 1;
   {
-    C3t3 c3t3(input);
-    reference = seconds([&] { odt_of_mesh_3(c3t3, domain); });
-    print("CGAL's odt", c3t3, size, reference, reference);
+    Mean_of_meshes mean;
+    mean.add(input, size, Markdown_table::none);
+    table.add({ name, "input" }, mean.values(), false);
   }
-  const auto optimize = [&](const char* what, unsigned int seed, const auto&... parameters)
   {
     C3t3 c3t3(input);
-    const double time = seconds([&] { CGAL::odt_optimize_mesh_3(c3t3, domain, params::random_seed(seed), parameters...); });
-    print(std::string(what) + ", seed " + std::to_string(seed), c3t3, size, time, reference);
-    if(seed == 1)
-      record_figure_13(record, name, what, input, c3t3, size);
-    Mesh_contract<C3t3, Domain>(input, domain, std::string(name) + ", " + what).check_moved(c3t3, tolerance);
+    const double time = seconds([&] { odt_of_mesh_3(c3t3, domain); });
+    Mean_of_meshes mean;
+    mean.add(c3t3, size, time);
+    table.add({ name, "CGAL's odt" }, mean.values());
+  }
+  const auto optimize = [&](const char* what, const auto&... parameters)
+  {
+    Mean_of_meshes mean;
+    for(unsigned int seed = 1; seed <= seeds; ++seed)
+    {
+      C3t3 c3t3(input);
+      const double time = seconds([&] { CGAL::odt_optimize_mesh_3(c3t3, domain, params::random_seed(seed), parameters...); });
+      mean.add(c3t3, size, time);
+      if(seed == 1)
+        record_figure_13(record, name, what, input, c3t3, size);
+      Mesh_contract<C3t3, Domain>(input, domain, std::string(name) + ", " + what).check_moved(c3t3, tolerance);
+    }
+    table.add({ name, what }, mean.values());
   };
-  for(unsigned int seed = 1; seed <= seeds; ++seed)
-    optimize("default", seed);
-  for(unsigned int seed = 1; seed <= seeds; ++seed)
-    optimize("sizing_field", seed, params::sizing_field = size);
+  optimize("default call");
+  optimize("with `sizing_field`", params::sizing_field = size);
 }
 
 int main(int argc, char* argv[])
 {
   const unsigned int seeds = argc > 1 ? std::atoi(argv[1]) : 3;
   Paper_record record(argc > 2 ? argv[2] : "");
+  Markdown_table table({ "mesh", "method" },
+                       { { "deviation of log(edge / size)", 3, Better::LOW }, { "largest edge over smallest", 1, Better::NEITHER },
+                         { "mean 3r/R", 4, Better::HIGH }, { "smallest dihedral angle (degrees)", 1, Better::HIGH },
+                         { "CPU time (s)", 1, Better::LOW } });
   {
     const Labeled_domain domain = sphere_domain();
     const double smallest = 0.0392;
     compare("sphere", graded_sphere(domain, smallest), domain, Graded_sphere_size{ smallest }, seeds, 4e-3,
-            record);
+            record, table);
   }
   {
     typedef CGAL::Mesh_criteria_3<Polyhedral_triangulation> Criteria;
@@ -111,7 +136,9 @@ int main(int argc, char* argv[])
                             params::facet_distance = 0.002 * diagonal, params::cell_radius_edge_ratio = 2,
                             params::cell_size = size);
     compare("elephant", CGAL::make_mesh_3<Polyhedral_c3t3>(domain, criteria, params::no_exude(), params::no_perturb(),
-                                                           params::no_features()), domain, size, seeds, 4e-3, record);
+                                                           params::no_features()), domain, size, seeds, 4e-3, record,
+            table);
   }
+  std::cout << table;
   return record.result() == EXIT_SUCCESS ? check::result() : record.result();
 }

@@ -5,7 +5,8 @@
 
 // Figure 8 of the paper: a cube with the density exp(-20 x^2) + 0.05 sin^2(pi x) sin^2(pi y) sin^2(pi z), 4,000 vertices.
 // How low the true energy gets by the averaging iteration (AVV), by L-BFGS with different quadratures, and by the
-// global search; and whether it rises on the way. Energies are relative to the lowest that AVV comes across.
+// global search; and whether it rises on the way, as a table in Markdown, with means of the seeds, and the worst of all. Energies are
+// relative to the lowest that AVV comes across.
 //
 //   graded_cube [number of seeds, default 3 [number of vertices, default 4000 [steps of search, default 1200
 //               [directory for rows and pictures]]]]
@@ -13,6 +14,7 @@
 // Interior vertices are random with the density as probability. On the surface, where the density is next to nothing, there
 // are 266; more make every energy higher.
 
+#include "Markdown_table.h"
 #include "averaging_iteration.h"
 #include "flat_mesh_outcome.h"
 #include "graded_runs.h"
@@ -23,11 +25,12 @@
 #include <CGAL/Global_odt_mesh_3/internal/optimization/Annealing.h>
 #include <CGAL/Global_odt_mesh_3/internal/optimization/Limited_memory_bfgs.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <cstdio>
 #include <cstdlib>
 #include <fstream>
+#include <iostream>
 #include <string>
 #include <vector>
 
@@ -48,14 +51,32 @@ struct Rule
   Quadrature_maker make_quadrature;
 };
 
-static void print(unsigned int seed, const std::string& method, double energy, double reference, const Outcome& o,
-                  int iterations, double gradient)
+// Of a method, over the seeds.
+class Mean_of_runs
 {
-  std::printf("%4u  %-26s %+8.3f %6d %9.1e %7.2f %7.4f  %5.1f - %5.1f %4zu %4zu", seed, method.c_str(),
-              100 * (energy / reference - 1), iterations, gradient, o.time, o.mean_radius_ratio, o.smallest_angle,
-              o.largest_angle, o.cells_below[0].second, o.cells_below[2].second);
-  std::fflush(stdout);
-}
+public:
+  // `rises` may be none.
+  void add(double energy, const Graded_run& run, const Outcome& o, double rises, double largest_rise)
+  {
+    ++number_;
+    energy_ += energy;
+    rises_ += rises;
+    largest_rise_ = (std::max)(largest_rise_, largest_rise);
+    iterations_ += run.iterations();
+    cpu_ += run.time();
+    radius_ratio_ += o.mean_radius_ratio;
+    smallest_angle_ = (std::min)(smallest_angle_, o.smallest_angle);
+  }
+
+  std::vector<double> values() const
+  {
+    return { energy_ / number_, iterations_ / number_, rises_ / number_, std::isnan(rises_) ? rises_ : 1e6 * largest_rise_,
+             radius_ratio_ / number_, smallest_angle_, cpu_ / number_ };
+  }
+
+private:
+  double number_ = 0, energy_ = 0, rises_ = 0, largest_rise_ = 0, iterations_ = 0, cpu_ = 0, radius_ratio_ = 0, smallest_angle_ = 180;
+};
 
 int main(int argc, char* argv[])
 {
@@ -72,8 +93,11 @@ int main(int argc, char* argv[])
                                     { "15 points", quadrature_maker(CGAL::Fifteen_point_rule_3()) },
                                     { "cubature", quadrature_maker(CGAL::Adaptive_cubature_3{ 1e-4 }) } };
   Function_density_3 density([](const Site& s) { return density_of_figure_8(s.x, s.y, s.z); });
-  std::printf("seed  %-26s %8s %6s %9s %7s %7s  %-13s %4s %4s  %s\n", "method", "E %", "its", "gradient", "CPU s", "3r/R",
-              "angles", "<10", "<15", "rises of E, largest");
+  const std::vector<std::string> methods
+    = { "AVV, 500 iterations", "L-BFGS, `Linear_density_rule_3`", "L-BFGS, `Four_point_rule_3`", "L-BFGS, `Fifteen_point_rule_3`",
+        "L-BFGS, `Adaptive_cubature_3`", "search of " + std::to_string(steps) + " steps, `Linear_density_rule_3`",
+        "search of " + std::to_string(steps) + " steps, `Four_point_rule_3`" };
+  std::vector<Mean_of_runs> means(methods.size());
   for(unsigned int seed = 1; seed <= seeds; ++seed)
   {
     std::vector<Coordinates> points = shifted_rows_on_cube(6);
@@ -96,9 +120,7 @@ int main(int argc, char* argv[])
       rises_of_avv += trace.rises();
       if(traces.is_open())
         write_trace(trace, traces);
-      print(seed, "AVV", trace.last(), reference, outcome(run.mesh(), run.time()), run.iterations(),
-            run.objective().gradient().norm());
-      std::printf("  %d, %.1e\n", trace.rises(), trace.largest_rise());
+      means[0].add(100 * (trace.last() / reference - 1), run, outcome(run.mesh(), run.time()), trace.rises(), trace.largest_rise());
     }
     for(std::size_t n = 0; n < rules.size(); ++n)
     {
@@ -112,9 +134,7 @@ int main(int argc, char* argv[])
                && minimizer.iterate(run.objective()) == Limited_memory_bfgs::STEP_TAKEN;
       }, [&] { trace.add(true_energy(run.mesh(), density, tolerance_of_trace), run); });
       const double energy = true_energy(run.mesh(), density, tolerance_of_result);
-      print(seed, std::string("L-BFGS, ") + rule.name, energy, reference, outcome(run.mesh(), run.time()), run.iterations(),
-            run.objective().gradient().norm());
-      std::printf("  %d, %.1e\n", trace.rises(), trace.largest_rise());
+      means[1 + n].add(100 * (energy / reference - 1), run, outcome(run.mesh(), run.time()), trace.rises(), trace.largest_rise());
       gains[n] += 100 * (energy / reference - 1) / seeds;
       is_lower = is_lower && energy < reference;
       if(rule.name == std::string("cubature"))
@@ -134,11 +154,16 @@ int main(int argc, char* argv[])
       run.repeat(40, [&](int) { return minimizer.iterate(run.objective()) == Limited_memory_bfgs::STEP_TAKEN; });
       const double energy = true_energy(run.mesh(), density, tolerance_of_result);
       gain_of_search = 100 * (energy / reference - 1);
-      print(seed, std::string("search, ") + rule.name, energy, reference, outcome(run.mesh(), run.time()), run.iterations(),
-            run.objective().gradient().norm());
-      std::printf("\n");
+      means[5 + n].add(gain_of_search, run, outcome(run.mesh(), run.time()), Markdown_table::none, 0);
     }
   }
+  Markdown_table table({ "method" }, { { "energy over the lowest of AVV (%)", 2, Better::LOW }, { "iterations", 0, Better::NEITHER },
+                                       { "rises of the energy", 0, Better::LOW }, { "largest rise (millionths of the energy)", 0, Better::LOW },
+                                       { "mean 3r/R", 3, Better::HIGH }, { "smallest dihedral angle (degrees)", 1, Better::HIGH },
+                                       { "CPU time (s)", 1, Better::LOW } });
+  for(std::size_t n = 0; n < methods.size(); ++n)
+    table.add({ methods[n] }, means[n].values());
+  std::cout << table;
   record.row("8", "energy of L-BFGS over the lowest of AVV: linear rule, 4 points, 15 points, cubature", "lower",
              text("%+.2f, %+.2f, %+.2f, %+.2f %%", gains[0], gains[1], gains[2], gains[3]));
   record.row("8", "the same of the search, 4 points, last seed", "-", text("%+.2f %%", gain_of_search));

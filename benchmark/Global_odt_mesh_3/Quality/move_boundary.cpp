@@ -4,7 +4,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 // What it gives to move vertices on surfaces, and in which way, beside CGAL's own optimizer, on the
-// same meshes in one run, in process CPU time:
+// same meshes in one run, in process CPU time, as a table in Markdown:
 //   - the boundary fixed,
 //   - the boundary remeshed by restricted CVT, then the interior with the boundary fixed
 //     (the way of the paper, section 5.1),
@@ -13,10 +13,11 @@
 //   - the same with rounds of global search.
 // Slivers are not removed.
 //
-//   move_boundary [rounds of search, default 10] [iterations of CGAL's optimizer without freezing, default 0]
+//   move_boundary [rounds of search, default 10] [name of an input]
 //
 // Environment: CGAL_DATA_DIR, the directory of CGAL's data.
 
+#include "Markdown_table.h"
 #include "benchmark_inputs.h"
 #include "cpu_seconds.h"
 #include "odt_of_mesh_3.h"
@@ -26,35 +27,18 @@
 
 #include <algorithm>
 #include <cstddef>
-#include <cstdio>
 #include <cstdlib>
-#include <functional>
+#include <iostream>
 #include <string>
 
 using namespace inputs;
 namespace odt = CGAL::Global_odt_mesh_3::internal;
-
-static int search_rounds = 10, cgal_iterations = 0;
 
 struct Cost
 {
   double seconds = 0;
   std::size_t questions = 0, projections = 0, surface_vertices = 0;
 };
-
-template <class C3t3>
-void print(const char* what, const C3t3& c3t3, double input_volume, const Cost& cost)
-{
-  const CGAL::Mesh_quality_report_3 r = CGAL::mesh_quality_report_3(c3t3, { 10, 20 });
-  std::printf("  %-22s %.4f  %6.2f - %6.2f  %4zu %5zu  %+.3f %%  %6.2f s", what, r.mean_radius_ratio, r.smallest_angle,
-              r.largest_angle, r.cells_below[0].second, r.cells_below[1].second,
-              100 * (r.total().volume / input_volume - 1), cost.seconds);
-  if(cost.surface_vertices > 0)
-    std::printf("  %6.2f %6.2f", cost.questions / double(cost.surface_vertices),
-                cost.projections / double(cost.surface_vertices));
-  std::printf("\n");
-  std::fflush(stdout);
-}
 
 template <class C3t3, class Domain>
 void run(C3t3& c3t3, const Domain& domain, const odt::Odt_parameters& parameters, Cost& cost,
@@ -73,25 +57,24 @@ void run(C3t3& c3t3, const Domain& domain, const odt::Odt_parameters& parameters
 }
 
 template <class C3t3, class Domain>
-void compare(const char* name, const C3t3& input, const Domain& domain)
+void compare(const char* name, const C3t3& input, const Domain& domain, int search_rounds, Markdown_table& table)
 {
-  const double volume = CGAL::mesh_quality_report_3(input, { 10 }).total().volume;
-  std::printf("\n%s: %zu vertices\n", name, std::size_t(input.triangulation().number_of_vertices()));
-  std::printf("  %-22s %-7s %-16s %4s %5s  %-9s %8s  %s\n", "", "3r/R", "dihedral", "<10", "<20", "volume", "CPU",
-              "questions and projections per surface vertex");
-  print("input", input, volume, Cost());
+  const double volume = CGAL::mesh_quality_report_3(input).total().volume;
+  const auto add = [&](const std::string& what, const C3t3& c3t3, const Cost& cost, bool is_compared = true)
+  {
+    const CGAL::Mesh_quality_report_3 r = CGAL::mesh_quality_report_3(c3t3);
+    const double vertices = double(cost.surface_vertices), none = Markdown_table::none;
+    table.add({ name, what }, { r.mean_radius_ratio, r.mean_facet_angle, 100 * (r.total().volume / volume - 1),
+                                vertices > 0 ? double(cost.questions) / vertices : none,
+                                vertices > 0 ? double(cost.projections) / vertices : none, is_compared ? cost.seconds : none },
+              is_compared);
+  };
+  add("input", input, Cost(), false);
   {
     C3t3 c3t3(input);
     Cost cost;
     cost.seconds = seconds([&] { odt_of_mesh_3(c3t3, domain); });
-    print("CGAL, default", c3t3, volume, cost);
-  }
-  if(cgal_iterations > 0)
-  {
-    C3t3 c3t3(input);
-    Cost cost;
-    cost.seconds = seconds([&] { odt_of_mesh_3(c3t3, domain, cgal_iterations); });
-    print(("CGAL, " + std::to_string(cgal_iterations) + " iterations").c_str(), c3t3, volume, cost);
+    add("CGAL's odt", c3t3, cost);
   }
   odt::Odt_parameters together;
   together.number_of_rounds = 0;
@@ -99,29 +82,33 @@ void compare(const char* name, const C3t3& input, const Domain& domain)
   odt::Odt_parameters fixed = together, searching = together;
   fixed.optimize_boundary = false;
   searching.number_of_rounds = search_rounds;
-  // Goes on from `c3t3`, at that cost, and prints the result.
+  // Goes on from `c3t3`, at that cost, and adds the result.
   const auto measure = [&](const std::string& what, C3t3 c3t3, const odt::Odt_parameters& parameters, Cost cost = Cost())
   {
     run(c3t3, domain, parameters, cost);
-    print(what.c_str(), c3t3, volume, cost);
+    add(what, c3t3, cost);
   };
   measure("boundary fixed", input, fixed);
   {
     C3t3 remeshed(input);
     Cost cost;
     run(remeshed, domain, together, cost, odt::Odt_task::REMESH_BOUNDARY);
-    print("remeshed", remeshed, volume, cost);
     measure("remeshed, then fixed", remeshed, fixed, cost);
     measure("remeshed, then together", remeshed, together, cost);
   }
   measure("together", input, together);
-  measure("search, " + std::to_string(search_rounds) + " rounds", input, searching);
+  measure("together, " + std::to_string(search_rounds) + " rounds of search", input, searching);
 }
 
 int main(int argc, char* argv[])
 {
-  search_rounds = argc > 1 ? std::atoi(argv[1]) : search_rounds;
-  cgal_iterations = argc > 2 ? std::atoi(argv[2]) : cgal_iterations;
-  for_each_input([](const char* name, const auto& input, const auto& domain) { compare(name, input, domain); });
+  const int search_rounds = argc > 1 ? std::atoi(argv[1]) : 10;
+  Markdown_table table({ "mesh", "boundary" },
+                       { { "mean 3r/R", 4, Better::HIGH }, { "mean of the smallest angles of facets (degrees)", 1, Better::HIGH },
+                         { "change of volume (%)", 2, Better::NEITHER }, { "domain queries a surface vertex", 1, Better::NEITHER },
+                         { "closest points a surface vertex", 1, Better::NEITHER }, { "CPU time (s)", 1, Better::LOW } });
+  for_each_input([&](const char* name, const auto& input, const auto& domain) { compare(name, input, domain, search_rounds, table); },
+                 argc > 2 ? argv[2] : "");
+  std::cout << table;
   return EXIT_SUCCESS;
 }

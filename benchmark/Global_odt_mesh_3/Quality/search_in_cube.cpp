@@ -13,8 +13,9 @@
 //
 // The surface, which stays, has nearly equilateral facets, or right-angled ones with "squares",
 // whose cells cannot come near 3r/R = 1 and lower its mean by .004.
-// Energies are relative to the mean of those that the AVV iteration reaches over all seeds.
+// Prints a table in Markdown of means over the seeds. Energies are relative to those that the AVV iteration reaches.
 
+#include "Markdown_table.h"
 #include "cpu_seconds.h"
 #include "flat_mesh_outcome.h"
 #include "methods/Averaging.h"
@@ -29,9 +30,9 @@
 
 #include <algorithm>
 #include <cstddef>
-#include <cstdio>
 #include <cstdlib>
 #include <functional>
+#include <iostream>
 #include <string>
 #include <vector>
 
@@ -103,26 +104,25 @@ static double mean(const std::vector<Outcome>& outcomes, Member what)
   return sum / outcomes.size();
 }
 
-static void print(const std::vector<Way>& ways, const std::vector<std::vector<Outcome> >& all)
+static Markdown_table table(const std::vector<Way>& ways, const std::vector<std::vector<Outcome> >& all)
 {
   const double energy = mean(all[0], &Outcome::energy), time = mean(all[0], &Outcome::time);
-  std::printf("seed  %-20s %8s %8s %6s %7s  %-13s %s\n", "method", "E %", "CPU s", "/ AVV", "3r/R", "angles",
-              "cells below 10, 13, 15, 20");
+  Markdown_table table({ "method" }, { { "energy over AVV's (%)", 2, Better::LOW }, { "mean 3r/R", 4, Better::HIGH },
+                                       { "cells below 10 degrees", 0, Better::LOW }, { "cells below 20 degrees", 0, Better::LOW },
+                                       { "CPU time (s)", 2, Better::LOW }, { "CPU time over AVV's", 2, Better::LOW } });
   for(std::size_t m = 0; m < ways.size(); ++m)
   {
-    for(std::size_t n = 0; n < all[m].size(); ++n)
+    const auto below = [&](std::size_t bound)
     {
-      const Outcome& o = all[m][n];
-      std::printf("%4d  %-20s %+8.3f %8.2f %6.2f %7.4f  %5.1f - %5.1f %5zu %5zu %5zu %5zu\n", int(n + 1),
-                  ways[m].name.c_str(), 100 * (o.energy / energy - 1), o.time, o.time / time, o.mean_radius_ratio,
-                  o.smallest_angle, o.largest_angle, o.cells_below[0].second, o.cells_below[1].second, o.cells_below[2].second,
-                  o.cells_below[3].second);
-    }
-    std::printf("mean  %-20s %+8.3f %8.2f %6.2f %7.4f\n", ways[m].name.c_str(),
-                100 * (mean(all[m], &Outcome::energy) / energy - 1), mean(all[m], &Outcome::time),
-                mean(all[m], &Outcome::time) / time, mean(all[m], &Outcome::mean_radius_ratio));
+      double sum = 0;
+      for(const Outcome& o : all[m])
+        sum += double(o.cells_below[bound].second);
+      return sum / double(all[m].size());
+    };
+    table.add({ ways[m].name }, { 100 * (mean(all[m], &Outcome::energy) / energy - 1), mean(all[m], &Outcome::mean_radius_ratio), below(0),
+                                  below(3), mean(all[m], &Outcome::time), mean(all[m], &Outcome::time) / time });
   }
-  std::fflush(stdout);
+  return table;
 }
 
 static void record_figure_11(Paper_record& record, const std::vector<std::vector<Outcome> >& all)
@@ -157,15 +157,14 @@ int main(int argc, char* argv[])
   Paper_record record(argc > 6 ? argv[6] : "");
   const std::vector<Way> all = ways(factor);
   const std::vector<std::vector<Outcome> > usual = outcomes(all, seeds, vertices, surface);
-  print(all, usual);
+  std::cout << table(all, usual);
   record_figure_11(record, usual);
   if(many_vertices > 0)
   {
     const std::vector<Way> last = { all.back() };
     const std::vector<std::vector<Outcome> > many = outcomes(last, 1, many_vertices, surface);
-    print(last, many);
-    std::printf("cost per vertex with %zu vertices over that with %zu: %.2f\n", many_vertices, vertices,
-                many[0][0].time / many_vertices / (mean(usual.back(), &Outcome::time) / vertices));
+    std::cout << "\nTime a vertex with " << many_vertices << " vertices over that with " << vertices << ": "
+              << many[0][0].time / many_vertices / (mean(usual.back(), &Outcome::time) / vertices) << '\n';
   }
   return record.result();
 }

@@ -6,11 +6,12 @@
 // Random domains, criteria and parameters: no run may crash, hang, or break what is promised of the mesh. Each run is
 // a process of its own, and is determined by its seed.
 //
-//   random_runs FILE [ours|cgal] [runs, default 1000] [first seed, default 1] [jobs, default 1]
+//   random_runs FILE [ours|cgal|both] [runs, default 1000] [first seed, default 1] [jobs, default 1]
 //   random_runs --repeat SEED [ours|cgal]
 //
 // appends a line for each run to the file, and passes over seeds that are there already; then it prints what became of
-// all runs in the file. The exit status says whether all are well.
+// all runs in the file, as a table in Markdown. "both" does ours and then CGAL's, with a file for each, FILE.ours and FILE.cgal. The exit
+// status says whether all of ours are well, or of CGAL's if these alone are wanted.
 //
 // Compiled with CGAL_CONCURRENT_MESH_3 and TBB, on triangulations for several threads. Meshes are made by one of them even
 // so, since that repeats.
@@ -19,6 +20,7 @@
 
 #include "random_domains.h"
 
+#include "Markdown_table.h"
 #include "mesh_contract.h"
 #include "odt_of_mesh_3.h"
 
@@ -28,6 +30,7 @@
 #include <CGAL/perturb_mesh_3.h>
 #include <CGAL/property_map.h>
 #include <CGAL/refine_mesh_3.h>
+#include <CGAL/version.h>
 
 #ifdef CGAL_CONCURRENT_MESH_3
 #include <tbb/task_arena.h>
@@ -397,7 +400,7 @@ int main(int argc, char* argv[])
 {
   if(argc < 2)
   {
-    std::cerr << "usage: " << argv[0] << " FILE [ours|cgal] [runs] [first seed] [jobs], or --repeat SEED [ours|cgal]"
+    std::cerr << "usage: " << argv[0] << " FILE [ours|cgal|both] [runs] [first seed] [jobs], or --repeat SEED [ours|cgal]"
               << std::endl;
     return EXIT_FAILURE;
   }
@@ -408,12 +411,31 @@ int main(int argc, char* argv[])
     std::cout << outcome.what << ", " << outcome.vertices << " vertices, " << outcome.seconds << " s" << std::endl;
     return check::result();
   }
-  run_all(file, argc > 2 ? argv[2] : "ours", argc > 3 ? std::atoi(argv[3]) : 1000, argc > 4 ? std::atoi(argv[4]) : 1,
-          argc > 5 ? std::atoi(argv[5]) : 1);
-  std::map<std::string, int> tally;
-  for(const auto& e : read(file))
-    ++tally[e.second];
-  for(const auto& t : tally)
-    std::cout << t.second << " " << t.first << std::endl;
-  return tally.count("crashes") + tally.count("hangs") + tally.count("breaks") == 0 ? EXIT_SUCCESS : EXIT_FAILURE;
+  const std::string method = argc > 2 ? argv[2] : "ours";
+  const bool both = method == "both";
+  Markdown_table table({ "CGAL", "method" }, { { "runs", 0, Better::NEITHER }, { "well", 0, Better::NEITHER },
+                                               { "crash", 0, Better::NEITHER }, { "longer than ten minutes", 0, Better::NEITHER },
+                                               { "break a guarantee", 0, Better::NEITHER },
+                                               { "not meshed by CGAL within a minute", 0, Better::NEITHER } });
+  int failures = 0;
+  for(const std::string& m : both ? std::vector<std::string>{ "ours", "cgal" } : std::vector<std::string>{ method })
+  {
+    const std::string file_of_method = both ? file + "." + m : file;
+    run_all(file_of_method, m, argc > 3 ? std::atoi(argv[3]) : 1000, argc > 4 ? std::atoi(argv[4]) : 1,
+            argc > 5 ? std::atoi(argv[5]) : 1);
+    std::map<std::string, int> tally;
+    for(const auto& e : read(file_of_method))
+      ++tally[e.second];
+    std::vector<double> values = { 0 };
+    for(const char* end : { "well", "crashes", "hangs", "breaks", "unmeshed" })
+    {
+      values.push_back(tally[end]);
+      values[0] += values.back();
+    }
+    table.add({ CGAL_VERSION_STR, m == "cgal" ? "CGAL's odt" : "this package" }, values);
+    if(m == "ours" || !both)
+      failures += tally["crashes"] + tally["hangs"] + tally["breaks"];
+  }
+  std::cout << table;
+  return failures == 0 ? EXIT_SUCCESS : EXIT_FAILURE;
 }
