@@ -40,18 +40,20 @@ typedef CGAL::Labeled_mesh_domain_3<Kernel> Domain;
 typedef CGAL::Mesh_complex_3_in_triangulation_3<CGAL::Periodic_3_mesh_triangulation_3<Domain>::type> C3t3;
 typedef CGAL::Mesh_criteria_3<C3t3::Triangulation> Criteria;
 
-// The number of the nearest of some points and their copies, all of them in a cube with sides of length 1.
+// Of the nearest copies, in a cube with sides of length 1.
+inline double squared_distance(const Point& p, const Point& q)
+{
+  double d = 0;
+  for(int i = 0; i < 3; ++i)
+    d += CGAL::square(p[i] - q[i] - std::round(p[i] - q[i]));
+  return d;
+}
+
+// The number of the nearest of some points.
 inline int nearest(const std::vector<Point>& points, const Point& p)
 {
-  const auto squared_distance = [&p](const Point& q)
-  {
-    double d = 0;
-    for(int i = 0; i < 3; ++i)
-      d += CGAL::square(p[i] - q[i] - std::round(p[i] - q[i]));
-    return d;
-  };
-  return static_cast<int>(std::min_element(points.begin(), points.end(), [&](const Point& a, const Point& b)
-                                           { return squared_distance(a) < squared_distance(b); }) - points.begin());
+  return static_cast<int>(std::min_element(points.begin(), points.end(), [&p](const Point& a, const Point& b)
+                                           { return squared_distance(a, p) < squared_distance(b, p); }) - points.begin());
 }
 
 // All that is promised to stay, and what should get better.
