@@ -156,11 +156,11 @@ inline bool is_in(const Kernel::Iso_cuboid_3& cube, const Point& p)
   return !cube.has_on_unbounded_side(p) && p.x() < cube.xmax() && p.y() < cube.ymax() && p.z() < cube.zmax();
 }
 
-// Smaller angles than before are to be of this many degrees at least. Volumes are those of the domain, rather than those before, if
-// the mesh generator has missed cells.
+// Smaller angles than before are to be of this many degrees at least. If the mesh generator has missed cells, these get the labels
+// of the domain, so that volumes and angles are others.
 template <class Mesh, class D>
 void check_contract(const State<Mesh>& before, const Mesh& c3t3, const D& domain, const std::string& name, double angle = 30,
-                    bool keeps_volumes = true)
+                    bool is_of_domain = true)
 {
   const State<Mesh> after(c3t3);
   check::that(c3t3.triangulation().is_valid(), name, ": not valid");
@@ -169,10 +169,13 @@ void check_contract(const State<Mesh>& before, const Mesh& c3t3, const D& domain
   check::that(after.edges == before.edges && after.corners == before.corners, name, ": features have changed");
   for(const Point& p : after.points)
     check::that(is_in(c3t3.triangulation().domain(), p), name, ": not in the cube: ", p);
-  check::that(after.volumes.size() == before.volumes.size(), name, ": subdomains");
-  for(const auto& v : before.volumes)
-    check::that(!keeps_volumes || std::abs(after.volumes.at(v.first) - v.second) <= 0.02 * v.second, name, ": volume of ", v.first);
-  check::that(after.smallest_angle >= (std::min)(before.smallest_angle, angle), name, ": smaller angles");
+  if(is_of_domain)
+  {
+    check::that(after.volumes.size() == before.volumes.size(), name, ": subdomains");
+    for(const auto& v : before.volumes)
+      check::that(std::abs(after.volumes.at(v.first) - v.second) <= 0.02 * v.second, name, ": volume of ", v.first);
+    check::that(after.smallest_angle >= (std::min)(before.smallest_angle, angle), name, ": smaller angles");
+  }
   // A mesh that has not changed is as the mesh generator has left it.
   if(after.points != before.points)
     check_labels(before, c3t3, domain, name);

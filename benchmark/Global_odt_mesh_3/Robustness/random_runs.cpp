@@ -339,7 +339,7 @@ static void run(Periodic_input& input, const std::string& method, Draw& draw, Ou
 {
   periodic::C3t3 c3t3 = mesh_in_time(input);
   const periodic::State<periodic::C3t3> before(c3t3);
-  const bool is_labelled_by_domain = periodic::number_of_wrong_cells(c3t3, input.domain) == 0;
+  const bool is_of_domain = periodic::number_of_wrong_cells(c3t3, input.domain) == 0;
   outcome.vertices = before.vertices.size();
   const Random_parameters parameters(draw);
   std::cerr << input.name << ", " << outcome.vertices << " vertices: " << parameters << std::endl;
@@ -353,7 +353,7 @@ static void run(Periodic_input& input, const std::string& method, Draw& draw, Ou
   if(has_thrown)
     check::that(c3t3.triangulation().is_valid() && periodic::State<periodic::C3t3>(c3t3) == before, input.name, ": the mesh was touched");
   else
-    periodic::check_contract(before, c3t3, input.domain, input.name, parameters.do_remove_slivers ? 30 : 0, is_labelled_by_domain);
+    periodic::check_contract(before, c3t3, input.domain, input.name, parameters.do_remove_slivers ? 30 : 0, is_of_domain);
 }
 #endif
 
