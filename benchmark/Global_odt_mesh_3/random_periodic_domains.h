@@ -10,6 +10,7 @@
 
 #include "random_draw.h"
 
+#include <array>
 #include <cmath>
 #include <functional>
 #include <memory>
