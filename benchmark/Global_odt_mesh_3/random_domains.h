@@ -11,7 +11,6 @@
 
 #include <CGAL/make_mesh_3.h>
 
-#include <atomic>
 #include <cmath>
 #include <functional>
 #include <memory>
@@ -26,12 +25,6 @@ struct Implicit_input : Random_input
 {
   typedef Labeled_domain Domain;
   typedef Labeled_c3t3 C3t3;
-
-  // The domain asks this object, which stays where it is; perhaps from several threads.
-  struct Failing
-  {
-    std::atomic<long> questions{0}, throws_after{-1};
-  };
 
   std::shared_ptr<Failing> failing = std::make_shared<Failing>();
   double radius;
@@ -53,11 +46,7 @@ struct Implicit_input : Random_input
 
   C3t3 mesh() const { return CGAL::make_mesh_3<C3t3>(domain, criteria(), params::no_exude(), params::no_perturb()); }
 
-  void fail_sometimes(Draw& draw)
-  {
-    failing->questions = 0;
-    failing->throws_after = draw.chance(0.1) ? draw.integer(0, 20000) : -1;
-  }
+  void fail_sometimes(Draw& draw) { failing->fail_sometimes(draw); }
   void stop_failing() { failing->throws_after = -1; }
 
 private:
@@ -85,9 +74,7 @@ private:
     const std::shared_ptr<Failing> f = failing;
     return [=](const Point_3& p)
     {
-      const long question = ++f->questions, last = f->throws_after;
-      if(last >= 0 && question > last)
-        throw Planned_failure();
+      f->ask();
       return labels({{ (p.x() - c.x()) / r, (p.y() - c.y()) / r, (p.z() - c.z()) / r }});
     };
   }

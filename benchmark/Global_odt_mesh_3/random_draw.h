@@ -14,6 +14,7 @@
 
 #include <algorithm>
 #include <array>
+#include <atomic>
 #include <cmath>
 #include <fstream>
 #include <functional>
@@ -46,6 +47,25 @@ public:
 
 private:
   std::mt19937 engine_;
+};
+
+// A domain asks this object, which stays where it is, at each question; perhaps from several threads.
+struct Failing
+{
+  std::atomic<long> questions{0}, throws_after{-1};
+
+  void fail_sometimes(Draw& draw)
+  {
+    questions = 0;
+    throws_after = draw.chance(0.1) ? draw.integer(0, 20000) : -1;
+  }
+
+  void ask()
+  {
+    const long question = ++questions, last = throws_after;
+    if(last >= 0 && question > last)
+      throw Planned_failure();
+  }
 };
 
 typedef std::array<double, 3> Place;

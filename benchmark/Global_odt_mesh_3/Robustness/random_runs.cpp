@@ -16,9 +16,15 @@
 // Compiled with CGAL_CONCURRENT_MESH_3 and TBB, on triangulations for several threads. Meshes are made by one of them even
 // so, since that repeats.
 //
+// Compiled with RANDOM_PERIODIC_RUNS, on periodic domains, for which CGAL's headers have to be configured otherwise.
+//
 // Environment: CGAL_DATA_DIR, the directory of CGAL's data.
 
+#ifdef RANDOM_PERIODIC_RUNS
+#include "random_periodic_domains.h"
+#else
 #include "random_domains.h"
+#endif
 
 #include "Markdown_table.h"
 #include "mesh_contract.h"
@@ -186,8 +192,8 @@ private:
   std::vector<Cell> cells_;
 };
 
-template <class C3t3, class Domain>
-void optimize(C3t3& c3t3, const Domain& domain, const Random_parameters& p, const What_stays<C3t3>& stays)
+template <class C3t3, class Domain, class... Others>
+void optimize(C3t3& c3t3, const Domain& domain, const Random_parameters& p, const Others&... others)
 {
   long calls = 0;
   const auto callback = [&](double)
@@ -196,18 +202,22 @@ void optimize(C3t3& c3t3, const Domain& domain, const Random_parameters& p, cons
       throw Planned_failure();
     return p.callback_stops_after < 0 || calls++ < p.callback_stops_after;
   };
+  CGAL::odt_optimize_mesh_3(c3t3, domain, params::time_limit = p.time_limit, params::convergence = p.convergence,
+                            params::freeze_bound = p.freeze_bound, params::max_iteration_number = p.max_iteration_number,
+                            params::do_freeze = p.do_freeze, params::sliver_bound = p.sliver_bound,
+                            params::surface_weight = p.surface_weight, params::number_of_rounds = p.number_of_rounds,
+                            params::optimize_boundary = p.optimize_boundary, params::do_remove_slivers = p.do_remove_slivers,
+                            params::callback(callback), params::random_seed(p.random_seed), others...);
+}
+
+// With what there is not for periodic meshes.
+template <class C3t3, class Domain>
+void optimize(C3t3& c3t3, const Domain& domain, const Random_parameters& p, const What_stays<C3t3>& stays)
+{
   const auto optimize = [&](const auto&... others)
   {
-    CGAL::odt_optimize_mesh_3(c3t3, domain, params::time_limit = p.time_limit, params::convergence = p.convergence,
-                              params::freeze_bound = p.freeze_bound, params::max_iteration_number = p.max_iteration_number,
-                              params::do_freeze = p.do_freeze, params::sliver_bound = p.sliver_bound,
-                              params::surface_weight = p.surface_weight, params::number_of_rounds = p.number_of_rounds,
-                              params::optimize_boundary = p.optimize_boundary,
-                              params::do_remove_slivers = p.do_remove_slivers,
-                              params::do_insert_vertices = p.do_insert_vertices,
-                              params::do_remove_vertices = p.do_remove_vertices,
-                              params::domain_is_thread_safe(p.domain_is_thread_safe), params::callback(callback),
-                              params::random_seed(p.random_seed), others...);
+    ::optimize(c3t3, domain, p, params::do_insert_vertices = p.do_insert_vertices, params::do_remove_vertices = p.do_remove_vertices,
+               params::domain_is_thread_safe(p.domain_is_thread_safe), others...);
   };
   if(p.number_of_vertices > 0)
     optimize(params::number_of_vertices = p.wanted_number(c3t3.triangulation().number_of_vertices()));
@@ -274,29 +284,17 @@ typename Input::C3t3 mesh_in_time(Input& input)
   return c3t3;
 }
 
-template <class Input>
-void run(Input& input, const std::string& method, Draw& draw, Outcome& outcome)
+// Whether the call throws, as it may if the domain or the callback does.
+template <class Input, class F>
+bool throws(Input& input, Draw& draw, Outcome& outcome, const F& call)
 {
-  auto c3t3 = mesh_in_time(input);
-  const auto original = c3t3;
-  Mesh_contract<typename Input::C3t3, typename Input::Domain> contract(c3t3, input.domain, input.name);
-  outcome.vertices = c3t3.triangulation().number_of_vertices();
-  const Random_parameters parameters(draw);
-  if(method != "cgal")
-    contract.permit(parameters.do_insert_vertices, parameters.do_remove_vertices,
-                    double(outcome.vertices) / parameters.wanted_number(outcome.vertices));
-  std::cerr << input.name << ", " << outcome.vertices << " vertices: " << parameters << std::endl;
-  const What_stays<typename Input::C3t3> stays(c3t3, parameters);
   input.fail_sometimes(draw);
   bool has_thrown = false;
   CGAL::Timer timer;
   timer.start();
   try
   {
-    if(method == "cgal")
-      odt_of_mesh_3(c3t3, input.domain);
-    else
-      optimize(c3t3, input.domain, parameters, stays);
+    call();
   }
   catch(const Planned_failure&)
   {
@@ -305,6 +303,28 @@ void run(Input& input, const std::string& method, Draw& draw, Outcome& outcome)
   timer.stop();
   outcome.seconds = timer.time();
   input.stop_failing();
+  return has_thrown;
+}
+
+template <class Input>
+void run(Input& input, const std::string& method, Draw& draw, Outcome& outcome)
+{
+  auto c3t3 = mesh_in_time(input);
+  Mesh_contract<typename Input::C3t3, typename Input::Domain> contract(c3t3, input.domain, input.name);
+  outcome.vertices = c3t3.triangulation().number_of_vertices();
+  const Random_parameters parameters(draw);
+  if(method != "cgal")
+    contract.permit(parameters.do_insert_vertices, parameters.do_remove_vertices,
+                    double(outcome.vertices) / parameters.wanted_number(outcome.vertices));
+  std::cerr << input.name << ", " << outcome.vertices << " vertices: " << parameters << std::endl;
+  const What_stays<typename Input::C3t3> stays(c3t3, parameters);
+  const bool has_thrown = throws(input, draw, outcome, [&]
+  {
+    if(method == "cgal")
+      odt_of_mesh_3(c3t3, input.domain);
+    else
+      optimize(c3t3, input.domain, parameters, stays);
+  });
   if(method != "cgal")
     stays.check(c3t3);
   if(has_thrown)
@@ -316,6 +336,29 @@ void run(Input& input, const std::string& method, Draw& draw, Outcome& outcome)
   if(!has_thrown)
     on_one_thread([&] { go_on(c3t3, input.domain, input.criteria(), draw); });
 }
+
+#ifdef RANDOM_PERIODIC_RUNS
+static void run(Periodic_input& input, const std::string& method, Draw& draw, Outcome& outcome)
+{
+  periodic::C3t3 c3t3 = mesh_in_time(input);
+  const periodic::State<periodic::C3t3> before(c3t3);
+  const bool is_of_domain = periodic::number_of_wrong_cells(c3t3, input.domain) == 0;
+  outcome.vertices = before.vertices.size();
+  const Random_parameters parameters(draw);
+  std::cerr << input.name << ", " << outcome.vertices << " vertices: " << parameters << std::endl;
+  const bool has_thrown = throws(input, draw, outcome, [&]
+  {
+    if(method == "cgal")
+      odt_of_mesh_3(c3t3, input.domain);
+    else
+      optimize(c3t3, input.domain, parameters);
+  });
+  if(has_thrown)
+    check::that(c3t3.triangulation().is_valid() && periodic::State<periodic::C3t3>(c3t3) == before, input.name, ": the mesh was touched");
+  else
+    periodic::check_contract(before, c3t3, input.domain, input.name, parameters.do_remove_slivers ? 30 : 0, is_of_domain);
+}
+#endif
 
 static Outcome run(unsigned int seed, const std::string& method)
 {

@@ -112,6 +112,8 @@ public:
     {
       table.cells[n].label = domain_.number_subdomain(cells[n]->subdomain_index());
       table.cells[n].is_kept = constraints_.has(cells[n]);
+      if(table.cells[n].is_kept)
+        kept_cells_.push_back(sites_of(*cells[n]));
       for(int i = 0; i < 4; ++i)
         if(const Facet f(cells[n], index_in(cells[n], table.cells[n].vertices[i])); f.first->is_facet_on_surface(f.second))
         {
@@ -136,12 +138,13 @@ public:
     return c3t3_.triangulation().is_cell(vertices_[v[0]], vertices_[v[1]], vertices_[v[2]], vertices_[v[3]], c);
   }
 
+  // But for those that stay.
   std::size_t number_of_slivers(double bound) const override
   {
     const Angle_deficit_3 deficit(bound);
-    const auto site = [](const auto& v) { return weighted_site(v->point()); };
-    return std::count_if(c3t3_.cells_in_complex_begin(), c3t3_.cells_in_complex_end(), [&](const auto& c)
-    { return deficit({{ site(c.vertex(0)), site(c.vertex(1)), site(c.vertex(2)), site(c.vertex(3)) }}) > 0; });
+    const auto is_sliver = [&](const std::array<Site, 4>& sites) { return deficit(sites) > 0; };
+    return std::count_if(c3t3_.cells_in_complex_begin(), c3t3_.cells_in_complex_end(), [&](const auto& c) { return is_sliver(sites_of(c)); })
+           - std::count_if(kept_cells_.begin(), kept_cells_.end(), is_sliver);
   }
 
   // Files do not keep them, but the mesh generator protects features by balls, which overlap where they follow each other.
@@ -274,6 +277,15 @@ private:
     }
   }
 
+  template <class Cell>
+  static std::array<Site, 4> sites_of(const Cell& c)
+  {
+    std::array<Site, 4> s;
+    for(int i = 0; i < 4; ++i)
+      s[i] = weighted_site(c.vertex(i)->point());
+    return s;
+  }
+
   static bool is_on_feature(Vertex_handle v) { return v->in_dimension() == 0 || v->in_dimension() == 1; }
 
   static bool do_balls_overlap(const Site& a, const Site& b)
@@ -377,6 +389,7 @@ private:
   std::function<void(Vertex_handle)> before_removal_;
   std::vector<Vertex_handle> vertices_;
   std::vector<Center> centers_;               // by the numbers of facets in the table
+  std::vector<std::array<Site, 4> > kept_cells_;
 };
 
 } // namespace internal

@@ -110,6 +110,13 @@ struct Periodic_complex_3
     return {{ v[(f.index + 1) & 3], v[(f.index + 2) & 3], v[(f.index + 3) & 3] }};
   }
 
+  // On the two sides, sorted.
+  std::array<int, 2> labels(const Facet& f) const
+  {
+    const Cell& c = cells[f.cell];
+    return sorted(std::array<int, 2>{{ c.label, cells[c.neighbors[f.index]].label }});
+  }
+
   // The length of the shortest edge at vertices that are inside of a subdomain, not on a surface and without a weight; 0 for all others.
   std::vector<double> freedom_of_interior() const
   {

@@ -158,6 +158,9 @@ public:
     }
     for(Vertex_handle v : vertices_)
       complex.patches.push_back(v->in_dimension() == 2 ? domain_.patch_at(v->index()) : int(Domain_view_3::other_patch));
+    find_patches(complex);
+    for(Periodic_complex_3::Facet& f : complex.facets)
+      f.patch = patch_between(complex.labels(f), f.patch);
     return complex;
   }
 
@@ -222,6 +225,7 @@ private:
   typedef typename Triangulation::Bare_point Bare_point;
   typedef typename Triangulation::Weighted_point Weighted_point;
   typedef typename Domain_view::Index Index;
+  typedef typename Mesh_domain::Subdomain_index Subdomain_index;
   typedef CGAL::Hash_handles_with_or_without_timestamps Hash;
 
   static Weighted_point weighted_point(const Site& s) { return Weighted_point(Bare_point(s.x, s.y, s.z), s.weight); }
@@ -306,11 +310,34 @@ private:
         const Vector_3 from = coordinates(p), to = coordinates(q);
         Vector_3 center = (from + to) / 2;
         int patch;
-        if(!domain_.intersect(center, (to - from).normalized(), (to - from).length() / 2, patch) || patch == Domain_view_3::other_patch)
+        if(!domain_.intersect(center, (to - from).normalized(), (to - from).length() / 2, patch))
           return false;
         complex.facets.push_back({ static_cast<int>(n), i, patch, center });
+        Periodic_complex_3::Facet& f = complex.facets.back();
+        f.patch = patch_between(complex.labels(f), patch);
+        if(f.patch == Domain_view_3::other_patch)
+          return false;
       }
     return true;
+  }
+
+  // If two subdomains have one patch between them, it is that of most facets there: where three subdomains meet, the dual of a facet
+  // between two may go through the third, and the domain find a patch of that.
+  void find_patches(const Periodic_complex_3& complex)
+  {
+    if(!std::is_same<typename Mesh_domain::Surface_patch_index, std::pair<Subdomain_index, Subdomain_index> >::value)
+      return;
+    std::map<std::array<int, 2>, std::map<int, int> > facets;
+    for(const Periodic_complex_3::Facet& f : complex.facets)
+      ++facets[complex.labels(f)][f.patch];
+    for(const auto& f : facets)
+      patches_[f.first] = std::max_element(f.second.begin(), f.second.end(), [](const auto& p, const auto& q) { return p.second < q.second; })->first;
+  }
+
+  int patch_between(const std::array<int, 2>& labels, int found) const
+  {
+    const auto it = patches_.find(labels);
+    return it == patches_.end() ? found : it->second;
   }
 
   // All or none.
@@ -335,6 +362,7 @@ private:
   C3t3& c3t3_;
   Domain_view& domain_;
   std::vector<Vertex_handle> vertices_;
+  std::map<std::array<int, 2>, int> patches_;     // by the labels on their sides
 };
 
 } // namespace internal
