@@ -166,8 +166,8 @@ private:
     if(optimizes() || code == TIME_LIMIT_REACHED)
       code_ = code;
     const int failures = failures_;
-    failures_ += !unrolled.is_changed() && code == CANT_IMPROVE_ANYMORE;
-    const bool is_one_sheeted = !unrolled.is_changed() || adopt(unrolled.periodic_sites());
+    failures_ += unrolled.is_changed() ? !unrolled.may_have_one_sheet() : code == CANT_IMPROVE_ANYMORE;
+    const bool is_one_sheeted = !unrolled.is_changed() || (unrolled.may_have_one_sheet() && adopt(unrolled.periodic_sites()));
     optimizations_ += optimizes() && failures_ == failures;
     return is_one_sheeted;
   }

@@ -78,12 +78,22 @@ public:
 
   bool is_changed() const { return !moved_.empty(); }
 
+  // False if the cells around vertices that have moved take several sheets. CGAL needs seconds to find that out.
+  bool may_have_one_sheet() const { return squared_radius_ < CGAL::square(complex_.cube.period) / 64; }
+
   Mesh_table_3 read(const Thread_policy&) override { return table_; }
   int patch(int v) const override { return complex_.patches[original_[v]]; }
   bool is_fixed(int v) const override { return static_cast<std::size_t>(v) >= size_ || !is_movable_[v]; }
   bool is_cell(const Quadruple& v) const override { return cells_.find(sorted(v)) != nullptr; }
   std::vector<std::array<int, 2> > feature_edges() const override { return {}; }
-  void write(const Mesh_table_3& table) override { moved_ = table.sites; }
+
+  void write(const Mesh_table_3& table) override
+  {
+    moved_ = table.sites;
+    for(const Mesh_table_3::Cell& c : table.cells)
+      if(has_movable_vertex(c.vertices) && index_of(c.vertices, Mesh_table_3::infinite) == 4)
+        squared_radius_ = (std::max)(squared_radius_, squared_circumradius(table.cell_sites(c.vertices)));
+  }
 
   // They are counted in the periodic complex.
   std::size_t number_of_slivers(double) const override { return 0; }
@@ -289,6 +299,7 @@ private:
   Mesh_table_3 table_;
   Tuple_table<Quadruple, int> cells_;
   std::vector<Site> moved_;
+  double squared_radius_ = 0;               // the largest, of cells around them
   bool is_faithful_ = false;
 };
 
