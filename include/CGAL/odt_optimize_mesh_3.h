@@ -252,8 +252,8 @@ version of %CGAL in use accepts: `parameters::time_limit = 10, parameters::do_fr
                           cells only. The map is read once, like the one above.}
     \cgalParamType{a class model of `ReadablePropertyMap` with `C3T3::Cell_handle` as key type and `bool` as value type}
     \cgalParamDefault{a constant property map that is `true` for all cells}
-    \cgalParamExtra{The angles that may not become smaller are those of selected cells. The cells below `sliver_bound` of which the return code tells
-                    may be any. Handles do not remain valid, also of cells that stay.}
+    \cgalParamExtra{The angles that may not become smaller are those of selected cells, and so are the cells below `sliver_bound` of which
+                    the return code and the visitor tell. Handles do not remain valid, also of cells that stay.}
     \cgalParamExtra{It is spelled `parameters::cell_is_selected_map(m)` and copied.}
   \cgalParamNEnd
   \cgalParamNBegin{callback}
