@@ -105,6 +105,28 @@ static void test_foam(unsigned int seed)
   test_domain("foam", Domain([seeds](const Point& p) { return 1 + nearest(seeds, p); }, cube, params::p_rng = &random), seed, 0);
 }
 
+// As the mesh generator leaves points of its lattice that come to lie close to a surface: with dimension 2, but no index of a patch.
+static void test_vertices_without_patch(unsigned int seed)
+{
+  std::vector<Point> points[2];
+  for(int n = 0; n < 2; ++n)
+  {
+    CGAL::Random random(seed);
+    const Domain domain = make_domain(gyroid, 2, random);
+    C3t3 c3t3 = make_mesh(domain, 0.1);
+    int count = 0;
+    for(auto v = c3t3.triangulation().vertices_begin(); n == 1 && v != c3t3.triangulation().vertices_end(); ++v)
+      if(v->in_dimension() == 2 && ++count % 5 == 0)
+        c3t3.set_index(v, domain.index_from_subdomain_index(1));
+    const State<C3t3> before(c3t3);
+    CGAL::odt_optimize_mesh_3(c3t3, domain, params::number_of_rounds(0));
+    const State<C3t3> after(c3t3);
+    points[n] = after.points;
+    check::that(after.vertices == before.vertices && after.points != before.points, "vertices without a patch, seed ", seed, ": not optimized");
+  }
+  check::that(points[0] == points[1], "vertices without a patch, seed ", seed, ": another mesh");
+}
+
 // In a cube with another corner and another period.
 static void test_other_cube()
 {
@@ -247,6 +269,7 @@ int main()
     test_function("double diamond", double_diamond, seed == 0 ? 3 : 2, seed);
     if(seed < 2)
       test_foam(seed);
+    test_vertices_without_patch(seed);
   }
   test_other_cube();
   test_calls();

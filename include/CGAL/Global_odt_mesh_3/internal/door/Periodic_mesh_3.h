@@ -160,7 +160,13 @@ public:
       complex.patches.push_back(v->in_dimension() == 2 ? domain_.patch_at(v->index()) : int(Domain_view_3::other_patch));
     find_patches(complex);
     for(Periodic_complex_3::Facet& f : complex.facets)
+    {
       f.patch = patch_between(complex.labels(f), f.patch);
+      // A point of the lattice close to a surface gets dimension 2 from the mesh generator, but no patch.
+      for(int v : complex.facet_vertices(f))
+        if(complex.dimensions[v] == 2 && complex.patches[v] == Domain_view_3::other_patch)
+          complex.patches[v] = f.patch;
+    }
     return complex;
   }
 
