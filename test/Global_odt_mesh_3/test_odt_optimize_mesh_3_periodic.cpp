@@ -86,7 +86,7 @@ static void test_domain(const std::string& name, const Domain& domain, unsigned 
             << ", 3r/R " << before.mean_ratio << " -> " << after.mean_ratio << ", " << timer.time() << " s" << std::endl;
   check::that(code == CGAL::CONVERGENCE_REACHED || code == CGAL::ALL_VERTICES_FROZEN, run, ": return code ", code);
   check_contract(before, c3t3, domain, run);
-  check::that(after.mean_ratio > before.mean_ratio + 0.02, run, ": mean radius ratio ", after.mean_ratio);
+  check::that(after.mean_ratio > before.mean_ratio + 0.01, run, ": mean radius ratio ", after.mean_ratio);
 }
 
 static void test_function(const std::string& name, const Function& f, int subdomains, unsigned int seed)
