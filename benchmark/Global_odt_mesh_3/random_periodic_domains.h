@@ -19,7 +19,8 @@
 #include <vector>
 
 // Periodic domains and meshes of them that are drawn at random: level sets, implicit or labelled; foams; balls that overlap and
-// touch; layers. The cube is somewhere, and of any size.
+// touch; layers. The cube is somewhere. Its period is a power of two, so that its sides are equal to the last bit, and at most 1, since
+// a postcondition of CGAL wants that.
 namespace random_domains {
 
 // Of a cube with sides of length 1.
@@ -100,8 +101,8 @@ struct Periodic_input : Random_input
 private:
   Periodic_input(Draw& draw, const std::pair<std::string, Labels>& labels)
     : Random_input("periodic " + labels.first, draw)
-    , period(draw.chance(0.3) ? draw.power(1e-3, 1e3) : 1)
-    , corner(draw.chance(0.3) ? periodic::Point(draw.uniform(-5, 5) * period, -0.5 * period, 100 * period) : periodic::Point(0, 0, 0))
+    , period(std::ldexp(1., draw.chance(0.3) ? -draw.integer(1, 10) : 0))
+    , corner(draw.chance(0.3) ? periodic::Point(draw.integer(-5, 5) * period, -0.5 * period, 100 * period) : periodic::Point(0, 0, 0))
     , domain(make(labels.second, draw.chance(0.3)))
   {}
 
