@@ -40,6 +40,27 @@ typedef CGAL::Labeled_mesh_domain_3<Kernel> Domain;
 typedef CGAL::Mesh_complex_3_in_triangulation_3<CGAL::Periodic_3_mesh_triangulation_3<Domain>::type> C3t3;
 typedef CGAL::Mesh_criteria_3<C3t3::Triangulation> Criteria;
 
+// Functions whose zeros are close to minimal surfaces, in a cube with sides of length 1.
+constexpr double turn = 2 * CGAL_PI;
+
+inline double schwarz_p(const Point& p)
+{
+  return std::cos(turn * p.x()) + std::cos(turn * p.y()) + std::cos(turn * p.z());
+}
+
+inline double gyroid(const Point& p)
+{
+  return std::cos(turn * p.x()) * std::sin(turn * p.y()) + std::cos(turn * p.y()) * std::sin(turn * p.z())
+         + std::cos(turn * p.z()) * std::sin(turn * p.x());
+}
+
+inline double double_diamond(const Point& p)
+{
+  const double x = turn * p.x(), y = turn * p.y(), z = turn * p.z();
+  return std::sin(x) * std::sin(y) * std::sin(z) + std::sin(x) * std::cos(y) * std::cos(z) + std::cos(x) * std::sin(y) * std::cos(z)
+         + std::cos(x) * std::cos(y) * std::sin(z);
+}
+
 // Of the nearest copies, in a cube with sides of length 1.
 inline double squared_distance(const Point& p, const Point& q)
 {

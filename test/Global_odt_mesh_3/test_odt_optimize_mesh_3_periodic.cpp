@@ -27,25 +27,6 @@ typedef std::function<double(const Point&)> Function;
 namespace params = CGAL::parameters;
 
 static const Kernel::Iso_cuboid_3 cube(0, 0, 0, 1, 1, 1);
-static constexpr double turn = 2 * CGAL_PI;
-
-static double schwarz_p(const Point& p)
-{
-  return std::cos(turn * p.x()) + std::cos(turn * p.y()) + std::cos(turn * p.z());
-}
-
-static double gyroid(const Point& p)
-{
-  return std::cos(turn * p.x()) * std::sin(turn * p.y()) + std::cos(turn * p.y()) * std::sin(turn * p.z())
-         + std::cos(turn * p.z()) * std::sin(turn * p.x());
-}
-
-static double double_diamond(const Point& p)
-{
-  const double x = turn * p.x(), y = turn * p.y(), z = turn * p.z();
-  return std::sin(x) * std::sin(y) * std::sin(z) + std::sin(x) * std::cos(y) * std::cos(z) + std::cos(x) * std::sin(y) * std::cos(z)
-         + std::cos(x) * std::cos(y) * std::sin(z);
-}
 
 // One subdomain where the function is negative, or two or three, by its value.
 static int label(double value, int subdomains)

@@ -8,56 +8,27 @@
 //
 //   compare_periodic [size of cells, default 0.06, where 1 is the period]
 
-// The headers of Periodic_3_mesh_3 have to come before those of Mesh_3.
-#include <CGAL/Periodic_3_mesh_3/config.h>
-#include <CGAL/make_periodic_3_mesh_3.h>
-#include <CGAL/optimize_periodic_3_mesh_3.h>
+#include "periodic_meshes.h"
 
 #include "Markdown_table.h"
 #include "measured_call.h"
 #include "odt_of_mesh_3.h"
 
-#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
-#include <CGAL/Labeled_mesh_domain_3.h>
-#include <CGAL/Mesh_complex_3_in_triangulation_3.h>
-#include <CGAL/Mesh_criteria_3.h>
-#include <CGAL/Periodic_3_mesh_triangulation_3.h>
-
-#include <cmath>
 #include <cstdlib>
 #include <iostream>
 
-typedef CGAL::Exact_predicates_inexact_constructions_kernel Kernel;
-typedef CGAL::Labeled_mesh_domain_3<Kernel> Domain;
-typedef CGAL::Periodic_3_mesh_triangulation_3<Domain>::type Triangulation;
-typedef CGAL::Mesh_complex_3_in_triangulation_3<Triangulation> C3t3;
-typedef CGAL::Mesh_criteria_3<Triangulation> Criteria;
+using namespace periodic;
 namespace params = CGAL::parameters;
 
 struct Surface
 {
   const char* name;
-  double (*function)(double x, double y, double z);
+  double (*function)(const Point&);
 };
-
-static double gyroid(double x, double y, double z)
-{
-  return std::cos(x) * std::sin(y) + std::cos(y) * std::sin(z) + std::cos(z) * std::sin(x);
-}
-
-static double double_diamond(double x, double y, double z)
-{
-  return std::sin(x) * std::sin(y) * std::sin(z) + std::sin(x) * std::cos(y) * std::cos(z)
-         + std::cos(x) * std::sin(y) * std::cos(z) + std::cos(x) * std::cos(y) * std::sin(z);
-}
-
-static double schwarz_p(double x, double y, double z) { return std::cos(x) + std::cos(y) + std::cos(z); }
 
 static void compare(const Surface& surface, double size, Markdown_table& table)
 {
-  const double turn = 2 * CGAL_PI;
-  const Domain domain([&](const Kernel::Point_3& p) { return surface.function(turn * p.x(), turn * p.y(), turn * p.z()) < 0 ? 1 : 2; },
-                      Kernel::Iso_cuboid_3(0, 0, 0, 1, 1, 1));
+  const Domain domain([&](const Point& p) { return surface.function(p) < 0 ? 1 : 2; }, Kernel::Iso_cuboid_3(0, 0, 0, 1, 1, 1));
   const Criteria criteria(params::facet_angle = 30, params::facet_size = size, params::facet_distance = size / 4,
                           params::cell_radius_edge_ratio = 2, params::cell_size = size);
   CGAL::get_default_random() = CGAL::Random(0);
