@@ -86,8 +86,8 @@ public:
       lattice_moves_ = false;
       make_round(corner, false);
     }
-    if(is_changed_)
-      mesh_.write(complex_);
+    if(result_)
+      mesh_.write(*result_);
     return code();
   }
 
@@ -135,9 +135,10 @@ private:
 
   Mesh_optimization_return_code code() const
   {
-    const bool is_failure = goes_on_ && code_ != TIME_LIMIT_REACHED && !is_changed_ && failures_ > 0;
+    const bool is_failure = goes_on_ && code_ != TIME_LIMIT_REACHED && !result_ && (is_changed_ || failures_ > 0);
     const bool removes_slivers = goes_on_ && parameters_.do_remove_slivers && parameters_.sliver_bound > 0;
-    return is_failure || (removes_slivers && complex_.number_of_slivers(parameters_.sliver_bound) > 0) ? CANT_IMPROVE_ANYMORE : code_;
+    const Periodic_complex_3& last = result_ ? *result_ : complex_;
+    return is_failure || (removes_slivers && last.number_of_slivers(parameters_.sliver_bound) > 0) ? CANT_IMPROVE_ANYMORE : code_;
   }
 
   // Or else slivers are removed, and nothing else. Where a result is not valid, another cut may do better.
@@ -179,6 +180,9 @@ private:
     if(!optimizes() && !p.do_remove_slivers)
       return std::nullopt;
     p.random_seed += static_cast<unsigned int>(round_);
+    // Nearly all vertices move once more before slivers matter.
+    if(optimizes() && optimizations_ + 1 < number_of_optimizations)
+      p.do_remove_slivers = false;
     if(p.max_iteration_number > 0 && optimizes())
     {
       const std::size_t until_end = static_cast<std::size_t>(std::ceil(p.max_iteration_number * (round_ == 0 ? 0.5 : 1.)));
@@ -235,22 +239,20 @@ private:
     topology_ = complex_.topology_of_patches();
   }
 
-  // Goes to these vertices if that makes a valid complex that keeps what is promised. False if it makes none at all.
+  // Goes to these vertices if that makes a valid complex that is like the input. False if it makes none at all.
   bool adopt(std::vector<Site> sites)
   {
     std::optional<Periodic_complex_3> candidate = rebuilt(std::move(sites));
-    const bool is_acceptable
-      = candidate && is_like_input(*candidate)
-        && (!parameters_.do_remove_slivers || candidate->slivers().is_not_worse_than(slivers_of_input_, true));
-    const bool is_found = candidate.has_value();
-    if(is_acceptable)
+    if(!candidate || !is_like_input(*candidate))
     {
-      complex_ = std::move(*candidate);
-      is_changed_ = true;
-    }
-    else
       ++failures_;
-    return is_found;
+      return candidate.has_value();
+    }
+    complex_ = std::move(*candidate);
+    is_changed_ = true;
+    if(!parameters_.do_remove_slivers || complex_.slivers().is_not_worse_than(slivers_of_input_, true))
+      result_ = complex_;
+    return true;
   }
 
   std::optional<Periodic_complex_3> rebuilt(std::vector<Site> sites)
@@ -277,6 +279,7 @@ private:
   Random_source random_;
   Real_timer timer_;
   Periodic_complex_3 complex_;              // the last that is valid
+  std::optional<Periodic_complex_3> result_;    // the last whose slivers are not worse than those of the input
   Sliver_census_3 slivers_of_input_;
   std::map<int, double> volumes_;           // of the input
   std::map<int, std::array<long, 3> > topology_;
