@@ -269,7 +269,7 @@ inline Defect_report_3 check_kept_cells(const Complex_candidate_3& candidate)
     {
       const std::vector<Site>& s = candidate.sites;
       const Cell_products t(s[q[0]], s[q[1]], s[q[2]], s[q[3]]);
-      revert_intruders(candidate, q, position(s[q[0]]) + Vector_3(t.nx, t.ny, t.nz) / (2 * t.determinant), report);
+      revert_intruders(candidate, q, position(s[q[0]]) + t.to_dual(), report);
     }
   return report;
 }

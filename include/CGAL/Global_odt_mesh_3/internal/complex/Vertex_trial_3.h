@@ -146,8 +146,7 @@ public:
   std::optional<Site> place_in_sphere(const Quadruple& q, double share) const
   {
     const std::array<Site, 4> cell = cavity_.sites(q);
-    const Cell_products t(cell[0], cell[1], cell[2], cell[3]);
-    const Vector_3 to_center = Vector_3(t.nx, t.ny, t.nz) / (2 * t.determinant);
+    const Vector_3 to_center = Cell_products(cell[0], cell[1], cell[2], cell[3]).to_dual();
     Vector_3 way = position(cell[0]) + to_center - position(from_);
     const double height = normal_.dot(way);
     way -= height * normal_;
@@ -382,8 +381,7 @@ private:
   {
     constexpr double margin = 0.1;
     const std::array<Site, 4> s = cavity_.sites(c.vertices);
-    const Cell_products t(s[0], s[1], s[2], s[3]);
-    const Vector_3 dual = position(s[0]) + Vector_3(t.nx, t.ny, t.nz) / (2 * t.determinant);
+    const Vector_3 dual = position(s[0]) + Cell_products(s[0], s[1], s[2], s[3]).to_dual();
     for(int i = 0; i < 4; ++i)
     {
       if(complex_.is_inserted(c.vertices[i]))

@@ -75,16 +75,19 @@ public:
     set_input();
     break_ties();
     const Vector_3 first_corner(random_.uniform(), random_.uniform(), random_.uniform());
-    for(round_ = 0; round_ < most_rounds && goes_on_ && !is_done(); ++round_)
+    for(round_ = 0; goes_on_ && step() < number_of_steps; ++round_)
     {
       const double s = shift(round_);
       const Vector_3 corner = complex_.cube.corner + complex_.cube.period * (first_corner + Vector_3(s, s, s));
+      const bool removes = !optimizes();
       // The removal of slivers moves few vertices, and may succeed where the optimization has not.
-      const bool lattice_moves = lattice_moves_ || !optimizes();
-      if(make_round(corner, lattice_moves) || !lattice_moves)
-        continue;
-      lattice_moves_ = false;
-      make_round(corner, false);
+      const bool lattice_moves = lattice_moves_ || removes;
+      if(!make_round(corner, lattice_moves) && lattice_moves)
+      {
+        lattice_moves_ = false;
+        make_round(corner, false);
+      }
+      removals_ += removes;
     }
     if(result_)
       mesh_.write(*result_);
@@ -94,8 +97,9 @@ public:
 private:
   typedef Periodic_mesh_3<C3t3, Mesh_domain> Mesh;
 
-  static constexpr int usual_rounds = 5, most_rounds = 9, number_of_optimizations = 2, most_attempts = 4;
-  static constexpr double wanted_angle = 30;                // of more rounds, if no bound is given
+  // The fourth removal raises the smallest angle of no foam, and few angles of any.
+  static constexpr int number_of_optimizations = 2, most_attempts = 4, number_of_removals = 3,
+                       number_of_steps = number_of_optimizations + number_of_removals;
   static constexpr double volume_tolerance = 0.02;
   static constexpr double size_of_perturbation = 1e-3;      // relative to the shortest edge at a vertex
 
@@ -118,19 +122,10 @@ private:
   }
 
   // Of the work, in time.
-  static double share_before(int round)
+  static double share_before(int step)
   {
-    constexpr std::array<double, number_of_optimizations + 1> shares = {{ 0, 0.45, 0.85 }};
-    if(round < number_of_optimizations)
-      return shares[round];
-    const double last = shares.back();
-    return last + (1 - last) * (round - number_of_optimizations) / (most_rounds - number_of_optimizations);
-  }
-
-  // Whether no more rounds are needed.
-  bool is_done() const
-  {
-    return round_ >= usual_rounds && complex_.number_of_slivers(parameters_.sliver_bound > 0 ? parameters_.sliver_bound : wanted_angle) == 0;
+    constexpr std::array<double, number_of_steps + 1> shares = {{ 0, 0.35, 0.8, 0.88, 0.94, 1 }};
+    return shares[step];
   }
 
   Mesh_optimization_return_code code() const
@@ -145,7 +140,7 @@ private:
   bool optimizes() const { return optimizations_ < number_of_optimizations && round_ < most_attempts; }
 
   // Where the round is in the work.
-  int step() const { return optimizes() ? optimizations_ : (std::max)(round_, int(number_of_optimizations)); }
+  int step() const { return optimizes() ? optimizations_ : number_of_optimizations + removals_; }
 
   // False if there is no triangulation of one sheet where the optimizer has led.
   bool make_round(const Vector_3& corner, bool lattice_moves)
@@ -192,7 +187,7 @@ private:
     }
     if(p.time_limit > 0)
     {
-      const double begin = timer_.time(), left = p.time_limit - begin - rebuilding_ * (usual_rounds - (std::min)(round_, usual_rounds - 1));
+      const double begin = timer_.time(), left = p.time_limit - begin - rebuilding_ * (number_of_steps - step());
       p.time_limit = left * (share_before(step() + 1) - share_before(step())) / (1 - share_before(step()));
       if(!(p.time_limit > 0))
       {
@@ -283,7 +278,7 @@ private:
   Sliver_census_3 slivers_of_input_;
   std::map<int, double> volumes_;           // of the input
   std::map<int, std::array<long, 3> > topology_;
-  int round_ = 0, optimizations_ = 0, failures_ = 0;
+  int round_ = 0, optimizations_ = 0, removals_ = 0, failures_ = 0;
   bool lattice_moves_ = true;
   bool goes_on_ = true, is_changed_ = false;
   std::size_t iterations_ = 0;

@@ -143,7 +143,7 @@ inline Cell_energy cvt_energy(const Cell_products& t)
                                         { 0, 2, 3 }, { 2, 3, 0 }, { 3, 0, 2 }, { 1, 3, 2 }, { 3, 2, 1 }, { 2, 1, 3 } };
   const std::array<Vector_3, 4> x = {{ Vector_3(), Vector_3(t.ax, t.ay, t.az),
                                               Vector_3(t.bx, t.by, t.bz), Vector_3(t.cx, t.cy, t.cz) }};
-  const Vector_3 center = Vector_3(t.nx, t.ny, t.nz) / (2 * t.determinant);
+  const Vector_3 center = t.to_dual();
   std::array<Vector_3, 4> gradient;
   gradient.fill(Vector_3());
   std::array<double, 4> mass = {{ 0, 0, 0, 0 }};

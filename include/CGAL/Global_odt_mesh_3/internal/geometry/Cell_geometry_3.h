@@ -79,6 +79,9 @@ struct Cell_products
     nz = ha * bcz + hb * caz + hc * abz;
   }
 
+  // From the first site to the dual point, which is the circumcenter where there are no weights.
+  Vector_3 to_dual() const { return Vector_3(nx, ny, nz) / (2 * determinant); }
+
   // Of the longest edge at the first vertex: what to compare the determinant with.
   double cubed_length() const
   {
