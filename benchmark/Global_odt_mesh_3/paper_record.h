@@ -76,7 +76,7 @@ public:
     if(!has_directory())
       return;
     const std::string script = directory_ + "/" + name + ".gp";
-    std::ofstream(script) << "set terminal pngcairo size " << width << "," << height << " font 'sans,12'\n"
+    std::ofstream(script) << "set terminal pngcairo noenhanced size " << width << "," << height << " font 'sans,12'\n"
                           << "set output '" << directory_ << "/" << name << ".png'\n"
                           << "data = '" << directory_ << "/" << name << ".dat'\n" << commands;
     if(std::system(("gnuplot '" + script + "'").c_str()) != 0)

@@ -210,8 +210,9 @@ static void figures_10_and_18(Paper_record& record, unsigned int seeds, int vert
     }
   }
   record.draw("figure_10", "set xlabel 'round of global ODT'\nset ylabel 'energy'\nplot data with lines lw 2 notitle\n", 700);
-  record.draw("figure_18", "set title 'angles'\nset xrange [0:140]\nset yrange [0:*]\nset key top left\n"
-              + Paper_record::plot("1:2", std::vector<std::string>(ways.begin(), ways.end()), "histeps lw 2"), 800);
+  record.draw("figure_18", "set xlabel 'angle of a triangle (degrees)'\nset ylabel 'share of angles'\nset xrange [0:140]\n"
+              "set yrange [0:*]\nset key outside right\n"
+              + Paper_record::plot("1:2", std::vector<std::string>(ways.begin(), ways.end()), "histeps lw 2"), 1000);
 }
 
 // At these positions of the vertex that moves.
