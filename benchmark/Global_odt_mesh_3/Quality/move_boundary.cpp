@@ -11,7 +11,8 @@
 //   - some remeshing, then all vertices together,
 //   - the same after the boundary has been remeshed to the end,
 //   - the same with rounds of global search.
-// Slivers are not removed.
+// Slivers are not removed. Facets beyond the farthest of the input are those whose circumcenter is farther from the surface than
+// that of any facet of the input.
 //
 //   move_boundary [rounds of search, default 10] [name of an input]
 //
@@ -23,13 +24,16 @@
 #include "odt_of_mesh_3.h"
 
 #include <CGAL/Mesh_quality_report_3.h>
+#include <CGAL/number_utils.h>
 #include <CGAL/odt_optimize_mesh_3.h>
+#include <CGAL/squared_distance_3.h>
 
 #include <algorithm>
 #include <cstddef>
 #include <cstdlib>
 #include <iostream>
 #include <string>
+#include <vector>
 
 using namespace inputs;
 namespace odt = CGAL::Global_odt_mesh_3::internal;
@@ -56,15 +60,36 @@ void run(C3t3& c3t3, const Domain& domain, const odt::Odt_parameters& parameters
                                         [](const auto& v) { return v.in_dimension() == 2; });
 }
 
+// The squares of the distances that the criterion `facet_distance` bounds: of circumcenters from the surface.
+template <class C3t3>
+std::vector<double> squared_facet_distances(const C3t3& c3t3)
+{
+  const auto& tr = c3t3.triangulation();
+  const auto circumcenter = tr.geom_traits().construct_weighted_circumcenter_3_object();
+  std::vector<double> distances;
+  for(auto f = c3t3.facets_in_complex_begin(); f != c3t3.facets_in_complex_end(); ++f)
+  {
+    const auto point = [&](int i) { return tr.point(f->first, (f->second + i) & 3); };
+    distances.push_back(CGAL::to_double(CGAL::squared_distance(circumcenter(point(1), point(2), point(3)),
+                                                               f->first->get_facet_surface_center(f->second))));
+  }
+  return distances;
+}
+
 template <class C3t3, class Domain>
 void compare(const char* name, const C3t3& input, const Domain& domain, int search_rounds, Markdown_table& table)
 {
   const double volume = CGAL::mesh_quality_report_3(input).total().volume;
+  const std::vector<double> before = squared_facet_distances(input);
+  const double farthest = *std::max_element(before.begin(), before.end());
   const auto add = [&](const std::string& what, const C3t3& c3t3, const Cost& cost, bool is_compared = true)
   {
     const CGAL::Mesh_quality_report_3 r = CGAL::mesh_quality_report_3(c3t3);
     const double vertices = double(cost.surface_vertices), none = Markdown_table::none;
+    const std::vector<double> distances = squared_facet_distances(c3t3);
+    const auto beyond = std::count_if(distances.begin(), distances.end(), [=](double d) { return d > farthest; });
     table.add({ name, what }, { r.mean_radius_ratio, r.mean_facet_angle, 100 * (r.total().volume / volume - 1),
+                                100 * double(beyond) / double(distances.size()),
                                 vertices > 0 ? double(cost.questions) / vertices : none,
                                 vertices > 0 ? double(cost.projections) / vertices : none, is_compared ? cost.seconds : none },
               is_compared);
@@ -105,7 +130,8 @@ int main(int argc, char* argv[])
   const int search_rounds = argc > 1 ? std::atoi(argv[1]) : 10;
   Markdown_table table({ "mesh", "boundary" },
                        { { "mean 3r/R", 4, Better::HIGH }, { "mean of the smallest angles of facets (degrees)", 1, Better::HIGH },
-                         { "change of volume (%)", 2, Better::NEITHER }, { "domain queries a surface vertex", 1, Better::NEITHER },
+                         { "change of volume (%)", 2, Better::NEITHER },
+                         { "facets beyond the farthest of the input (%)", 1, Better::LOW }, { "domain queries a surface vertex", 1, Better::NEITHER },
                          { "closest points a surface vertex", 1, Better::NEITHER }, { "CPU time (s)", 1, Better::LOW } });
   for_each_input([&](const char* name, const auto& input, const auto& domain) { compare(name, input, domain, search_rounds, table); },
                  argc > 2 ? argv[2] : "");
