@@ -162,6 +162,7 @@ static void test_limits()
   check::that(CGAL::odt_optimize_mesh_3(canceled, domain, params::callback(stop)) == CGAL::TIME_LIMIT_REACHED, "code of a canceled call");
   check::that(calls == 150, "called ", calls, " times");
   check_contract(before_cancel, canceled, domain, "canceled");
+  check::that(State<C3t3>(canceled).mean_ratio > before.mean_ratio, "a canceled call is in vain");
 
   C3t3 limited = input;
   const State<C3t3> before_limit(limited);
@@ -175,6 +176,9 @@ static void test_limits()
   C3t3 with_bound = input;
   check::that(CGAL::odt_optimize_mesh_3(with_bound, domain, params::sliver_bound = 50, params::number_of_rounds(0))
                 == CGAL::CANT_IMPROVE_ANYMORE, "a bound of 50 degrees");
+  C3t3 with_few_iterations = input;
+  check::that(CGAL::odt_optimize_mesh_3(with_few_iterations, domain, params::sliver_bound = 50, params::max_iteration_number = 10)
+                == CGAL::MAX_ITERATION_NUMBER_REACHED, "ten iterations, and a bound of 50 degrees");
 }
 
 // Wherever the domain throws, the mesh is as it was.

@@ -33,6 +33,7 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <limits>
 #include <map>
 #include <optional>
 #include <utility>
@@ -75,19 +76,14 @@ public:
     set_input();
     break_ties();
     const Vector_3 first_corner(random_.uniform(), random_.uniform(), random_.uniform());
-    for(round_ = 0; goes_on_ && step() < number_of_steps; ++round_)
+    for(round_ = 0; goes_on_ && removals_pay_ && step() < number_of_steps(); ++round_)
+      make_round(first_corner);
+    // Where the user has ended the optimization that leaves slivers, the first step of their removal keeps it from being in vain.
+    if(!goes_on_ && is_changed_)
     {
-      const double s = shift(round_);
-      const Vector_3 corner = complex_.cube.corner + complex_.cube.period * (first_corner + Vector_3(s, s, s));
-      const bool removes = !optimizes();
-      // The removal of slivers moves few vertices, and may succeed where the optimization has not.
-      const bool lattice_moves = lattice_moves_ || removes;
-      if(!make_round(corner, lattice_moves) && lattice_moves)
-      {
-        lattice_moves_ = false;
-        make_round(corner, false);
-      }
-      removals_ += removes;
+      optimizations_ = number_of_optimizations;
+      for(round_ = 0; round_ < fewest_removals && !result_; ++round_)
+        make_round(first_corner);
     }
     if(result_)
       mesh_.write(*result_);
@@ -97,9 +93,9 @@ public:
 private:
   typedef Periodic_mesh_3<C3t3, Mesh_domain> Mesh;
 
-  // The fourth removal raises the smallest angle of no foam, and few angles of any.
-  static constexpr int number_of_optimizations = 2, most_attempts = 4, number_of_removals = 3,
-                       number_of_steps = number_of_optimizations + number_of_removals;
+  static constexpr int number_of_optimizations = 2, most_attempts = 4, fewest_removals = 3, most_removals = 7;
+  static constexpr double wanted_angle = 30;                // of removals, if no bound is given
+  static constexpr double worthwhile = 0.75;                // what a removal that pays leaves of what cells lack of the angle
   static constexpr double volume_tolerance = 0.02;
   static constexpr double size_of_perturbation = 1e-3;      // relative to the shortest edge at a vertex
 
@@ -121,19 +117,23 @@ private:
     return result;
   }
 
+  int number_of_steps() const { return number_of_optimizations + (parameters_.do_remove_slivers ? most_removals : 0); }
+
   // Of the work, in time.
-  static double share_before(int step)
+  double share_before(int step) const
   {
-    constexpr std::array<double, number_of_steps + 1> shares = {{ 0, 0.35, 0.8, 0.88, 0.94, 1 }};
-    return shares[step];
+    constexpr std::array<double, number_of_optimizations + most_removals + 1> shares
+      = {{ 0, 0.35, 0.8, 0.86, 0.91, 0.95, 0.97, 0.98, 0.99, 1 }};
+    return shares[step] / shares[number_of_steps()];
   }
 
   Mesh_optimization_return_code code() const
   {
     const bool is_failure = goes_on_ && code_ != TIME_LIMIT_REACHED && !result_ && (is_changed_ || failures_ > 0);
-    const bool removes_slivers = goes_on_ && parameters_.do_remove_slivers && parameters_.sliver_bound > 0;
+    const bool removes_slivers = goes_on_ && code_ != TIME_LIMIT_REACHED && code_ != MAX_ITERATION_NUMBER_REACHED
+                                 && parameters_.do_remove_slivers && parameters_.sliver_bound > 0;
     const Periodic_complex_3& last = result_ ? *result_ : complex_;
-    return is_failure || (removes_slivers && last.number_of_slivers(parameters_.sliver_bound) > 0) ? CANT_IMPROVE_ANYMORE : code_;
+    return is_failure || (removes_slivers && last.deficit(parameters_.sliver_bound) > 0) ? CANT_IMPROVE_ANYMORE : code_;
   }
 
   // Or else slivers are removed, and nothing else. Where a result is not valid, another cut may do better.
@@ -142,8 +142,26 @@ private:
   // Where the round is in the work.
   int step() const { return optimizes() ? optimizations_ : number_of_optimizations + removals_; }
 
+  void make_round(const Vector_3& first_corner)
+  {
+    const double s = shift(round_);
+    const Vector_3 corner = complex_.cube.corner + complex_.cube.period * (first_corner + Vector_3(s, s, s));
+    const bool removes = !optimizes();
+    // The removal of slivers moves few vertices, and may succeed where the optimization has not.
+    const bool lattice_moves = lattice_moves_ || removes;
+    if(!try_round(corner, lattice_moves) && lattice_moves && goes_on_)
+    {
+      lattice_moves_ = false;
+      try_round(corner, false);
+    }
+    if(!removes)
+      return;
+    const double before = std::exchange(deficit_, complex_.deficit(parameters_.sliver_bound > 0 ? parameters_.sliver_bound : wanted_angle));
+    removals_pay_ = ++removals_ < fewest_removals || deficit_ < worthwhile * before;
+  }
+
   // False if there is no triangulation of one sheet where the optimizer has led.
-  bool make_round(const Vector_3& corner, bool lattice_moves)
+  bool try_round(const Vector_3& corner, bool lattice_moves)
   {
     const std::optional<Odt_parameters> p = parameters_of_round();
     if(!p)
@@ -159,7 +177,7 @@ private:
     const Mesh_optimization_return_code code
       = optimize_mesh(unrolled, domain_, task, *p, User_field_3(), counter, Thread_policy());
     iterations_ += counter.number;
-    if(optimizes() || code == TIME_LIMIT_REACHED)
+    if(code == TIME_LIMIT_REACHED || (optimizes() && (unrolled.is_changed() || code != CANT_IMPROVE_ANYMORE)))
       code_ = code;
     const int failures = failures_;
     failures_ += unrolled.is_changed() ? !unrolled.may_have_one_sheet() : code == CANT_IMPROVE_ANYMORE;
@@ -172,22 +190,20 @@ private:
   std::optional<Odt_parameters> parameters_of_round()
   {
     Odt_parameters p = parameters_;
-    if(!optimizes() && !p.do_remove_slivers)
-      return std::nullopt;
     p.random_seed += static_cast<unsigned int>(round_);
     // Nearly all vertices move once more before slivers matter.
     if(optimizes() && optimizations_ + 1 < number_of_optimizations)
       p.do_remove_slivers = false;
     if(p.max_iteration_number > 0 && optimizes())
     {
-      const std::size_t until_end = static_cast<std::size_t>(std::ceil(p.max_iteration_number * (round_ == 0 ? 0.5 : 1.)));
+      const std::size_t until_end = round_ == 0 ? p.max_iteration_number - p.max_iteration_number / 2 : p.max_iteration_number;
       if(until_end <= iterations_)
         return std::nullopt;
       p.max_iteration_number = until_end - iterations_;
     }
     if(p.time_limit > 0)
     {
-      const double begin = timer_.time(), left = p.time_limit - begin - rebuilding_ * (number_of_steps - step());
+      const double begin = timer_.time(), left = p.time_limit - begin - rebuilding_ * (std::max)(1, number_of_optimizations + fewest_removals - step());
       p.time_limit = left * (share_before(step() + 1) - share_before(step())) / (1 - share_before(step()));
       if(!(p.time_limit > 0))
       {
@@ -196,7 +212,12 @@ private:
         return std::nullopt;
       }
     }
-    if(parameters_.callback)
+    if(!goes_on_)
+    {
+      p.callback = nullptr;
+      p.sliver_bound = Sliver_steps::angles[1];
+    }
+    else if(p.callback)
       p.callback = [this](double fraction)
       {
         const double begin = share_before(step()), end = share_before(step() + 1);
@@ -245,9 +266,16 @@ private:
     }
     complex_ = std::move(*candidate);
     is_changed_ = true;
-    if(!parameters_.do_remove_slivers || complex_.slivers().is_not_worse_than(slivers_of_input_, true))
+    if(is_acceptable(complex_.slivers()))
       result_ = complex_;
     return true;
+  }
+
+  bool is_acceptable(const Sliver_census_3& slivers) const
+  {
+    return !parameters_.do_remove_slivers
+           || (slivers.is_not_worse_than(slivers_of_input_, true)
+               && (parameters_.sliver_bound > 0 || slivers.is_not_coarser_than(slivers_of_input_)));
   }
 
   std::optional<Periodic_complex_3> rebuilt(std::vector<Site> sites)
@@ -279,7 +307,8 @@ private:
   std::map<int, double> volumes_;           // of the input
   std::map<int, std::array<long, 3> > topology_;
   int round_ = 0, optimizations_ = 0, removals_ = 0, failures_ = 0;
-  bool lattice_moves_ = true;
+  double deficit_ = (std::numeric_limits<double>::max)();   // after the last removal
+  bool removals_pay_ = true, lattice_moves_ = true;
   bool goes_on_ = true, is_changed_ = false;
   std::size_t iterations_ = 0;
   double rebuilding_ = 0;                   // seconds

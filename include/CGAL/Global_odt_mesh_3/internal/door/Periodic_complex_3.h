@@ -25,6 +25,7 @@
 #include <cstddef>
 #include <limits>
 #include <map>
+#include <numeric>
 #include <utility>
 #include <vector>
 
@@ -149,10 +150,12 @@ struct Periodic_complex_3
     return census;
   }
 
-  std::size_t number_of_slivers(double bound) const
+  // What all cells lack of an angle, in square degrees.
+  double deficit(double angle) const
   {
-    const Angle_deficit_3 deficit(bound);
-    return std::count_if(cells.begin(), cells.end(), [&](const Cell& c) { return is_inside(c) && deficit(cell_sites(c)) > 0; });
+    const Angle_deficit_3 deficit(angle);
+    return std::accumulate(cells.begin(), cells.end(), 0., [&](double sum, const Cell& c)
+                           { return is_inside(c) ? sum + deficit(cell_sites(c)) : sum; });
   }
 
   // Six times those of the subdomains.
