@@ -77,8 +77,8 @@ version of %CGAL in use accepts: `parameters::time_limit = 10, parameters::do_fr
     \cgalParamExtra{From \cgal 5.6 on also called `maximum_running_time`.}
   \cgalParamNEnd
   \cgalParamNBegin{max_iteration_number}
-    \cgalParamDescription{the largest number of iterations of all stages together. An iteration is an accepted evaluation of the energy of cells
-                          or of surfaces. 0 means 1000 in addition to those of the rounds. If the number is small, the search is
+    \cgalParamDescription{the largest number of iterations of all stages together. An iteration is a step of the search, or of the L-BFGS method on cells
+                          or surfaces. 0 means 1000 in addition to those of the rounds. If the number is small, the search is
                           shortened in advance, and less or nothing is spent on the centroidal Voronoi tessellation of the surface.}
     \cgalParamType{`std::size_t`}
     \cgalParamPrecondition{a number, not negative}
@@ -155,7 +155,7 @@ version of %CGAL in use accepts: `parameters::time_limit = 10, parameters::do_fr
                    `CGAL::Adaptive_cubature_3`}
     \cgalParamPrecondition{that of its members}
     \cgalParamDefault{`CGAL::Linear_density_rule_3()`; exact integrals if `density` is a `CGAL::Quadratic_density_3`}
-    \cgalParamExtra{It is ignored if neither `sizing_field` nor `density` is passed and the input is uniform, that is, if its sizes vary by less than half.}
+    \cgalParamExtra{It is ignored if neither `sizing_field` nor `density` is passed and the input is uniform, that is, if its sizes, apart from the smallest and the largest 5 %, differ by less than a factor of 1.5.}
   \cgalParamNEnd
   \cgalParamNBegin{annealing_schedule}
     \cgalParamDescription{the method of the global search, with its constants.}
@@ -166,17 +166,17 @@ version of %CGAL in use accepts: `parameters::time_limit = 10, parameters::do_fr
   \cgalParamNEnd
   \cgalParamNBegin{number_of_rounds}
     \cgalParamDescription{the length of the global search. A round of momentum annealing has 50 iterations; one of
-                          Algorithm 2 has as many as its schedule says. 0 means no search: the mesh goes to a local
-                          minimum nearby.}
+                          Algorithm 2 has as many as its schedule says. 0 means no search: surfaces are remeshed,
+                          and the mesh goes to a local minimum nearby.}
     \cgalParamType{`std::size_t`}
     \cgalParamPrecondition{a number, not negative}
     \cgalParamDefault{4 for momentum annealing, 20 for Algorithm 2}
   \cgalParamNEnd
   \cgalParamNBegin{sliver_bound}
     \cgalParamDescription{the dihedral angle, in degrees, that all cells should exceed at the end. Slivers are removed in steps of 20, 30, 35, 40, 45, ... degrees,
-                          and the removal stops at the first step that is not below the bound. 0 means as high as possible, as long as
-                          slivers are exceptions: above 30 degrees, no step is taken that requires more than one cell in
-                          twenty-five to be improved.}
+                          and the removal stops at the first step that is not below the bound. 0 means no bound. Then a step above
+                          30 degrees is made only if no cell is left below the step before, and fewer than one cell in twenty-five is below this one.
+                          A bound above 30 degrees makes its steps in any case, and may reach more.}
     \cgalParamType{`double`}
     \cgalParamPrecondition{`0 <= sliver_bound <= 70.5`, the regular tetrahedron having angles of 70.53 degrees}
     \cgalParamDefault{0}
@@ -200,8 +200,8 @@ version of %CGAL in use accepts: `parameters::time_limit = 10, parameters::do_fr
     \cgalParamExtra{New vertices get the dimension and index of where they are; what else a vertex of `c3t3` has is constructed by
                     default. Handles to the other vertices stay valid.}
     \cgalParamExtra{Sizes in wrong units do not fill the memory: a call without `number_of_vertices` stops inserting at 100,000 vertices, or at
-                    ten times those of the input if that is more. No call passes \f$ 2^{25} \f$ vertices. Then the edges and cells that are the largest,
-                    compared with their sizes, have been divided, and the function returns `CGAL::CANT_IMPROVE_ANYMORE`. Another call goes on.}
+                    ten times those of the input if that is more. No call passes \f$ 2^{25} \f$ vertices. The edges and cells that exceed their
+                    sizes the most are split first. The function then returns `CGAL::CANT_IMPROVE_ANYMORE`, and another call continues.}
   \cgalParamNEnd
   \cgalParamNBegin{do_remove_vertices}
     \cgalParamDescription{whether vertices inside and on surfaces may be removed. Before vertices move, one end is removed of edges that are short
@@ -223,7 +223,7 @@ version of %CGAL in use accepts: `parameters::time_limit = 10, parameters::do_fr
     \cgalParamPrecondition{positive, and at most \f$ 2^{25} \f$; `do_insert_vertices` and `do_remove_vertices` are `true`}
     \cgalParamDefault{any number}
     \cgalParamExtra{With \f$ k \f$ times fewer vertices, facets may be \f$ k \f$ times as far from surfaces as those of the input. The volume of a
-                    subdomain may change by \f$ 0.1\,(k - 1) \f$ of it, and 0.3 at most.}
+                    subdomain may change by \f$ 0.003 + 0.1\,(k - 1) \f$ of it, and by 0.3 at most.}
   \cgalParamNEnd
   \cgalParamNBegin{domain_is_thread_safe}
     \cgalParamDescription{whether several threads may query the domain at the same time, as the parallel mesh generation
@@ -259,7 +259,8 @@ version of %CGAL in use accepts: `parameters::time_limit = 10, parameters::do_fr
   \cgalParamNBegin{callback}
     \cgalParamDescription{a functor called before every iteration, and while slivers are removed and vertices are inserted or
                           removed, with the fraction done. This fraction never falls, and need not reach 1. When the functor returns `false`, the process stops with
-                          the mesh found so far. Where it has ended iterations or insertion, a first step of the removal of slivers follows.}
+                          the mesh found so far. Where it has ended iterations or insertion, a first step of the removal of slivers follows.
+                          During that removal, it is called before each step only.}
     \cgalParamType{a model of `bool(double)`}
     \cgalParamDefault{none}
     \cgalParamExtra{It is spelled `parameters::callback(f)`.}
@@ -280,8 +281,8 @@ version of %CGAL in use accepts: `parameters::time_limit = 10, parameters::do_fr
 - `CGAL::CONVERGENCE_REACHED` when the largest displacements are below `convergence`;
 - `CGAL::ALL_VERTICES_FROZEN` when `do_freeze` is `true` and all vertices that may move are frozen, also when there are
   none;
-- `CGAL::CANT_IMPROVE_ANYMORE` when neither time nor iterations have run out, and one of the following holds:
-  + cells below a positive `sliver_bound` are left though `do_remove_slivers` is `true`, also when no vertex may move;
+- `CGAL::CANT_IMPROVE_ANYMORE` when time has not run out, the callback has not returned `false`, and one of the following holds:
+  + iterations have not run out, but cells below a positive `sliver_bound` are left though `do_remove_slivers` is `true`, also when no vertex may move;
   + `number_of_vertices` is not met, or `do_insert_vertices` permits no more vertices;
   + no step along the search direction, nor along the gradient, lowers the energy;
   + no valid mesh can be made, or only one with more cells below 10, 20, or 30 degrees, or with a smaller angle below 30.

@@ -47,10 +47,11 @@ without one, the size of the cells of the input, so that a graded mesh stays gra
 Vertices of the interior follow by a few iterations of `odt_optimize_mesh_3()` in each round.
 
 That function, with `optimize_boundary` set to `false`, completes the procedure of the paper. By default, it
-begins with a round of the same kind, and keeps that energy along with the one of the cells (see its parameter
-`surface_weight`). There is then no need to call this function before.
+minimizes this energy together with that of the cells (see its parameter `surface_weight`), so that there is no need
+to call this function before.
 
-The guarantees are those of `odt_optimize_mesh_3()`, also if the domain, a property map, or the callback throws.
+The guarantees are those of `odt_optimize_mesh_3()`, also if the domain, a property map, or the callback throws. Those on
+dihedral angles and on the largest cells are excepted: angles may become smaller, as no slivers are removed.
 
 \tparam C3T3 a model of the concept `MeshComplex_3InTriangulation_3`, not periodic
 \tparam MeshDomain a model of the concept `MeshDomain_3`
@@ -62,13 +63,13 @@ The guarantees are those of `odt_optimize_mesh_3()`, also if the domain, a prope
 
 \cgalNamedParamsBegin
   \cgalParamNBegin{time_limit}
-    \cgalParamDescription{the wall time, in seconds, after which no further iteration is begun; 0 means no limit}
+    \cgalParamDescription{the wall time, in seconds, that the call may take; iterations end early enough for the mesh to be written. 0 means no limit}
     \cgalParamType{`double`}
     \cgalParamPrecondition{`time_limit >= 0`}
     \cgalParamDefault{0}
   \cgalParamNEnd
   \cgalParamNBegin{max_iteration_number}
-    \cgalParamDescription{the largest number of iterations, on surfaces and in the interior; 0 means no limit but that of the rounds, of which there are 16 at most}
+    \cgalParamDescription{the largest number of iterations, on surfaces and in the interior; 0 means no limit but that of the rounds, of which there are six at most}
     \cgalParamType{`std::size_t`}
     \cgalParamPrecondition{a number, not negative}
     \cgalParamDefault{0}

@@ -56,7 +56,7 @@ The guarantees are those of `odt_optimize_mesh_3()`, also if the domain, a prope
 
 \cgalNamedParamsBegin
   \cgalParamNBegin{time_limit}
-    \cgalParamDescription{the wall time, in seconds, after which no further vertex is tried; 0 means no limit}
+    \cgalParamDescription{the wall time, in seconds, that the call may take; the removal ends early enough for the mesh to be written. 0 means no limit}
     \cgalParamType{`double`}
     \cgalParamPrecondition{`time_limit >= 0`}
     \cgalParamDefault{0}
@@ -65,7 +65,7 @@ The guarantees are those of `odt_optimize_mesh_3()`, also if the domain, a prope
     \cgalParamDescription{the dihedral angle, in degrees, that all cells should exceed; as for `odt_optimize_mesh_3()`}
     \cgalParamType{`double`}
     \cgalParamPrecondition{`0 <= sliver_bound <= 70.5`}
-    \cgalParamDefault{0, that is, as high as possible}
+    \cgalParamDefault{0, that is, no bound}
   \cgalParamNEnd
   \cgalParamNBegin{optimize_boundary}
     \cgalParamDescription{whether vertices of dimension 2 move on the surface}
@@ -93,8 +93,8 @@ The guarantees are those of `odt_optimize_mesh_3()`, also if the domain, a prope
     \cgalParamDefault{a constant property map that is `true` for all cells}
   \cgalParamNEnd
   \cgalParamNBegin{callback}
-    \cgalParamDescription{a functor called before every round with the fraction done; when it returns `false` the
-                          process stops with the mesh found so far}
+    \cgalParamDescription{a functor called before each step of the removal (20, 30, 35, ... degrees) with the fraction done. When it returns
+                          `false`, the process stops before that step, with the mesh found so far.}
     \cgalParamType{a model of `bool(double)`}
     \cgalParamDefault{none}
   \cgalParamNEnd

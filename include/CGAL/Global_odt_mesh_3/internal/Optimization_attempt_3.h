@@ -49,10 +49,9 @@ namespace internal {
 //
 // While the boundary moves, the facets between subdomains are constrained in the flat
 // triangulation. After some iterations, the exact triangulation and its restriction to the
-// domain are built anew, which brings other facets; that is a round. In the first, the
-// surfaces go toward a centroidal Voronoi tessellation (section 5.1). In the next, all vertices
-// search globally, and in the last they go to the minimum, of an energy of which that tessellation's
-// is a term. Then the boundary rests, the interior converges, and slivers are removed.
+// domain are built anew, which brings other facets; that is a round. In the first ones, all vertices
+// search globally, and in the last they go to the minimum, of an energy of which that of a centroidal
+// Voronoi tessellation of the surfaces (section 5.1) is a term. Without a search, surfaces go toward that alone first. Then the boundary rests, the interior converges, and slivers are removed.
 class Optimization_attempt_3
 {
 public:
