@@ -48,7 +48,7 @@ private:
 
 inline int result()
 {
-  std::cout << (failures() == 0 ? "all checks passed" : "some checks FAILED") << std::endl;
+  std::clog << (failures() == 0 ? "all checks passed" : "some checks FAILED") << std::endl;
   return failures() == 0 ? EXIT_SUCCESS : EXIT_FAILURE;
 }
 
