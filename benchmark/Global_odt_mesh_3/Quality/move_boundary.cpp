@@ -11,7 +11,7 @@
 //   - some remeshing, then all vertices together,
 //   - the same after the boundary has been remeshed to the end,
 //   - the same with rounds of global search.
-// Slivers are not removed. Facets beyond the farthest of the input are those whose circumcenter is farther from the surface than
+// Slivers are not removed. Facets farther from the surface than in the input are those whose circumcenter is farther from the surface than
 // that of any facet of the input.
 //
 //   move_boundary [rounds of search, default 10] [name of an input]
@@ -131,7 +131,7 @@ int main(int argc, char* argv[])
   Markdown_table table({ "mesh", "boundary" },
                        { { "mean 3r/R", 4, Better::HIGH }, { "mean of the smallest angles of facets (degrees)", 1, Better::HIGH },
                          { "change of volume (%)", 2, Better::NEITHER },
-                         { "facets beyond the farthest of the input (%)", 1, Better::LOW }, { "domain queries a surface vertex", 1, Better::NEITHER },
+                         { "facets farther from the surface than in the input (%)", 1, Better::LOW }, { "domain queries a surface vertex", 1, Better::NEITHER },
                          { "closest points a surface vertex", 1, Better::NEITHER }, { "CPU time (s)", 1, Better::LOW } });
   for_each_input([&](const char* name, const auto& input, const auto& domain) { compare(name, input, domain, search_rounds, table); },
                  argc > 2 ? argv[2] : "");
