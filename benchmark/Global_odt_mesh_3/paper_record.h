@@ -8,6 +8,7 @@
 
 #include <CGAL/Mesh_quality_report_3.h>
 
+#include <array>
 #include <cstdarg>
 #include <cstddef>
 #include <cstdio>
@@ -46,6 +47,16 @@ public:
     if(has_directory())
       std::ofstream(directory_ + "/rows.md", std::ios::app)
         << "| " << figure << " | " << what << " | " << paper << " | " << here << " |\n";
+  }
+
+  // What is said of one thing, the paper's number, and that measured here.
+  typedef std::array<std::string, 3> Number;
+
+  // A row for each.
+  void rows(const std::string& figure, const std::string& name, const std::vector<Number>& numbers)
+  {
+    for(const Number& n : numbers)
+      row(figure, name + ": " + n[0], n[1], n[2]);
   }
 
   // One that the exit status of the program depends on.

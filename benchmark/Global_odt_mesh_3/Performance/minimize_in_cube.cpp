@@ -95,7 +95,7 @@ int main(int argc, char* argv[])
     std::fflush(stdout);
     if(seed == 1)
     {
-      record.row("6", "iterations of L-BFGS and of AVV", "122, 499", text("%d, %d", r.iterations, s.iterations));
+      record.rows("6", "iterations", { { "L-BFGS", "122", text("%d", r.iterations) }, { "AVV", "499", text("%d", s.iterations) } });
       record.draw_histograms("figure_6_histograms", { { "L-BFGS", outcome(mesh, 0) }, { "AVV", outcome(copy, 0) } });
     }
   }

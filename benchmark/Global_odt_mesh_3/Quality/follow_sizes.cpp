@@ -64,8 +64,10 @@ void record_figure_13(Paper_record& record, const std::string& name, const std::
                       const C3t3& c3t3, const Size& size)
 {
   const Realized_sizes before(input, size), after(c3t3, size);
-  record.row("13", name + ", " + what + ": deviation of log(size / wanted) before and after, slope, ratio of sizes", "-",
-             text("%.4f, %.4f; %.3f; %.1f", before.deviation, after.deviation, after.slope, after.ratio));
+  record.rows("13", name + ", " + what,
+              { { "deviation of log(size / wanted) before", "-", text("%.4f", before.deviation) },
+                { "deviation of log(size / wanted) after", "-", text("%.4f", after.deviation) },
+                { "slope of log(size) over log(wanted)", "-", text("%.3f", after.slope) }, { "ratio of sizes", "-", text("%.1f", after.ratio) } });
   record.claim("13", after.deviation < before.deviation && std::abs(after.slope - 1) < 0.05,
                name + ", " + what + ": sizes follow those wanted more closely");
   record.draw_cutaways("figure_13_" + name, [&](const std::string& file) { draw_before_and_after(input, c3t3, file); });

@@ -57,13 +57,22 @@ static double energy(const C3t3& c3t3)
   return r.total().energy * std::pow(double(r.number_of_vertices), 2 / 3.) / std::pow(r.total().volume, 5 / 3.);
 }
 
-// What the paper's table shows of a mesh that took so long.
-static std::string properties(const C3t3& c3t3, double time)
+// What the paper's table shows of a mesh, in the order of its columns, and the time that it took.
+typedef std::array<const char*, 7> Numbers_of_paper;
+static constexpr Numbers_of_paper not_in_paper = {{ "-", "-", "-", "-", "-", "-", "-" }};
+
+static void record_mesh(Paper_record& record, const std::string& figure, const std::string& name, const Numbers_of_paper& paper,
+                        const C3t3& c3t3, double time)
 {
   const CGAL::Mesh_quality_report_3 r = report(c3t3);
-  return text("%zu vertices; %.2f - %.2f degrees; 3r/R from %.2f, mean %.4f; %zu and %zu cells below 10 and 20 degrees; %.1f s",
-              r.number_of_vertices, r.smallest_angle, r.largest_angle, r.smallest_radius_ratio, r.mean_radius_ratio,
-              r.cells_below[0].second, r.cells_below[1].second, time);
+  record.rows(figure, text("%s, %zu vertices", name.c_str(), r.number_of_vertices),
+              { { "smallest angle (degrees)", paper[0], text("%.2f", r.smallest_angle) },
+                { "largest angle (degrees)", paper[1], text("%.2f", r.largest_angle) },
+                { "smallest 3r/R", paper[2], text("%.2f", r.smallest_radius_ratio) },
+                { "mean 3r/R", paper[3], text("%.4f", r.mean_radius_ratio) },
+                { "cells below 10 degrees", paper[4], text("%zu", r.cells_below[0].second) },
+                { "cells below 20 degrees", paper[5], text("%zu", r.cells_below[1].second) },
+                { "CPU time (s)", paper[6], text("%.1f", time) } });
 }
 
 static void perturb(C3t3& c3t3, const Domain& domain)
@@ -87,11 +96,12 @@ public:
 
   double all() const { return all_; }
 
-  std::string remesh_search_minimize_restrict_slivers_other() const
+  std::vector<std::pair<std::string, double> > of_stages() const
   {
-    return text("%.2f, %.2f, %.2f, %.2f, %.2f, %.2f", seconds_[Clock::REMESH], seconds_[Clock::SEARCH], seconds_[Clock::MINIMIZE],
-                seconds_[Clock::TRIANGULATE] + seconds_[Clock::CHECK] + seconds_[Clock::INDEX], seconds_[Clock::REMOVE_SLIVERS],
-                seconds_[Clock::READ] + seconds_[Clock::DENSITY] + seconds_[Clock::WRITE] + seconds_[Clock::OTHER]);
+    return { { "remesh", seconds_[Clock::REMESH] }, { "search", seconds_[Clock::SEARCH] }, { "minimize", seconds_[Clock::MINIMIZE] },
+             { "restrict", seconds_[Clock::TRIANGULATE] + seconds_[Clock::CHECK] + seconds_[Clock::INDEX] },
+             { "slivers", seconds_[Clock::REMOVE_SLIVERS] },
+             { "other", seconds_[Clock::READ] + seconds_[Clock::DENSITY] + seconds_[Clock::WRITE] + seconds_[Clock::OTHER] } };
   }
 
 private:
@@ -145,12 +155,10 @@ static void figure_12(Paper_record& record, double factor)
     for(std::size_t n = 1; n < energies.size(); ++n)
       rises += energies[n] > energies[n - 1];
     const double e[] = { energy(nodt), energy(local), energy(global), energy(ours) };
-    record.row("12", name + ": energy of NODT, Algorithms 1 and 2, and the default call", ".5436, .5347, .5228, -",
-               text("%.4f, %.4f, %.4f, %.4f", e[0], e[1], e[2], e[3]));
-    record.row("12", name + ": Algorithms 1 and 2 against NODT", "-1.64 %, -3.83 %",
-               text("%+.2f %%, %+.2f %%; the default call %+.2f %%", 100 * (e[1] / e[0] - 1), 100 * (e[2] / e[0] - 1),
-                    100 * (e[3] / e[0] - 1)));
-    record.row("12", name + ": the energy rises in iterations of NODT", "some", text("%d of %zu", rises, energies.size() - 1));
+    const auto below = [&](int n) { return text("%+.2f %%", 100 * (e[n] / e[0] - 1)); };
+    record.rows("12", name, { { "energy of NODT", "0.5436", text("%.4f", e[0]) }, { "energy of Algorithm 1 over NODT", "-1.64 %", below(1) },
+                              { "energy of Algorithm 2 over NODT", "-3.83 %", below(2) }, { "energy of the default call over NODT", "-", below(3) },
+                              { "iterations of NODT in which the energy rises", "some", text("%d of %zu", rises, energies.size() - 1) } });
     record.claim("12", e[0] > e[1] && e[1] > e[2], name + ": NODT is above Algorithm 1 above Algorithm 2");
     record.draw_histograms("figure_12_histograms", { { "NODT", report(nodt) }, { "Algorithm 1", report(local) },
                                                      { "Algorithm 2", report(global) }, { "default call", report(ours) } });
@@ -175,7 +183,7 @@ static void figure_14(Paper_record& record, double factor)
     {
       C3t3 ours(input);
       const double time = seconds([&] { CGAL::odt_optimize_mesh_3(ours, domain); });
-      record.row("14", name + ", default call", "17.6 - 155.3 degrees; mean 3r/R .8868", properties(ours, time));
+      record_mesh(record, "14", name + ", default call", {{ "17.6", "155.3", "-", "0.8868", "-", "-", "-" }}, ours, time);
       record.claim("14", report(ours).smallest_angle > 15 && report(ours).cells_below[0].second == 0,
                    name + " is left with no angle below 15 degrees");
       record.draw_cutaways("figure_14_" + name, [&](const std::string& file) { draw_before_and_after(input, ours, file); });
@@ -192,7 +200,7 @@ static void figure_15(Paper_record& record, double factor)
     C3t3 ours(input);
     const double time = seconds([&] { CGAL::odt_optimize_mesh_3(ours, domain); });
     const std::string name = text("armadillo of %zuk cells", std::size_t(ours.number_of_cells_in_complex()) / 1000);
-    record.row("15", name + ", default call", "277k cells; 15.2 - 157.5 degrees; mean 3r/R .8715", properties(ours, time));
+    record_mesh(record, "15", name + " (in the paper 277k), default call", {{ "15.2", "157.5", "-", "0.8715", "-", "-", "-" }}, ours, time);
     record.claim("15", report(ours).smallest_angle > 15 && report(ours).mean_radius_ratio > 0.8715,
                  name + ": no angle below 15 degrees, and a mean 3r/R above that of the paper");
     record.draw_cutaways("figure_15", [&](const std::string& file) { draw_before_and_after(input, ours, file); });
@@ -222,42 +230,46 @@ static void figure_17(Paper_record& record, double factor)
   const Polyhedron elephant = read_polyhedron(CGAL::data_file_path("meshes/elephant.off"));
   const Domain domain(elephant);
   const double size = factor * elephant_size;
-  const auto show = [&](const std::string& what, const std::string& paper, const C3t3& c3t3, double time)
+  const auto show = [&](const std::string& what, const Numbers_of_paper& paper, const C3t3& c3t3, double time)
   {
-    record.row("17", what, paper, properties(c3t3, time));
+    record_mesh(record, "17", what, paper, c3t3, time);
   };
   C3t3 mesh;
   double time = seconds([&] { mesh = interleave(domain, size); });
   const CGAL::Mesh_quality_report_3 interleaved = report(mesh);
-  show("interleaved", ".78 - 178.3; from .02, mean .8818; 21 and 214; 187 s", mesh, time);
+  show("interleaved", {{ "0.78", "178.3", "0.02", "0.8818", "21", "214", "187" }}, mesh, time);
   time += seconds([&] { perturb(mesh, domain); });
-  show("interleaved, perturbed", "20.0 - 150.8; from .30, mean .8685; 0 and 0; 272 s", mesh, time);
+  show("interleaved, perturbed", {{ "20.0", "150.8", "0.30", "0.8685", "0", "0", "272" }}, mesh, time);
 
   C3t3 input;
   const double time_of_input = seconds([&] { input = polyhedral_mesh(domain, size, false, elephant_distance); });
-  show("refined to the same size at once", "-", input, time_of_input);
+  show("refined to the same size at once", not_in_paper, input, time_of_input);
   mesh = input;
   time = time_of_input + seconds([&] { odt_of_mesh_3(mesh, domain); });
-  show("CGAL's odt", "-", mesh, time);
+  show("CGAL's odt", not_in_paper, mesh, time);
   time += seconds([&] { perturb(mesh, domain); });
-  show("CGAL's odt, perturbed", "-", mesh, time);
+  show("CGAL's odt, perturbed", not_in_paper, mesh, time);
   mesh = input;
   time = time_of_input + seconds([&]
   {
     CGAL::lloyd_optimize_mesh_3(mesh, domain, params::do_freeze = false, params::max_iteration_number = 60);
   });
-  show("CGAL's Lloyd, 60 iterations", "-", mesh, time);
+  show("CGAL's Lloyd, 60 iterations", not_in_paper, mesh, time);
   mesh = input;
   time = time_of_input + seconds([&] { run_algorithm(mesh, domain, 20); });
   const CGAL::Mesh_quality_report_3 global = report(mesh);
-  show("global ODT (Algorithm 2)", ".71 - 178.9; from .01, mean .9110; 17 and 115; 236 s", mesh, time);
+  show("global ODT (Algorithm 2)", {{ "0.71", "178.9", "0.01", "0.9110", "17", "115", "236" }}, mesh, time);
   time += seconds([&] { perturb(mesh, domain); });
-  show("global ODT, perturbed", "20.0 - 151.5; from .33, mean .9007; 0 and 0; 287 s", mesh, time);
+  show("global ODT, perturbed", {{ "20.0", "151.5", "0.33", "0.9007", "0", "0", "287" }}, mesh, time);
   C3t3 ours(input);
   time = time_of_input + seconds([&] { CGAL::odt_optimize_mesh_3(ours, domain); });
-  show("default call", "-", ours, time);
-  record.row("17", "Stellar; global ODT, Stellar (not free, not run)",
-             "37.2 - 139.2; from .29, mean .7648; 447 s; 41.4 - 136.1; from .30, mean .8630; 658 s", "-");
+  show("default call", not_in_paper, ours, time);
+  for(const auto& stellar : { std::make_pair("Stellar", Numbers_of_paper{{ "37.2", "139.2", "0.29", "0.7648", "-", "-", "447" }}),
+                              std::make_pair("global ODT, Stellar", Numbers_of_paper{{ "41.4", "136.1", "0.30", "0.8630", "-", "-", "658" }}) })
+    record.rows("17", stellar.first + std::string(" (not free, not run)"),
+                { { "smallest angle (degrees)", stellar.second[0], "-" }, { "largest angle (degrees)", stellar.second[1], "-" },
+                  { "smallest 3r/R", stellar.second[2], "-" }, { "mean 3r/R", stellar.second[3], "-" },
+                  { "time (s)", stellar.second[6], "-" } });
   record.claim("17", global.mean_radius_ratio > interleaved.mean_radius_ratio, "global ODT has a higher mean 3r/R than interleaving");
   record.claim("17", report(ours).mean_radius_ratio > global.mean_radius_ratio && report(ours).cells_below[1].second == 0,
                "the default call has a higher mean 3r/R than both and no cell below 20 degrees");
@@ -283,11 +295,13 @@ static void table_2(Paper_record& record, double factor)
     Stages ours;
     ours.run(c3t3, domain, odt::Odt_task::OPTIMIZE, odt::Odt_parameters());
     const std::string name = text("elephant of %zu vertices", points.size());
-    record.row("Table 2", name + ": CPU seconds of meshing, and of 60 iterations of NODT", "-", text("%.2f, %.2f", meshing, all_of_nodt));
+    record.rows("Table 2", name, { { "CPU time of meshing (s)", "-", text("%.2f", meshing) },
+                                   { "CPU time of 60 iterations of NODT (s)", "-", text("%.2f", all_of_nodt) } });
     const auto show = [&](const std::string& method, const Stages& stages)
     {
-      record.row("Table 2", name + ": CPU seconds of " + method + "; of these: remesh, search, minimize, restrict, slivers, other", "-",
-                 text("%.2f; ", stages.all()) + stages.remesh_search_minimize_restrict_slivers_other());
+      record.row("Table 2", name + ", " + method + ": CPU time (s)", "-", text("%.2f", stages.all()));
+      for(const auto& s : stages.of_stages())
+        record.row("Table 2", name + ", " + method + ": of this, " + s.first, "-", text("%.2f", s.second));
     };
     show("Algorithm 1", run_algorithm(local, domain, 0));
     show("Algorithm 2", run_algorithm(global, domain, 20));

@@ -115,9 +115,13 @@ int main(int argc, char* argv[])
       print(name, run, trace);
     }
   }
-  record.row("9", text("energy after %d iterations over that at first: L-BFGS; approximate Newton with full steps, and with "
-                       "0.7 of them", iterations), "L-BFGS is lower", text("%+.2f %%; %+.2f, %+.2f %%", gains[0], gains[1], gains[2]));
-  record.row("9", "time of an iteration over that of L-BFGS", "2", text("%.1f, %.1f", times[1] / times[0], times[2] / times[0]));
+  const auto percent = [](double x) { return text("%+.2f %%", x); };
+  record.rows("9", text("energy after %d iterations over that at first", iterations),
+              { { "L-BFGS", "lower", percent(gains[0]) }, { "approximate Newton", "-", percent(gains[1]) },
+                { "approximate Newton, 0.7 of the steps", "-", percent(gains[2]) } });
+  record.rows("9", "time of an iteration over that of L-BFGS",
+              { { "approximate Newton", "2", text("%.1f", times[1] / times[0]) },
+                { "approximate Newton, 0.7 of the steps", "2", text("%.1f", times[2] / times[0]) } });
   record.claim("9", is_lower, "L-BFGS is lower after as many iterations");
   const std::vector<std::string> titles = { "L-BFGS", "Newton, full steps", "Newton, steps x 0.7" };
   record.draw("figure_9", "set multiplot layout 1,2\nset xlabel 'CPU s'\nset title 'energy'\nset logscale x\n"

@@ -188,9 +188,11 @@ static void figures_10_and_18(Paper_record& record, unsigned int seeds, int vert
   record.row("10", "time of global ODT over that of AVV", "2.2",
              text("%.1f", mean(outcomes[GLOBAL_ODT], &Planar_outcome::time) / mean(outcomes[AVV], &Planar_outcome::time)));
   for(int way = 0; way < 7; ++way)
-    record.row("18", std::string(ways[way]) + ": mean of the smallest angles of triangles, smallest of all; CPU s", "-",
-               text("%.2f, %.1f degrees; %.2f s", mean(outcomes[way], &Planar_outcome::mean_smallest_angle),
-                    mean(outcomes[way], &Planar_outcome::smallest_angle), mean(outcomes[way], &Planar_outcome::time)));
+    record.rows("18", std::string(ways[way]) + ", in the plane",
+                { { "mean of the smallest angles of triangles (degrees)", "-",
+                    text("%.2f", mean(outcomes[way], &Planar_outcome::mean_smallest_angle)) },
+                  { "smallest angle (degrees)", "-", text("%.1f", mean(outcomes[way], &Planar_outcome::smallest_angle)) },
+                  { "CPU time (s)", "-", text("%.2f", mean(outcomes[way], &Planar_outcome::time)) } });
   record.claim("10", gain(GLOBAL_ODT) < gain(LOCAL_ODT) && gain(GLOBAL_ODT) < 0, "AVV and L-BFGS are above global ODT");
   record.claim("18", mean(outcomes[LOCAL_CVT], &Planar_outcome::mean_smallest_angle)
                      > mean(outcomes[LOCAL_ODT], &Planar_outcome::mean_smallest_angle) - 0.5,
@@ -274,10 +276,10 @@ static void figure_3(Paper_record& record)
   }
   out.close();
   record.row("3", "changes of the triangulation on the way", "-", text("%d", crossings));
-  record.row("3", "largest jump of (2.4) and of (2.5), relatively", "some, none",
-             text("%.1e, %.1e", largest.jump_of_discrete, largest.jump_of_continuous));
-  record.row("3", "largest change of the slope of (2.5) and of the CVT energy", "some, none",
-             text("%.1e, %.1e", largest.kink_of_continuous, largest.kink_of_cvt));
+  record.rows("3", "largest jump, relative to the energy", { { "(2.4)", "some", text("%.1e", largest.jump_of_discrete) },
+                                                             { "(2.5)", "none", text("%.1e", largest.jump_of_continuous) } });
+  record.rows("3", "largest change of the slope", { { "(2.5)", "some", text("%.1e", largest.kink_of_continuous) },
+                                                    { "CVT energy", "none", text("%.1e", largest.kink_of_cvt) } });
   record.claim("3", crossings > 0 && largest.jump_of_discrete > 1e-4 && largest.jump_of_continuous < 1e-9
                     && largest.kink_of_continuous > 1e-2 && largest.kink_of_cvt < 1e-3,
                "(2.4) jumps, (2.5) is continuous with a kink, the CVT energy is smooth");

@@ -133,11 +133,11 @@ static void record_figure_11(Paper_record& record, const std::vector<std::vector
   record.row("11", "time of Algorithm 2 over that of AVV", "0.93",
              text("%.2f", mean(paper, &Outcome::time) / mean(avv, &Outcome::time)));
   record.row("11", "energy of momentum annealing over that of AVV", "-", text("%+.2f %%", 100 * gain(ours)));
-  record.row("11", "time of these over that of AVV", "-",
+  record.row("11", "time of momentum annealing over that of AVV", "-",
              text("%.2f", mean(ours, &Outcome::time) / mean(avv, &Outcome::time)));
-  record.row("11", "mean 3r/R of AVV, L-BFGS, Algorithm 2, and these", "-",
-             text("%.4f, %.4f, %.4f, %.4f", mean(avv, &Outcome::mean_radius_ratio), mean(local, &Outcome::mean_radius_ratio),
-                  mean(paper, &Outcome::mean_radius_ratio), mean(ours, &Outcome::mean_radius_ratio)));
+  const auto ratio = [](const std::vector<Outcome>& o) { return text("%.4f", mean(o, &Outcome::mean_radius_ratio)); };
+  record.rows("11", "mean 3r/R", { { "AVV", "-", ratio(avv) }, { "L-BFGS", "-", ratio(local) }, { "Algorithm 2", "-", ratio(paper) },
+                                   { "momentum annealing", "-", ratio(ours) } });
   bool is_ordered = true;
   for(std::size_t n = 0; n < avv.size(); ++n)
     is_ordered = is_ordered && local[n].energy < avv[n].energy && paper[n].energy < local[n].energy
