@@ -195,7 +195,10 @@ void check_contract(const State<Mesh>& before, const Mesh& c3t3, const D& domain
     check::that(after.volumes.size() == before.volumes.size(), name, ": subdomains");
     for(const auto& v : before.volumes)
       check::that(std::abs(after.volumes.at(v.first) - v.second) <= 0.02 * v.second, name, ": volume of ", v.first);
-    check::that(after.smallest_angle >= (std::min)(before.smallest_angle, angle), name, ": smaller angles");
+    // A cell that has stayed may have its vertices in another order, and thus other angles in the last digits.
+    constexpr double rounding = 1e-9;
+    check::that(after.smallest_angle > (std::min)(before.smallest_angle, angle) - rounding, name, ": smallest angle ", before.smallest_angle,
+                " -> ", after.smallest_angle);
   }
   // A mesh that has not changed is as the mesh generator has left it.
   if(after.points != before.points)
