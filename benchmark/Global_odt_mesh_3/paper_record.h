@@ -30,6 +30,8 @@ inline std::string text(const char* format, ...)
   return buffer;
 }
 
+inline std::string percent(double x) { return text("%+.2f %%", x); }
+
 // What a program shows of the paper: rows beside those printed there, whether what the paper claims holds, and pictures.
 // With a directory, rows go to rows.md there, and data and scripts of pictures, which gnuplot draws if there is one, to
 // files of their own; without one, rows are only printed.

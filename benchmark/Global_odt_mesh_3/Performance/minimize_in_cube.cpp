@@ -100,7 +100,7 @@ int main(int argc, char* argv[])
     }
   }
   const double mean = avv.mean();
-  record.row("7", "mean energy of L-BFGS over that of AVV", "-0.32 %", text("%+.2f %%", 100 * (ours.mean() / mean - 1)));
+  record.row("7", "mean energy of L-BFGS over that of AVV", "-0.32 %", percent(100 * (ours.mean() / mean - 1)));
   record.row("7", "range of L-BFGS over the mean of AVV", "-",
              text("%+.2f to %+.2f %%", 100 * (ours.lowest() / mean - 1), 100 * (ours.highest() / mean - 1)));
   record.row("7", "range of AVV over its mean", "-0.20 to +0.03 %",

@@ -122,18 +122,17 @@ static void print(const std::vector<Way>& all, const Results& results)
 
 static void record_figures(Paper_record& record, const std::vector<Way>& all, const Results& results)
 {
-  for(int w : { LLOYD, LOCAL_CVT, GLOBAL_CVT, MOMENTUM_CVT, LOCAL_ODT, GLOBAL_ODT, MOMENTUM_ODT })
-    record.rows("19", all[w].name, { { "cells below 10 degrees", "-", text("%.0f", mean(results[w], slivers)) },
-                                     { "mean 3r/R", "-", text("%.4f", mean(results[w], radius_ratio)) } });
-  const auto record_20 = [&](int w, const std::string& name, const char* slivers_of_paper, const char* ratio_of_paper)
+  const auto record_way = [&](const std::string& figure, int w, const char* slivers_of_paper, const char* ratio_of_paper)
   {
-    record.rows("20", name, { { "cells below 10 degrees", slivers_of_paper, text("%.0f", mean(results[w], slivers)) },
-                              { "mean 3r/R", ratio_of_paper, text("%.4f", mean(results[w], radius_ratio)) } });
+    record.rows(figure, all[w].name, { { "cells below 10 degrees", slivers_of_paper, text("%.0f", mean(results[w], slivers)) },
+                                       { "mean 3r/R", ratio_of_paper, text("%.4f", mean(results[w], radius_ratio)) } });
   };
-  record_20(LOCAL_CVT, "local CVT", "195", "0.8930");
-  record_20(CVT_LOCAL_ODT, "local CVT, then local ODT", "16", "0.9085");
-  record_20(GLOBAL_CVT, "global CVT", "-", "-");
-  record_20(GLOBAL_CVT_LOCAL_ODT, "global CVT, then local ODT", "-", "-");
+  for(int w : { LLOYD, LOCAL_CVT, GLOBAL_CVT, MOMENTUM_CVT, LOCAL_ODT, GLOBAL_ODT, MOMENTUM_ODT })
+    record_way("19", w, "-", "-");
+  record_way("20", LOCAL_CVT, "195", "0.8930");
+  record_way("20", CVT_LOCAL_ODT, "16", "0.9085");
+  record_way("20", GLOBAL_CVT, "-", "-");
+  record_way("20", GLOBAL_CVT_LOCAL_ODT, "-", "-");
   const auto energy = [&](int w) { return mean(results[w], [](const Result& r) { return r.outcome.energy; }); };
   record.row("20", "energy of momentum annealing begun at CVT over that from random vertices", "-",
              text("%+.3f %%", 100 * (energy(CVT_MOMENTUM_ODT) / energy(MOMENTUM_ODT) - 1)));

@@ -164,11 +164,10 @@ int main(int argc, char* argv[])
   for(std::size_t n = 0; n < methods.size(); ++n)
     table.add({ methods[n] }, means[n].values());
   std::cout << table;
-  const auto percent = [](double x) { return text("%+.2f %%", x); };
   record.rows("8", "energy of L-BFGS over the lowest of AVV",
               { { "linear rule", "lower", percent(gains[0]) }, { "4 points", "-", percent(gains[1]) }, { "15 points", "-", percent(gains[2]) },
                 { "adaptive cubature", "lower", percent(gains[3]) } });
-  record.row("8", "the same of the search, 4 points, last seed", "-", text("%+.2f %%", gain_of_search));
+  record.row("8", "the same of the search, 4 points, last seed", "-", percent(gain_of_search));
   record.row("8", "iterations in which AVV raises the energy", "some", text("%d of %u", rises_of_avv, 500 * seeds));
   record.claim("8", is_lower && rises_of_avv > 0, "AVV oscillates, and L-BFGS ends below the lowest energy that it comes across");
   record.claim("8", rises_with_cubature == 0,

@@ -58,21 +58,28 @@ static double energy(const C3t3& c3t3)
 }
 
 // What the paper's table shows of a mesh, in the order of its columns, and the time that it took.
-typedef std::array<const char*, 7> Numbers_of_paper;
-static constexpr Numbers_of_paper not_in_paper = {{ "-", "-", "-", "-", "-", "-", "-" }};
+typedef std::array<std::string, 7> Mesh_numbers;
+static const Mesh_numbers unknown = {{ "-", "-", "-", "-", "-", "-", "-" }};
 
-static void record_mesh(Paper_record& record, const std::string& figure, const std::string& name, const Numbers_of_paper& paper,
+// The rows of those that are known.
+static void record_numbers(Paper_record& record, const std::string& figure, const std::string& name, const Mesh_numbers& paper,
+                           const Mesh_numbers& here)
+{
+  static const Mesh_numbers what = {{ "smallest angle (degrees)", "largest angle (degrees)", "smallest 3r/R", "mean 3r/R",
+                                      "cells below 10 degrees", "cells below 20 degrees", "CPU time (s)" }};
+  for(std::size_t n = 0; n < what.size(); ++n)
+    if(paper[n] != unknown[n] || here[n] != unknown[n])
+      record.row(figure, name + ": " + what[n], paper[n], here[n]);
+}
+
+static void record_mesh(Paper_record& record, const std::string& figure, const std::string& name, const Mesh_numbers& paper,
                         const C3t3& c3t3, double time)
 {
   const CGAL::Mesh_quality_report_3 r = report(c3t3);
-  record.rows(figure, text("%s, %zu vertices", name.c_str(), r.number_of_vertices),
-              { { "smallest angle (degrees)", paper[0], text("%.2f", r.smallest_angle) },
-                { "largest angle (degrees)", paper[1], text("%.2f", r.largest_angle) },
-                { "smallest 3r/R", paper[2], text("%.2f", r.smallest_radius_ratio) },
-                { "mean 3r/R", paper[3], text("%.4f", r.mean_radius_ratio) },
-                { "cells below 10 degrees", paper[4], text("%zu", r.cells_below[0].second) },
-                { "cells below 20 degrees", paper[5], text("%zu", r.cells_below[1].second) },
-                { "CPU time (s)", paper[6], text("%.1f", time) } });
+  record_numbers(record, figure, text("%s, %zu vertices", name.c_str(), r.number_of_vertices), paper,
+                 {{ text("%.2f", r.smallest_angle), text("%.2f", r.largest_angle), text("%.2f", r.smallest_radius_ratio),
+                    text("%.4f", r.mean_radius_ratio), text("%zu", r.cells_below[0].second), text("%zu", r.cells_below[1].second),
+                    text("%.1f", time) }});
 }
 
 static void perturb(C3t3& c3t3, const Domain& domain)
@@ -155,7 +162,7 @@ static void figure_12(Paper_record& record, double factor)
     for(std::size_t n = 1; n < energies.size(); ++n)
       rises += energies[n] > energies[n - 1];
     const double e[] = { energy(nodt), energy(local), energy(global), energy(ours) };
-    const auto below = [&](int n) { return text("%+.2f %%", 100 * (e[n] / e[0] - 1)); };
+    const auto below = [&](int n) { return percent(100 * (e[n] / e[0] - 1)); };
     record.rows("12", name, { { "energy of NODT", "0.5436", text("%.4f", e[0]) }, { "energy of Algorithm 1 over NODT", "-1.64 %", below(1) },
                               { "energy of Algorithm 2 over NODT", "-3.83 %", below(2) }, { "energy of the default call over NODT", "-", below(3) },
                               { "iterations of NODT in which the energy rises", "some", text("%d of %zu", rises, energies.size() - 1) } });
@@ -230,7 +237,7 @@ static void figure_17(Paper_record& record, double factor)
   const Polyhedron elephant = read_polyhedron(CGAL::data_file_path("meshes/elephant.off"));
   const Domain domain(elephant);
   const double size = factor * elephant_size;
-  const auto show = [&](const std::string& what, const Numbers_of_paper& paper, const C3t3& c3t3, double time)
+  const auto show = [&](const std::string& what, const Mesh_numbers& paper, const C3t3& c3t3, double time)
   {
     record_mesh(record, "17", what, paper, c3t3, time);
   };
@@ -243,18 +250,18 @@ static void figure_17(Paper_record& record, double factor)
 
   C3t3 input;
   const double time_of_input = seconds([&] { input = polyhedral_mesh(domain, size, false, elephant_distance); });
-  show("refined to the same size at once", not_in_paper, input, time_of_input);
+  show("refined to the same size at once", unknown, input, time_of_input);
   mesh = input;
   time = time_of_input + seconds([&] { odt_of_mesh_3(mesh, domain); });
-  show("CGAL's odt", not_in_paper, mesh, time);
+  show("CGAL's odt", unknown, mesh, time);
   time += seconds([&] { perturb(mesh, domain); });
-  show("CGAL's odt, perturbed", not_in_paper, mesh, time);
+  show("CGAL's odt, perturbed", unknown, mesh, time);
   mesh = input;
   time = time_of_input + seconds([&]
   {
     CGAL::lloyd_optimize_mesh_3(mesh, domain, params::do_freeze = false, params::max_iteration_number = 60);
   });
-  show("CGAL's Lloyd, 60 iterations", not_in_paper, mesh, time);
+  show("CGAL's Lloyd, 60 iterations", unknown, mesh, time);
   mesh = input;
   time = time_of_input + seconds([&] { run_algorithm(mesh, domain, 20); });
   const CGAL::Mesh_quality_report_3 global = report(mesh);
@@ -263,13 +270,9 @@ static void figure_17(Paper_record& record, double factor)
   show("global ODT, perturbed", {{ "20.0", "151.5", "0.33", "0.9007", "0", "0", "287" }}, mesh, time);
   C3t3 ours(input);
   time = time_of_input + seconds([&] { CGAL::odt_optimize_mesh_3(ours, domain); });
-  show("default call", not_in_paper, ours, time);
-  for(const auto& stellar : { std::make_pair("Stellar", Numbers_of_paper{{ "37.2", "139.2", "0.29", "0.7648", "-", "-", "447" }}),
-                              std::make_pair("global ODT, Stellar", Numbers_of_paper{{ "41.4", "136.1", "0.30", "0.8630", "-", "-", "658" }}) })
-    record.rows("17", stellar.first + std::string(" (not free, not run)"),
-                { { "smallest angle (degrees)", stellar.second[0], "-" }, { "largest angle (degrees)", stellar.second[1], "-" },
-                  { "smallest 3r/R", stellar.second[2], "-" }, { "mean 3r/R", stellar.second[3], "-" },
-                  { "time (s)", stellar.second[6], "-" } });
+  show("default call", unknown, ours, time);
+  record_numbers(record, "17", "Stellar (not free, not run)", {{ "37.2", "139.2", "0.29", "0.7648", "-", "-", "447" }}, unknown);
+  record_numbers(record, "17", "global ODT, Stellar (not free, not run)", {{ "41.4", "136.1", "0.30", "0.8630", "-", "-", "658" }}, unknown);
   record.claim("17", global.mean_radius_ratio > interleaved.mean_radius_ratio, "global ODT has a higher mean 3r/R than interleaving");
   record.claim("17", report(ours).mean_radius_ratio > global.mean_radius_ratio && report(ours).cells_below[1].second == 0,
                "the default call has a higher mean 3r/R than both and no cell below 20 degrees");

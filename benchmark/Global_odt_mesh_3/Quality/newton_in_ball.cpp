@@ -115,7 +115,6 @@ int main(int argc, char* argv[])
       print(name, run, trace);
     }
   }
-  const auto percent = [](double x) { return text("%+.2f %%", x); };
   record.rows("9", text("energy after %d iterations over that at first", iterations),
               { { "L-BFGS", "lower", percent(gains[0]) }, { "approximate Newton", "-", percent(gains[1]) },
                 { "approximate Newton, 0.7 of the steps", "-", percent(gains[2]) } });

@@ -182,9 +182,9 @@ static void figures_10_and_18(Paper_record& record, unsigned int seeds, int vert
     energies = run_all(Planar_input(seed, vertices), seed, rounds, outcomes);
   const double avv = mean(outcomes[AVV], &Planar_outcome::energy);
   const auto gain = [&](int way) { return 100 * (mean(outcomes[way], &Planar_outcome::energy) / avv - 1); };
-  record.row("10", "energy of L-BFGS over that of AVV", "-", text("%+.2f %%", gain(LOCAL_ODT)));
+  record.row("10", "energy of L-BFGS over that of AVV", "-", percent(gain(LOCAL_ODT)));
   record.row("10", text("energy of %d rounds of global ODT over that of AVV", rounds), "-4.68 % (100 rounds)",
-             text("%+.2f %%", gain(GLOBAL_ODT)));
+             percent(gain(GLOBAL_ODT)));
   record.row("10", "time of global ODT over that of AVV", "2.2",
              text("%.1f", mean(outcomes[GLOBAL_ODT], &Planar_outcome::time) / mean(outcomes[AVV], &Planar_outcome::time)));
   for(int way = 0; way < 7; ++way)

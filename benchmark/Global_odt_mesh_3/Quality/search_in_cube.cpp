@@ -129,10 +129,10 @@ static void record_figure_11(Paper_record& record, const std::vector<std::vector
 {
   const std::vector<Outcome> &avv = all[0], &local = all[1], &paper = all[2], &ours = all[3];
   const auto gain = [&](const std::vector<Outcome>& o) { return mean(o, &Outcome::energy) / mean(avv, &Outcome::energy) - 1; };
-  record.row("11", "energy of Algorithm 2 over that of AVV", "-1.51 %", text("%+.2f %%", 100 * gain(paper)));
+  record.row("11", "energy of Algorithm 2 over that of AVV", "-1.51 %", percent(100 * gain(paper)));
   record.row("11", "time of Algorithm 2 over that of AVV", "0.93",
              text("%.2f", mean(paper, &Outcome::time) / mean(avv, &Outcome::time)));
-  record.row("11", "energy of momentum annealing over that of AVV", "-", text("%+.2f %%", 100 * gain(ours)));
+  record.row("11", "energy of momentum annealing over that of AVV", "-", percent(100 * gain(ours)));
   record.row("11", "time of momentum annealing over that of AVV", "-",
              text("%.2f", mean(ours, &Outcome::time) / mean(avv, &Outcome::time)));
   const auto ratio = [](const std::vector<Outcome>& o) { return text("%.4f", mean(o, &Outcome::mean_radius_ratio)); };

@@ -76,7 +76,6 @@ private:
   };
 
   static constexpr unsigned int most_adaptations = 3;
-  static constexpr double wanted_angle = 30;            // of insertion and removal, if no bound is given
   // In which cells are split that are too large: in the end, no more angles get below 30 degrees. Where cells were split whatever
   // that did to angles, those of an elephant fell from 30 to 8 degrees.
   static constexpr int step_on_the_way = 1, last_step = 3;
@@ -129,7 +128,7 @@ private:
     std::optional<Outcome> outcome = optimize(adapted, task);
     if(!outcome)
       return outcome;
-    const int last_step_of_edits = Sliver_steps::last(parameters_.sliver_bound > 0 ? parameters_.sliver_bound : wanted_angle);
+    const int last_step_of_edits = Sliver_steps::last(parameters_.wanted_angle());
     for(unsigned int n = 0; n < most_adaptations && parameters_.do_remove_slivers && !control_.is_stopped(); ++n)
     {
       Tabulated_mesh_3::State before = adapted.state();

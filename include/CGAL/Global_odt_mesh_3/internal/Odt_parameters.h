@@ -56,6 +56,9 @@ struct Odt_parameters
   unsigned int random_seed = 0;
   std::function<bool(double)> callback;
 
+  // Of rounds that go on until cells have it: the bound or, without one, 30 degrees.
+  double wanted_angle() const { return sliver_bound > 0 ? sliver_bound : 30; }
+
   void check() const
   {
     CGAL_GLOBAL_ODT_MESH_3_CHECK_PARAMETER(time_limit >= 0, "time_limit must be a number of seconds, not negative");

@@ -51,7 +51,8 @@ namespace internal {
 // triangulation. After some iterations, the exact triangulation and its restriction to the
 // domain are built anew, which brings other facets; that is a round. In the first ones, all vertices
 // search globally, and in the last they go to the minimum, of an energy of which that of a centroidal
-// Voronoi tessellation of the surfaces (section 5.1) is a term. Without a search, surfaces go toward that alone first. Then the boundary rests, the interior converges, and slivers are removed.
+// Voronoi tessellation of the surfaces (section 5.1) is a term. Without a search, surfaces go toward that
+// alone first. Then the boundary rests, the interior converges, and slivers are removed.
 class Optimization_attempt_3
 {
 public:
@@ -124,16 +125,14 @@ public:
     return census;
   }
 
-  // Also a mesh that may be worse has no smaller angles if there was no time to remove slivers. Who wants a bound for angles
-  // does not mind sizes.
+  // Also a mesh that may be worse has no smaller angles if there was no time to remove slivers.
   static bool is_acceptable(const Mesh_table_3& mesh, const Sliver_census_3& before, const Odt_parameters& parameters,
                             bool may_be_worse, bool is_cut_short)
   {
     if(may_be_worse && !is_cut_short)
       return true;
     const Sliver_census_3 after = slivers(mesh);
-    return after.is_not_worse_than(before, !may_be_worse)
-           && (may_be_worse || parameters.sliver_bound > 0 || after.is_not_coarser_than(before));
+    return may_be_worse ? after.is_not_worse_than(before, false) : after.may_replace(before, parameters.sliver_bound);
   }
 
   // If so many cells are left below the bound.

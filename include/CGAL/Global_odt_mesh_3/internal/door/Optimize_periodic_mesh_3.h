@@ -94,7 +94,6 @@ private:
   typedef Periodic_mesh_3<C3t3, Mesh_domain> Mesh;
 
   static constexpr int number_of_optimizations = 2, most_attempts = 4, fewest_removals = 3, most_removals = 7;
-  static constexpr double wanted_angle = 30;                // of removals, if no bound is given
   static constexpr double worthwhile = 0.75;                // what a removal that pays leaves of what cells lack of the angle
   static constexpr double volume_tolerance = 0.02;
   static constexpr double size_of_perturbation = 1e-3;      // relative to the shortest edge at a vertex
@@ -129,9 +128,11 @@ private:
 
   Mesh_optimization_return_code code() const
   {
-    const bool is_failure = goes_on_ && code_ != TIME_LIMIT_REACHED && !result_ && (is_changed_ || failures_ > 0);
-    const bool removes_slivers = goes_on_ && code_ != TIME_LIMIT_REACHED && code_ != MAX_ITERATION_NUMBER_REACHED
-                                 && parameters_.do_remove_slivers && parameters_.sliver_bound > 0;
+    if(!goes_on_ || code_ == TIME_LIMIT_REACHED)
+      return code_;
+    const bool is_failure = !result_ && (is_changed_ || failures_ > 0);
+    const bool removes_slivers
+      = code_ != MAX_ITERATION_NUMBER_REACHED && parameters_.do_remove_slivers && parameters_.sliver_bound > 0;
     const Periodic_complex_3& last = result_ ? *result_ : complex_;
     return is_failure || (removes_slivers && last.deficit(parameters_.sliver_bound) > 0) ? CANT_IMPROVE_ANYMORE : code_;
   }
@@ -156,7 +157,7 @@ private:
     }
     if(!removes)
       return;
-    const double before = std::exchange(deficit_, complex_.deficit(parameters_.sliver_bound > 0 ? parameters_.sliver_bound : wanted_angle));
+    const double before = std::exchange(deficit_, complex_.deficit(parameters_.wanted_angle()));
     removals_pay_ = ++removals_ < fewest_removals || deficit_ < worthwhile * before;
   }
 
@@ -203,7 +204,8 @@ private:
     }
     if(p.time_limit > 0)
     {
-      const double begin = timer_.time(), left = p.time_limit - begin - rebuilding_ * (std::max)(1, number_of_optimizations + fewest_removals - step());
+      const int rebuildings = (std::max)(1, number_of_optimizations + fewest_removals - step());
+      const double left = p.time_limit - timer_.time() - rebuilding_ * rebuildings;
       p.time_limit = left * (share_before(step() + 1) - share_before(step())) / (1 - share_before(step()));
       if(!(p.time_limit > 0))
       {
@@ -266,16 +268,9 @@ private:
     }
     complex_ = std::move(*candidate);
     is_changed_ = true;
-    if(is_acceptable(complex_.slivers()))
+    if(!parameters_.do_remove_slivers || complex_.slivers().may_replace(slivers_of_input_, parameters_.sliver_bound))
       result_ = complex_;
     return true;
-  }
-
-  bool is_acceptable(const Sliver_census_3& slivers) const
-  {
-    return !parameters_.do_remove_slivers
-           || (slivers.is_not_worse_than(slivers_of_input_, true)
-               && (parameters_.sliver_bound > 0 || slivers.is_not_coarser_than(slivers_of_input_)));
   }
 
   std::optional<Periodic_complex_3> rebuilt(std::vector<Site> sites)

@@ -250,6 +250,10 @@ public:
     });
   }
 
+  // Whether it may take the place of the other one. Who wants a bound for angles does not mind sizes.
+  bool may_replace(const Sliver_census_3& other, double sliver_bound) const
+  { return is_not_worse_than(other, true) && (sliver_bound > 0 || is_not_coarser_than(other)); }
+
 private:
   static constexpr int steps = 3;
 
