@@ -41,6 +41,12 @@ while IFS= read -r file; do
   fi
 done < <(find . -name '*.h')
 
+# The order in which operands and arguments are evaluated is up to the compiler.
+if grep -rnE 'random[a-z_]*(\.|->)[a-z_]+\([^;=]*random[a-z_]*(\.|->)[a-z_]+\(' --include='*.h' .; then
+  echo "an expression draws two random numbers"
+  status=1
+fi
+
 # Braces on lines of their own, at most one level deep, that do not follow the head of a class or namespace.
 find . -name '*.h' -exec awk '
   FNR == 1 { inside = 0; previous = "" }

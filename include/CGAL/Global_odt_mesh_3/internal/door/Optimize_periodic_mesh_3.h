@@ -75,7 +75,8 @@ public:
     complex_ = mesh_.read();
     set_input();
     break_ties();
-    const Vector_3 first_corner(random_.uniform(), random_.uniform(), random_.uniform());
+    const double z = random_.uniform(), y = random_.uniform(), x = random_.uniform();
+    const Vector_3 first_corner(x, y, z);
     for(round_ = 0; goes_on_ && removals_pay_ && step() < number_of_steps(); ++round_)
       make_round(first_corner);
     // Where the user has ended the optimization that leaves slivers, the first step of their removal keeps it from being in vain.

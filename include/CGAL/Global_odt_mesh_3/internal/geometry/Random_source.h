@@ -50,7 +50,8 @@ private:
 };
 
 // Random numbers and directions that a seed determines bit by bit: the standard prescribes
-// the output of its engines, but not that of its distributions.
+// the output of its engines, but not that of its distributions. Since it does not prescribe the order in which operands
+// and arguments are evaluated either, no expression draws twice.
 template <class Engine>
 class Random_numbers
 {

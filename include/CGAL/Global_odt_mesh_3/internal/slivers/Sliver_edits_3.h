@@ -180,7 +180,10 @@ private:
     {
       New_vertex_3 v = *base;
       if(n > 0)
-        v.point += random_.uniform() * length * random_.direction();
+      {
+        const Vector_3 direction = random_.direction();
+        v.point += random_.uniform() * length * direction;
+      }
       if(v.dimension == 2 && !complex_.domain.project(v.point, v.normal, length, v.place))
         continue;
       ++number_of_tries_;

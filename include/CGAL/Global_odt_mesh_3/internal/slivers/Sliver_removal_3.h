@@ -273,7 +273,8 @@ private:
       const auto random_place = [&](std::size_t n) -> std::optional<Site>
       {
         const double farthest = 2 * n < parameters_.tries_per_vertex ? parameters_.nearest : parameters_.farthest;
-        const Vector_3 d = trial.mean_edge_length() * random.uniform() * farthest * random.direction();
+        const Vector_3 direction = random.direction();
+        const Vector_3 d = trial.mean_edge_length() * random.uniform() * farthest * direction;
         return site_at(position(trial.from()) + d, trial.from().weight);
       };
       if(try_places(trial, v, parameters_.tries_per_vertex, random_place, best))
