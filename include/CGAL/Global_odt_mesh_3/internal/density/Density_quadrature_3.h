@@ -107,7 +107,7 @@ public:
 protected:
   static Density renumbered(const Density& density, const std::vector<int>& vertices)
   {
-    return [density, &vertices](int v, const Site& s) { return density(vertices[v], s); };
+    return [density, vertices](int v, const Site& s) { return density(vertices[v], s); };
   }
 
   // For moments with which (4.6) is not the derivative of the energy, which therefore need not fall.

@@ -256,7 +256,7 @@ public:
     const auto begin = vertices.begin() + first;
     Surface_density density;
     if(density_)
-      density = [this, &vertices](int v, const Site& s) { return density_(vertices[v], s); };
+      density = [density = density_, vertices](int v, const Site& s) { return density(vertices[v], s); };
     Surface_cvt_term_3 part(first, number_of_moving, weight_, density);
     part.factor_ = factor_;
     part.delaunay_ = surface_.part(std::vector<int>(begin, begin + number_of_moving), corner_of_vertex_, number);
