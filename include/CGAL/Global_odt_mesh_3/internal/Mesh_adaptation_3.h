@@ -35,6 +35,7 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -268,9 +269,10 @@ private:
   // Whether something has changed.
   bool store(Vertex_edits_3& edits)
   {
-    if(edits.has_changed())
-      mesh_.write(edits.table());
-    return edits.has_changed();
+    const std::optional<Mesh_table_3> table = edits.has_changed() ? edits.table() : std::nullopt;
+    if(table)
+      mesh_.write(*table);
+    return table.has_value();
   }
 
   Tabulated_mesh_3& mesh_;

@@ -34,7 +34,6 @@
 #include <CGAL/Global_odt_mesh_3/internal/surface/Boundary_geometry_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/surface/Exchangeable_boundary_3.h>
 
-#include <CGAL/assertions.h>
 
 #include <algorithm>
 #include <array>
@@ -158,8 +157,9 @@ public:
     return edges_of(cells);
   }
 
-  // The complex, with the vertices that have been inserted after those of the input.
-  Mesh_table_3 table()
+  // The complex, with the vertices that have been inserted after those of the input, or nothing if there is a facet for which
+  // the domain finds no surface center.
+  std::optional<Mesh_table_3> table()
   {
     Complex_snapshot_3 refined;
     std::vector<int> numbers;
@@ -189,7 +189,8 @@ public:
     {
       const Triple& t = refined.boundary.complex().facets()[n].vertices;
       refined.centers.push_back(center(found[n], estimated_surface_center(t, refined.boundary, refined.sites)));
-      CGAL_assertion(refined.centers.back().is_exact);
+      if(!refined.centers.back().is_exact)
+        return std::nullopt;
     }
     refined.number_facets();
     complex_.working.renumber(numbers);
