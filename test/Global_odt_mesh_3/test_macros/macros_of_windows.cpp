@@ -64,6 +64,10 @@
 #include <CGAL/remesh_boundary_mesh_3.h>
 #include <CGAL/remove_slivers_mesh_3.h>
 
+#ifdef CGAL_GLOBAL_ODT_MESH_3_INLINE
+#  error "a macro is left that is of no use outside"
+#endif
+
 typedef CGAL::Exact_predicates_inexact_constructions_kernel Kernel;
 typedef CGAL::Labeled_mesh_domain_3<Kernel> Domain;
 typedef CGAL::Mesh_triangulation_3<Domain>::type Triangulation;

@@ -45,4 +45,6 @@ optimize_mesh(User_mesh_view_3& mesh, const Domain_view_3& domain, Odt_task task
 } // namespace Global_odt_mesh_3
 } // namespace CGAL
 
+#undef CGAL_GLOBAL_ODT_MESH_3_INLINE
+
 #endif // CGAL_GLOBAL_ODT_MESH_3_INTERNAL_MESH_OPTIMIZER_3_IMPL_H
