@@ -48,7 +48,7 @@ struct Sliver_3
 };
 
 // A snapshot whose vertices can be moved one by one, in its triangulation, or to which vertices are added. Cells know their
-// labels, but facets are in the boundary alone.
+// labels. The boundary alone says which facets are in the complex: what cells know of their facets may be out of date.
 struct Editable_complex_3
 {
   // A facet of the boundary, as the triangulation has it from its first side.

@@ -36,7 +36,7 @@ enum Cell_flag
 {
   IS_LABELLED, IS_BOUNDARY_CELL, MAY_HAVE_BOUNDARY_FACETS,     // while a candidate is labelled
   GIVES_WAY,                                                  // while some cells are replaced
-  BORDERS_TRANSFER                                            // and the next three: while cells are transferred, its facets
+  BORDERS_TRANSFER              // while cells are transferred: of the first facet; those of the other three follow
 };
 
 // A vertex that has a number, or -1 as the infinite one. Time stamps keep what CGAL does from depending on addresses.

@@ -130,7 +130,7 @@ public:
     , facets_(find_boundary_facets(snapshot, working, threads))
   {}
 
-  // The cells have no labels afterwards.
+  // Afterwards, cells have numbers in the place of their labels.
   Mesh_table_3 operator()()
   {
     restore_orders();

@@ -263,12 +263,6 @@ private:
   std::map<int, std::pair<std::size_t, std::size_t> > counts_;
 };
 
-// Whether two boundary complexes on the same vertices have the same topology, and where they have not.
-//
-// They have if they have the same junctions with as many facets, as many umbrellas at each vertex, and as many
-// facets and components of each patch: then the patches have the same boundary, Euler
-// characteristic and number of components, and do not touch where they have not.
-
 inline std::vector<std::array<int, 3> > sorted_facets(const Boundary_complex_3& boundary)
 {
   std::vector<std::array<int, 3> > triples;
@@ -310,7 +304,11 @@ inline std::set<int> vertices_of_long_edges(const Boundary_complex_3& before, co
   return result;
 }
 
-// The vertices where the topology has changed.
+// The vertices where the topology of a boundary complex differs from that of another one on the same vertices.
+//
+// The topology is the same if both have the same junctions with as many facets, as many umbrellas at each vertex, and as many
+// facets and components of each patch: then the patches have the same boundary, Euler
+// characteristic and number of components, and touch at the same places.
 inline std::set<int> topology_changes(const Boundary_complex_3& before, const Boundary_complex_3& after)
 {
   CGAL_assertion(before.number_of_vertices() == after.number_of_vertices());
