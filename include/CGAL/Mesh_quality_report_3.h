@@ -14,6 +14,7 @@
 
 #include <CGAL/Global_odt_mesh_3/internal/Requirements.h>
 
+#include <CGAL/Global_odt_mesh_3/internal/door/Index_table.h>
 #include <CGAL/Global_odt_mesh_3/internal/energy/Odt_cell_energies_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/geometry/Cell_geometry_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/geometry/Site.h>
@@ -28,6 +29,7 @@
 #include <ostream>
 #include <sstream>
 #include <string>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -73,7 +75,9 @@ struct Mesh_quality_report_3
   std::array<std::size_t, number_of_facet_angle_bins> facet_angles{};   ///< the histogram of the facets' smallest angles
   /// for each bound in degrees, the number of cells with a smaller angle
   std::vector<std::pair<double, std::size_t> > cells_below;
-  std::map<std::string, Subdomain> subdomains;   ///< the subdomains, by their indices as they are printed
+  /// the subdomains, by their indices as they are printed: `2`, say, and `2 (2)` for another index that prints alike. Indices that cannot be
+  /// printed are numbered from 1 on
+  std::map<std::string, Subdomain> subdomains;
   /// the numbers of cells and facets that the criteria of the mesh generator call bad, if criteria are given
   std::optional<std::pair<std::size_t, std::size_t> > bad_cells_and_facets;
   /// the numbers of cells that violate each of the criteria for cells that are set. `Mesh_cell_criteria_3` has the size
@@ -162,6 +166,32 @@ inline std::string printed_violations(const char* of, const std::vector<std::siz
   return s.str();
 }
 
+template <class T, class = void>
+struct Is_printable : std::false_type {};
+
+template <class T>
+struct Is_printable<T, std::void_t<decltype(std::declval<std::ostream&>() << std::declval<const T&>())> > : std::true_type {};
+
+// The n-th index: concepts do not require that it can be printed.
+template <class Index>
+std::string printed(const Index& index, std::size_t n)
+{
+  std::ostringstream s;
+  if constexpr (Is_printable<Index>::value)
+    s << index;
+  else
+    s << n + 1;
+  return s.str();
+}
+
+// Indices may be printed alike.
+inline void add_subdomain(Mesh_quality_report_3& report, const std::string& name, const Mesh_quality_report_3::Subdomain& subdomain)
+{
+  std::string other = name;
+  for(int n = 2; !report.subdomains.emplace(other, subdomain).second; ++n)
+    other = name + " (" + std::to_string(n) + ")";
+}
+
 } // namespace internal
 } // namespace Global_odt_mesh_3
 
@@ -189,7 +219,8 @@ Mesh_quality_report_3 mesh_quality_report_3(const C3T3& c3t3,
   for(double b : bounds)
     report.cells_below.emplace_back(b, 0);
   double sum = 0;
-  std::map<typename C3T3::Subdomain_index, Report::Subdomain> subdomains;
+  odt::Index_table<typename C3T3::Subdomain_index> indices;
+  std::vector<Report::Subdomain> subdomains;
   for(auto c = c3t3.cells_in_complex_begin(); c != c3t3.cells_in_complex_end(); ++c)
   {
     std::array<odt::Site, 4> s;
@@ -199,7 +230,9 @@ Mesh_quality_report_3 mesh_quality_report_3(const C3T3& c3t3,
     odt::add_shape(report, shape);
     sum += shape.radius_ratio;
     const odt::Cell_products t(s[0], s[1], s[2], s[3]);
-    Report::Subdomain& subdomain = subdomains[c3t3.subdomain_index(c)];
+    const auto n = static_cast<std::size_t>(indices.number(c3t3.subdomain_index(c)));
+    subdomains.resize((std::max)(subdomains.size(), n + 1));
+    Report::Subdomain& subdomain = subdomains[n];
     ++subdomain.number_of_cells;
     subdomain.volume += t.determinant / 6;
     subdomain.energy += odt::uniform_odt_energy(t, s[0], s[1], s[2], s[3]).energy;
@@ -207,12 +240,8 @@ Mesh_quality_report_3 mesh_quality_report_3(const C3T3& c3t3,
   }
   if(report.number_of_cells > 0)
     report.mean_radius_ratio = sum / double(report.number_of_cells);
-  for(const auto& s : subdomains)
-  {
-    std::ostringstream name;
-    name << s.first;
-    report.subdomains[name.str()] = s.second;
-  }
+  for(std::size_t n = 0; n < subdomains.size(); ++n)
+    odt::add_subdomain(report, odt::printed(indices.value(static_cast<int>(n)), n), subdomains[n]);
   return report;
 }
 

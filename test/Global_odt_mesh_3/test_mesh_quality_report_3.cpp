@@ -17,6 +17,7 @@
 
 #include <array>
 #include <cmath>
+#include <ostream>
 #include <sstream>
 #include <string>
 #include <vector>
@@ -84,6 +85,42 @@ struct Equilateral_criteria
   Cells cell_criteria_object() const { return Cells(); }
   Facets facet_criteria_object() const { return Facets(); }
 };
+
+// Indices that can only be compared for equality, as the concept asks, and such that print alike.
+struct Index
+{
+  int n;
+  bool operator==(const Index& o) const { return n == o.n; }
+};
+
+struct Tissue : Index {};
+
+static std::ostream& operator<<(std::ostream& out, const Tissue&) { return out << "tissue"; }
+
+template <class Subdomain>
+struct Complex_with_indices : C3t3
+{
+  typedef Subdomain Subdomain_index;
+
+  using C3t3::C3t3;
+
+  Subdomain_index subdomain_index(Cell_handle c) const { return Subdomain{ { C3t3::subdomain_index(c) } }; }
+};
+
+struct Unprintable : Index {};
+
+// The cells of a cube that is in three subdomains, the second with two cells.
+template <class Subdomain>
+static CGAL::Mesh_quality_report_3 report_of_three()
+{
+  Complex_with_indices<Subdomain> c3t3;
+  for(int i = 0; i < 8; ++i)
+    c3t3.triangulation().insert(Triangulation::Weighted_point(Point_3(i & 1, i >> 1 & 1, i >> 2 & 1)));
+  int n = 0;
+  for(auto c = c3t3.triangulation().finite_cells_begin(); c != c3t3.triangulation().finite_cells_end() && n < 4; ++c, ++n)
+    c3t3.add_to_complex(c, 1 + (n + 1) / 2);
+  return CGAL::mesh_quality_report_3(c3t3);
+}
 
 int main()
 {
@@ -208,6 +245,19 @@ int main()
     std::ostringstream out;
     out << size;
     check::that(out.str().find("beyond the criteria 1 cells, 4 facets (0 + 4)\n") != std::string::npos, "the report by criterion");
+  }
+  {
+    const auto unprintable = report_of_three<Unprintable>(), alike = report_of_three<Tissue>();
+    const std::vector<std::string> numbers = { "1", "2", "3" }, names = { "tissue", "tissue (2)", "tissue (3)" };
+    for(std::size_t n = 0; n < 3; ++n)
+    {
+      const std::size_t cells = n == 1 ? 2 : 1;
+      check::that(unprintable.subdomains.count(numbers[n]) == 1 && unprintable.subdomains.at(numbers[n]).number_of_cells == cells,
+                  "a subdomain whose index cannot be printed");
+      check::that(alike.subdomains.count(names[n]) == 1 && alike.subdomains.at(names[n]).number_of_cells == cells,
+                  "subdomains whose indices print alike");
+    }
+    check::that(alike.total().number_of_cells == 4 && unprintable.total().number_of_cells == 4, "the sum over all subdomains");
   }
   check::that(CGAL::mesh_quality_report_3(C3t3()).number_of_cells == 0, "empty complex");
   return check::result();
