@@ -121,6 +121,13 @@ static void allowed(const Labeled_c3t3& input, const Labeled_domain& domain)
   schedule.interior_amplitude = 1;
   allows("the ends of a schedule", params::time_limit = 0, params::number_of_rounds = 1, params::annealing_schedule = schedule);
   allows("a weight", params::number_of_rounds = 0, params::surface_weight = 1e3, params::do_remove_slivers = false);
+  // Also passed by reference, such a density is integrated exactly: the linear rule does not permit a zero at a vertex.
+  const auto zero_at_vertex = CGAL::Quadratic_density_3<domains::Kernel>::squared_distance(
+    input.triangulation().finite_vertices_begin()->point().point());
+  allows("a density that is zero at a vertex", params::number_of_rounds = 0, params::density = zero_at_vertex, params::do_freeze = true);
+  allows("the same by reference", params::number_of_rounds = 0, params::density = std::cref(zero_at_vertex), params::do_freeze = true);
+  check::that(CGAL::odt_energy_3(input, params::density = zero_at_vertex)
+              == CGAL::odt_energy_3(input, params::density = std::cref(zero_at_vertex)), "the energy of a density by reference");
   allows("an integer as weight", params::number_of_rounds = 0, params::surface_weight(2), params::do_remove_slivers(true));
 }
 

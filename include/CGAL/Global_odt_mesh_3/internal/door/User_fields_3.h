@@ -97,6 +97,9 @@ private:
   }
 };
 
+  template <class Field>
+  static decltype(auto) polynomial(const std::reference_wrapper<Field>& field) { return polynomial(field.get()); }
+
 } // namespace internal
 } // namespace Global_odt_mesh_3
 } // namespace CGAL
