@@ -157,7 +157,7 @@ template <class C3T3, class... NamedParameters>
 double odt_energy_3(const C3T3& c3t3, const NamedParameters&... np)
 {
   namespace odt = Global_odt_mesh_3::internal;
-  const auto arguments = odt::named_arguments<odt::Energy_parameters>(np...);
+  const odt::Named_arguments<odt::Energy_parameters, NamedParameters...> arguments(np...);
   odt::User_fields_3<C3T3> fields;
   fields.read(arguments);
   if constexpr (std::decay_t<decltype(arguments)>::template has<internal_np::quadrature_t>)

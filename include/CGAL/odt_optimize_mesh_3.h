@@ -236,7 +236,7 @@ version of %CGAL in use accepts: `parameters::time_limit = 10, parameters::do_fr
     \cgalParamDescription{the seed of all random choices.}
     \cgalParamType{`unsigned int`}
     \cgalParamDefault{0}
-    \cgalParamExtra{It is spelled `parameters::random_seed(n)`.}
+    \cgalParamExtra{It is spelled `parameters::random_seed(n)`; `random_seed = n` does not compile.}
   \cgalParamNEnd
   \cgalParamNBegin{vertex_is_constrained_map}
     \cgalParamDescription{a property map that is `true` for vertices that are to stay: they neither move nor are removed, and keep their dimension
@@ -244,7 +244,7 @@ version of %CGAL in use accepts: `parameters::time_limit = 10, parameters::do_fr
     \cgalParamType{a class model of `ReadablePropertyMap` with `C3T3::Vertex_handle` as key type and `bool` as value type}
     \cgalParamDefault{a constant property map that is `false` for all vertices}
     \cgalParamExtra{It is ignored at vertices that stay anyway, such as those on features.}
-    \cgalParamExtra{It is spelled `parameters::vertex_is_constrained_map(m)` and copied.}
+    \cgalParamExtra{It is spelled `parameters::vertex_is_constrained_map(m)` and copied; `vertex_is_constrained_map = m` does not compile.}
   \cgalParamNEnd
   \cgalParamNBegin{cell_is_selected_map}
     \cgalParamDescription{a property map that is `true` for the cells of the complex that may change. All others stay, with their facets and
@@ -254,7 +254,7 @@ version of %CGAL in use accepts: `parameters::time_limit = 10, parameters::do_fr
     \cgalParamDefault{a constant property map that is `true` for all cells}
     \cgalParamExtra{The angles that may not become smaller are those of selected cells, and so are the cells below `sliver_bound` of which
                     the return code and the visitor tell. Handles do not remain valid, also of cells that stay.}
-    \cgalParamExtra{It is spelled `parameters::cell_is_selected_map(m)` and copied.}
+    \cgalParamExtra{It is spelled `parameters::cell_is_selected_map(m)` and copied; `cell_is_selected_map = m` does not compile.}
   \cgalParamNEnd
   \cgalParamNBegin{callback}
     \cgalParamDescription{a functor called before every iteration, and while slivers are removed and vertices are inserted or
@@ -263,7 +263,7 @@ version of %CGAL in use accepts: `parameters::time_limit = 10, parameters::do_fr
                           During that removal, it is called before each step only.}
     \cgalParamType{a model of `bool(double)`}
     \cgalParamDefault{none}
-    \cgalParamExtra{It is spelled `parameters::callback(f)`.}
+    \cgalParamExtra{It is spelled `parameters::callback(f)`; `callback = f` does not compile.}
   \cgalParamNEnd
   \cgalParamNBegin{visitor}
     \cgalParamDescription{an object that is told of the stages of each iteration. If it has a member
@@ -271,7 +271,7 @@ version of %CGAL in use accepts: `parameters::time_limit = 10, parameters::do_fr
                           `sliver_bound`.}
     \cgalParamType{a model of `MeshOptimizationVisitor_3`}
     \cgalParamDefault{a visitor that does nothing}
-    \cgalParamExtra{It is spelled `parameters::visitor(v)` and copied; pass `std::ref(v)` to keep its state.}
+    \cgalParamExtra{It is spelled `parameters::visitor(v)` and copied; pass `std::ref(v)` to keep its state. `visitor = v` does not compile.}
   \cgalParamNEnd
 \cgalNamedParamsEnd
 
@@ -289,7 +289,7 @@ version of %CGAL in use accepts: `parameters::time_limit = 10, parameters::do_fr
     In these cases, `c3t3` is unchanged. Angles may become smaller if `do_remove_slivers` is `false`, or with `sizing_field`, `density`, or
     `number_of_vertices`.
 
-\pre No vertex but those on features carries a weight, that is, `exude_mesh_3()` has not been called before.
+\pre No vertex but those on features carries a weight, that is, `exude_mesh_3()` has not been called before, nor `make_mesh_3()` without `no_exude()`.
 \pre The triangulation has at most \f$ 2^{28} \f$ cells.
 
 \sa `remesh_boundary_mesh_3()`
@@ -303,7 +303,7 @@ Mesh_optimization_return_code
 odt_optimize_mesh_3(C3T3& c3t3, const MeshDomain& domain, const NamedParameters&... np)
 {
   namespace odt = Global_odt_mesh_3::internal;
-  const auto arguments = odt::named_arguments<odt::Optimization_parameters<C3T3> >(np...);
+  const odt::Named_arguments<odt::Optimization_parameters<C3T3>, NamedParameters...> arguments(np...);
   return odt::optimize(c3t3, domain, odt::Odt_task::OPTIMIZE, odt::read_parameters(arguments), arguments);
 }
 
@@ -323,7 +323,7 @@ odt_optimize_mesh_3_impl(C3T3& c3t3, const MeshDomain& domain, const double time
   parameters.convergence = convergence;
   parameters.freeze_bound = freeze_ratio;
   parameters.do_freeze = do_freeze;
-  return odt::optimize(c3t3, domain, odt::Odt_task::OPTIMIZE, parameters, odt::named_arguments<odt::Parameter_list<> >());
+  return odt::optimize(c3t3, domain, odt::Odt_task::OPTIMIZE, parameters, odt::Named_arguments<odt::Parameter_list<> >());
 }
 
 #endif // DOXYGEN_RUNNING

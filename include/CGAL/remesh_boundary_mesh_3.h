@@ -106,6 +106,7 @@ dihedral angles and on the largest cells are excepted: angles may become smaller
                           process stops with the mesh found so far}
     \cgalParamType{a model of `bool(double)`}
     \cgalParamDefault{none}
+    \cgalParamExtra{It is spelled `parameters::callback(f)`; `callback = f` does not compile.}
   \cgalParamNEnd
   \cgalParamNBegin{visitor}
     \cgalParamDescription{as for `odt_optimize_mesh_3()`}
@@ -120,7 +121,7 @@ dihedral angles and on the largest cells are excepted: angles may become smaller
 - `CGAL::CONVERGENCE_REACHED` when a round lowers the energy by less than 0.02 %, also when no vertex may move;
 - `CGAL::CANT_IMPROVE_ANYMORE` when no valid mesh can be made, in which case `c3t3` is unchanged.
 
-\pre No vertex but those on features carries a weight, that is, `exude_mesh_3()` has not been called before.
+\pre No vertex but those on features carries a weight, that is, `exude_mesh_3()` has not been called before, nor `make_mesh_3()` without `no_exude()`.
 
 \sa `odt_optimize_mesh_3()`
 */
@@ -130,7 +131,7 @@ remesh_boundary_mesh_3(C3T3& c3t3, const MeshDomain& domain, const NamedParamete
 {
   namespace odt = Global_odt_mesh_3::internal;
   static_assert(!odt::is_periodic<C3T3>, "only odt_optimize_mesh_3() accepts meshes in periodic triangulations");
-  const auto arguments = odt::named_arguments<odt::Remeshing_parameters>(np...);
+  const odt::Named_arguments<odt::Remeshing_parameters, NamedParameters...> arguments(np...);
   return odt::optimize(c3t3, domain, odt::Odt_task::REMESH_BOUNDARY, odt::read_parameters(arguments), arguments);
 }
 

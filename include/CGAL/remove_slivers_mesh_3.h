@@ -97,6 +97,7 @@ The guarantees are those of `odt_optimize_mesh_3()`, also if the domain, a prope
                           `false`, the process stops before that step, with the mesh found so far.}
     \cgalParamType{a model of `bool(double)`}
     \cgalParamDefault{none}
+    \cgalParamExtra{It is spelled `parameters::callback(f)`; `callback = f` does not compile.}
   \cgalParamNEnd
   \cgalParamNBegin{visitor}
     \cgalParamDescription{as for `odt_optimize_mesh_3()`; there are no iterations to be told of}
@@ -111,7 +112,7 @@ The guarantees are those of `odt_optimize_mesh_3()`, also if the domain, a prope
 - the same when no valid mesh can be made, in which case `c3t3` is unchanged;
 - `CGAL::CONVERGENCE_REACHED` otherwise.
 
-\pre No vertex but those on features carries a weight, that is, `exude_mesh_3()` has not been called before.
+\pre No vertex but those on features carries a weight, that is, `exude_mesh_3()` has not been called before, nor `make_mesh_3()` without `no_exude()`.
 
 \sa `odt_optimize_mesh_3()`
 */
@@ -121,7 +122,7 @@ remove_slivers_mesh_3(C3T3& c3t3, const MeshDomain& domain, const NamedParameter
 {
   namespace odt = Global_odt_mesh_3::internal;
   static_assert(!odt::is_periodic<C3T3>, "only odt_optimize_mesh_3() accepts meshes in periodic triangulations");
-  const auto arguments = odt::named_arguments<odt::Sliver_removal_arguments>(np...);
+  const odt::Named_arguments<odt::Sliver_removal_arguments, NamedParameters...> arguments(np...);
   return odt::optimize(c3t3, domain, odt::Odt_task::REMOVE_SLIVERS, odt::read_parameters(arguments), arguments);
 }
 

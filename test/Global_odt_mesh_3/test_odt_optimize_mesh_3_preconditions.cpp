@@ -34,6 +34,7 @@
 #include <functional>
 #include <limits>
 #include <set>
+#include <sstream>
 #include <string>
 #include <vector>
 
@@ -120,7 +121,6 @@ static void allowed(const Labeled_c3t3& input, const Labeled_domain& domain)
   schedule.momentum = schedule.surface_amplitude = 0;
   schedule.interior_amplitude = 1;
   allows("the ends of a schedule", params::time_limit = 0, params::number_of_rounds = 1, params::annealing_schedule = schedule);
-  allows("a weight", params::number_of_rounds = 0, params::surface_weight = 1e3, params::do_remove_slivers = false);
   // Also passed by reference, such a density is integrated exactly: the linear rule does not permit a zero at a vertex.
   const auto zero_at_vertex = CGAL::Quadratic_density_3<domains::Kernel>::squared_distance(
     input.triangulation().finite_vertices_begin()->point().point());
@@ -128,6 +128,7 @@ static void allowed(const Labeled_c3t3& input, const Labeled_domain& domain)
   allows("the same by reference", params::number_of_rounds = 0, params::density = std::cref(zero_at_vertex), params::do_freeze = true);
   check::that(CGAL::odt_energy_3(input, params::density = zero_at_vertex)
               == CGAL::odt_energy_3(input, params::density = std::cref(zero_at_vertex)), "the energy of a density by reference");
+  allows("a weight", params::number_of_rounds = 0, params::surface_weight = 1e3, params::do_remove_slivers = false);
   allows("an integer as weight", params::number_of_rounds = 0, params::surface_weight(2), params::do_remove_slivers(true));
 }
 
@@ -250,12 +251,29 @@ static void designed_fields()
   refuses_constant("sample_spacing", &CGAL::Local_feature_size_parameters_3::sample_spacing);
 }
 
-// exude_mesh_3() gives weights to vertices off the features.
+// The message tells where a field is bad, and what it is there.
+static void places_of_fields(Labeled_c3t3& c3t3, const Labeled_domain& domain)
+{
+  const Point_3 first = c3t3.triangulation().finite_vertices_begin()->point().point();
+  std::ostringstream place;
+  place << "at (" << first.x() << ", " << first.y() << ", " << first.z() << ") it is ";
+  const auto at_first = [&](double bad) { return [first, bad](const Point_3& p) { return p == first ? bad : 1; }; };
+  refuses(("density must be positive and finite: " + place.str() + "-2").c_str(),
+          [&] { CGAL::odt_energy_3(c3t3, params::density = at_first(-2)); });
+  refuses((place.str() + "0").c_str(), [&] { CGAL::odt_optimize_mesh_3(c3t3, domain, params::density = at_first(0)); });
+  refuses(("sizing_field must be positive and finite: " + place.str() + "inf").c_str(), [&] { CGAL::odt_optimize_mesh_3(
+    c3t3, domain, params::sizing_field = [&](const Point_3& p, int, const Labeled_domain::Index&) { return at_first(infinity)(p); }); });
+  // Where vertices are inserted, it is asked by others.
+  refuses(") it is -1", [&] { CGAL::odt_optimize_mesh_3(c3t3, domain, params::sizing_field = -1, params::do_insert_vertices = true); });
+}
+
+// exude_mesh_3() gives weights to vertices off the features; the message says what to do.
 static void weights(const Labeled_c3t3& input, const Labeled_domain& domain)
 {
   Labeled_c3t3 exuded(input);
   CGAL::exude_mesh_3(exuded, params::sliver_bound = 20);
-  refuses("weights", [&] { CGAL::odt_optimize_mesh_3(exuded, domain); });
+  refuses("weights on vertices off the features: call this function before exude_mesh_3(), and give no_exude() to make_mesh_3()",
+          [&] { CGAL::odt_optimize_mesh_3(exuded, domain); });
   refuses("weights", [&] { CGAL::remesh_boundary_mesh_3(exuded, domain); });
   refuses("weights", [&] { CGAL::remove_slivers_mesh_3(exuded, domain); });
 }
@@ -277,6 +295,7 @@ int main()
   numbers(c3t3, domain);
   check::that(number_of_failures > 0, "the error handler of CGAL is not called");
   fields(c3t3, domain);
+  places_of_fields(c3t3, domain);
   constants(c3t3, domain);
   designed_fields();
   weights(input, domain);

@@ -3,9 +3,9 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Each of these calls has an argument that would be ignored, and must not compile. Its #line directive
-// gives the name under which check_refusals.cmake looks for the error. Those of old_... exist before CGAL 5.6 only,
-// those of new_... from there on.
+// Each of these calls has an argument that is no good, and must not compile. Its #line directive
+// gives the name under which check_refusals.cmake looks for the error, and the comment before says what the error is to say.
+// Those of old_... exist before CGAL 5.6 only, those of new_... from there on.
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Labeled_mesh_domain_3.h>
@@ -15,11 +15,14 @@
 #include <CGAL/make_mesh_3.h>
 #include <CGAL/odt_energy_3.h>
 #include <CGAL/odt_optimize_mesh_3.h>
+#include <CGAL/property_map.h>
 #include <CGAL/remesh_boundary_mesh_3.h>
 #include <CGAL/remove_slivers_mesh_3.h>
 #include <CGAL/tags.h>
 #include <CGAL/version.h>
 
+#include <map>
+#include <set>
 #include <string>
 
 typedef CGAL::Exact_predicates_inexact_constructions_kernel Kernel;
@@ -32,8 +35,15 @@ struct Periodic_c3t3
 {
   struct Triangulation { typedef CGAL::Tag_true Periodic_tag; };
 };
-typedef CGAL::Global_odt_mesh_3::internal::Optimization_parameters<Periodic_c3t3> Periodic_parameters;
 
+template <class... NamedParameters>
+void periodic_call(const NamedParameters&... np)
+{
+  namespace odt = CGAL::Global_odt_mesh_3::internal;
+  odt::Named_arguments<odt::Optimization_parameters<Periodic_c3t3>, NamedParameters...> arguments(np...);
+}
+
+// Message: is no named parameter: write parameters::name = value
 void no_parameters(C3t3& c3t3, const Domain& domain)
 {
 #if CGAL_VERSION_NR < 1050600000
@@ -59,6 +69,7 @@ void no_parameters(C3t3& c3t3, const Domain& domain)
   CGAL::odt_energy_3(c3t3, [](const Kernel::Point_3&) { return 1.; });
 }
 
+// Message: is none of those that this function reads
 void not_read(C3t3& c3t3, const Domain& domain)
 {
 #line 1 "sliver_criterion"
@@ -100,13 +111,14 @@ void not_read(C3t3& c3t3, const Domain& domain)
 #line 1 "energy_random_seed"
   CGAL::odt_energy_3(c3t3, params::random_seed(1));
 #line 1 "periodic_insertion"
-  CGAL::Global_odt_mesh_3::internal::named_arguments<Periodic_parameters>(params::do_insert_vertices = true);
+  periodic_call(params::do_insert_vertices = true);
 #line 1 "periodic_removal"
-  CGAL::Global_odt_mesh_3::internal::named_arguments<Periodic_parameters>(params::do_remove_vertices = true);
+  periodic_call(params::do_remove_vertices = true);
 #line 1 "periodic_sizes"
-  CGAL::Global_odt_mesh_3::internal::named_arguments<Periodic_parameters>(params::sizing_field = 1);
+  periodic_call(params::sizing_field = 1);
 }
 
+// Message: is given twice
 void given_twice(C3t3& c3t3, const Domain& domain)
 {
 #line 1 "twice"
@@ -125,6 +137,80 @@ void given_twice(C3t3& c3t3, const Domain& domain)
 #endif
 }
 
+// Message: the second argument is no MeshDomain_3
+void no_domain(C3t3& c3t3, const CGAL::Mesh_criteria_3<Triangulation>& criteria)
+{
+#line 1 "criteria_as_domain"
+  CGAL::odt_optimize_mesh_3(c3t3, criteria);
+#line 1 "domain_forgotten"
+  CGAL::odt_optimize_mesh_3(c3t3, params::time_limit = 10, params::do_freeze = true);
+#line 1 "remeshing_criteria_as_domain"
+  CGAL::remesh_boundary_mesh_3(c3t3, criteria);
+#line 1 "slivers_domain_forgotten"
+  CGAL::remove_slivers_mesh_3(c3t3, params::sliver_bound = 20);
+}
+
+// Message: need a ReadablePropertyMap
+void no_map(C3t3& c3t3, const Domain& domain)
+{
+#line 1 "set_as_map"
+  CGAL::odt_optimize_mesh_3(c3t3, domain, params::vertex_is_constrained_map(std::set<C3t3::Vertex_handle>()));
+#line 1 "map_as_map"
+  CGAL::odt_optimize_mesh_3(c3t3, domain, params::cell_is_selected_map(std::map<C3t3::Cell_handle, bool>()));
+#line 1 "function_as_map"
+  CGAL::remove_slivers_mesh_3(c3t3, domain, params::vertex_is_constrained_map([](C3t3::Vertex_handle) { return true; }));
+#line 1 "map_of_strings"
+  CGAL::remesh_boundary_mesh_3(c3t3, domain, params::cell_is_selected_map(CGAL::Constant_property_map<C3t3::Cell_handle, std::string>()));
+}
+
+// Message: sizing_field must be a number, or be called as f(p, dimension, index) and return one
+void no_sizing_field(C3t3& c3t3, const Domain& domain)
+{
+#line 1 "field_of_one_argument"
+  CGAL::odt_optimize_mesh_3(c3t3, domain, params::sizing_field = [](const Kernel::Point_3&) { return 1.; });
+#line 1 "string_as_field"
+  CGAL::odt_optimize_mesh_3(c3t3, domain, params::sizing_field = std::string("1"));
+#line 1 "field_of_strings"
+  CGAL::remesh_boundary_mesh_3(c3t3, domain, params::sizing_field = [](const Kernel::Point_3&, int, const Domain::Index&)
+                                                                    { return std::string(); });
+#line 1 "energy_field_of_one_argument"
+  CGAL::odt_energy_3(c3t3, params::sizing_field = [](const Kernel::Point_3&) { return 1.; });
+}
+
+// Message: density must be called as f(p) and return a number
+void no_density(C3t3& c3t3, const Domain& domain)
+{
+#line 1 "number_as_density"
+  CGAL::odt_optimize_mesh_3(c3t3, domain, params::density = 1.);
+#line 1 "density_of_three_arguments"
+  CGAL::odt_energy_3(c3t3, params::density = [](const Kernel::Point_3&, int, const Domain::Index&) { return 1.; });
+}
+
+// Message: callback must be called as f(x), x being the fraction done, and return bool
+void no_callback(C3t3& c3t3, const Domain& domain)
+{
+#line 1 "callback_without_value"
+  CGAL::odt_optimize_mesh_3(c3t3, domain, params::callback([](double) {}));
+#line 1 "slivers_callback_without_argument"
+  CGAL::remove_slivers_mesh_3(c3t3, domain, params::callback([] { return true; }));
+}
+
+// Message: cannot have a value of this type
+void no_value(C3t3& c3t3, const Domain& domain)
+{
+#line 1 "literal_as_truth"
+  CGAL::odt_optimize_mesh_3(c3t3, domain, params::do_insert_vertices = "yes");
+#line 1 "pointer_as_truth"
+  CGAL::odt_optimize_mesh_3(c3t3, domain, params::do_freeze = &domain);
+#line 1 "string_as_time"
+  CGAL::remove_slivers_mesh_3(c3t3, domain, params::time_limit = std::string("10"));
+#line 1 "string_as_count"
+  CGAL::remesh_boundary_mesh_3(c3t3, domain, params::max_iteration_number = std::string("10"));
+#line 1 "number_as_schedule"
+  CGAL::odt_optimize_mesh_3(c3t3, domain, params::annealing_schedule = 1);
+}
+
+// Message: this named parameter is read by
 void in_odt_of_the_mesher()
 {
 #line 1 "odt_rounds"

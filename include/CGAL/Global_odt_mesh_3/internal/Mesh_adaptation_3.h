@@ -261,7 +261,7 @@ private:
     return [&field](const Vertex_stratum& v, const Site& s)
     {
       const double x = field.value(v, s);
-      Field_density_3::check(field, x);
+      Field_density_3::check(field.meaning, field.polynomial.has_value(), s, x);
       return field.meaning == User_field_3::SIZE ? x : Density_3::size_of_density(x);
     };
   }

@@ -21,6 +21,7 @@
 #include <cmath>
 #include <cstddef>
 #include <optional>
+#include <sstream>
 #include <utility>
 #include <vector>
 
@@ -87,15 +88,23 @@ public:
     const auto median = values.begin() + values.size() / 2;
     std::nth_element(values.begin(), median, values.end());
     unit_ = *median;
-    require(unit_ > 0);
+    CGAL_GLOBAL_ODT_MESH_3_CHECK_PARAMETER(unit_ > 0, "density must not be zero at half of the vertices");
     if(polynomial_)
       *polynomial_ *= 1 / unit_;
     is_uniform_ = std::all_of(values.begin(), values.end(), [this](double x) { return x == unit_; });
   }
 
-  // What a field may say.
-  static void check(const User_field_3& field, double value)
-  { check(field.meaning, std::isfinite(value) && (value > 0 || (field.polynomial && value == 0))); }
+  // What a field may say at a point.
+  static void check(Meaning meaning, bool may_be_zero, const Site& s, double value)
+  {
+    const bool is_good = std::isfinite(value) && (value > 0 || (may_be_zero && value == 0));
+    if(is_good)
+      return;
+    std::ostringstream message;
+    message << (meaning == SIZE ? "sizing_field" : "density") << " must be positive and finite: at (" << s.x << ", " << s.y << ", " << s.z
+            << ") it is " << value;
+    CGAL_GLOBAL_ODT_MESH_3_CHECK_PARAMETER(is_good, message.str().c_str());
+  }
 
   bool is_uniform() const override { return is_uniform_; }
 
@@ -121,17 +130,9 @@ private:
   double value(int v, const Site& s) const
   {
     const double x = field_(v, s);
-    require((x > 0 || (polynomial_ && x == 0)) && std::isfinite(x));
+    check(meaning_, polynomial_.has_value(), s, x);
     return x;
   }
-
-  static void check(Meaning meaning, bool is_good)
-  {
-    CGAL_GLOBAL_ODT_MESH_3_CHECK_PARAMETER(is_good, meaning == SIZE ? "sizing_field must be positive and finite"
-                                                                    : "density must be positive and finite");
-  }
-
-  void require(bool is_good) const { check(meaning_, is_good); }
 
   Meaning meaning_;
   Field field_;

@@ -43,6 +43,14 @@ struct Has_aabb_tree<Mesh_domain,
                                    std::declval<typename Mesh_domain::AABB_tree::Primitive_id>()))> >
   : std::true_type {};
 
+// What cannot be a domain, such as criteria.
+template <class T, class = void>
+struct Is_mesh_domain : std::false_type {};
+
+template <class T>
+struct Is_mesh_domain<T, std::void_t<typename T::Index, typename T::Subdomain_index, typename T::Surface_patch_index,
+                                     decltype(std::declval<const T&>().is_in_domain_object())> > : std::true_type {};
+
 // Domains need not have all members of the concept MeshDomain_3.
 template <class Mesh_domain>
 class Mesh_domain_view_3

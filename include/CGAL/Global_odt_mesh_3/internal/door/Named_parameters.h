@@ -173,14 +173,36 @@ typedef internal_np::sizing_field_t sizing_field;
 #endif
 } // namespace tags
 
-template <class... Tags>
-struct Parameter_list {};
+// When an assertion fails, compilers name the instance, which begins with the parameter. There is one for each call, so
+// that none passes because another one has failed.
+template <class Tag, bool is_read, int times, class Call>
+struct Check_parameter
+{
+  static_assert(is_read, "the named parameter in Check_parameter<...> is none of those that this function reads");
+  static_assert(!is_read || times == 1, "the named parameter in Check_parameter<...> is given twice");
+  static constexpr bool value = is_read && times == 1;
+};
 
-// An argument of another kind is no parameter. `number` is how many parameters it is that have an effect.
+template <class... Tags>
+struct Parameter_list
+{
+  template <class Tag>
+  static constexpr int count = (int(std::is_same<Tags, Tag>::value) + ... + 0);
+
+  // Whether each is in the list, and occurs once.
+  template <class List, class Call>
+  using Check = std::bool_constant<(Check_parameter<Tags, List::template count<Tags> != 0, count<Tags>, Call>::value && ...)>;
+};
+
+template <class... Tags, class... Others>
+Parameter_list<Tags..., Others...> operator+(Parameter_list<Tags...>, Parameter_list<Others...>);
+
+// An argument of another kind is no parameter.
 template <class Argument, class = void>
 struct Argument_traits
 {
   static constexpr bool is_parameter = false;
+  typedef Parameter_list<> Tags;
 };
 
 template <class T, class Own_tag, class Base>
@@ -188,27 +210,10 @@ struct Argument_traits<Named_function_parameters<T, Own_tag, Base> >
 {
   typedef Named_function_parameters<T, Own_tag, Base> Chain;
   static constexpr bool is_parameter = true;
-  static constexpr bool has_next = !std::is_same<Base, internal_np::No_property>::value;
-  static constexpr int is_default = std::is_same<Own_tag, internal_np::all_default_t>::value ? 1 : 0;
 
-  static constexpr int number()
-  {
-    if constexpr (has_next)
-      return 1 - is_default + Argument_traits<Base>::number();
-    else
-      return 1 - is_default;
-  }
-
-  // How often it is among them.
-  template <class Tag>
-  static constexpr int count()
-  {
-    constexpr int here = std::is_same<Own_tag, Tag>::value ? 1 : 0;
-    if constexpr (has_next)
-      return here + Argument_traits<Base>::template count<Tag>();
-    else
-      return here;
-  }
+  // Those that have an effect.
+  typedef std::conditional_t<std::is_same<Own_tag, internal_np::all_default_t>::value, Parameter_list<>, Parameter_list<Own_tag> > Own_tags;
+  typedef decltype(Own_tags() + typename Argument_traits<Base>::Tags()) Tags;
 
   // As it was given: a copy, or the wrapper of a reference.
   template <class Tag>
@@ -227,34 +232,12 @@ struct Argument_traits<parameters::Global_odt_named_value<K, Tag> >
   : Argument_traits<Named_function_parameters<K, Tag> >
 {};
 
-// The tags of Boost.Parameter, unlike others.
-template <class Tag, class = void>
-struct Is_keyword_tag : std::false_type {};
-
-template <class Tag>
-struct Is_keyword_tag<Tag, std::void_t<typename Tag::qualifier> > : std::true_type {};
-
 // What Boost.Parameter makes of `name = value`.
 template <class Argument>
 struct Argument_traits<Argument, std::enable_if_t<boost::parameter::aux::is_tagged_argument<Argument>::value> >
 {
-  struct None {};
   static constexpr bool is_parameter = true;
-
-  static constexpr int number() { return 1; }
-
-  template <class Tag>
-  static constexpr int count()
-  {
-    if constexpr (Is_keyword_tag<Tag>::value)
-    {
-      typedef boost::parameter::keyword<Tag> Keyword;
-      typedef decltype(std::declval<const Argument&>()[std::declval<const Keyword&>() | std::declval<const None&>()]) Found;
-      return std::is_same<std::decay_t<Found>, None>::value ? 0 : 1;
-    }
-    else
-      return 0;
-  }
+  typedef Parameter_list<typename Argument::key_type> Tags;
 
   template <class Tag>
   static const auto& get(const Argument& argument) { return argument[boost::parameter::keyword<Tag>::instance]; }
@@ -275,53 +258,66 @@ decltype(auto) with_name(const Argument& argument)
     return (argument);
 }
 
-// The arguments of a function that reads the parameters of that list.
-template <class List, class... Arguments>
-class Named_arguments;
+template <std::size_t... positions, class... Arguments>
+auto with_names(std::index_sequence<positions...>, const Arguments&... arguments)
+{
+  return std::tuple<decltype(with_name<positions>(arguments))...>(with_name<positions>(arguments)...);
+}
 
-template <class... Tags, class... Arguments>
-class Named_arguments<Parameter_list<Tags...>, Arguments...>
+template <class Argument, bool is_parameter, class Call>
+struct Check_argument
+{
+  static_assert(is_parameter, "the argument in Check_argument<...> is no named parameter: write parameters::name = value");
+  static constexpr bool value = is_parameter;
+};
+
+template <class Arguments>
+struct Argument_list;
+
+template <class... Arguments>
+struct Argument_list<std::tuple<Arguments...> >
 {
   template <class Argument>
-  struct Check
-  {
-    static constexpr bool is_read()
-    {
-      if constexpr (Argument_traits<Argument>::is_parameter)
-        return ((Argument_traits<Argument>::template count<Tags>() > 0 ? 1 : 0) + ... + 0)
-               == Argument_traits<Argument>::number();
-      else
-        return true;
-    }
-    static_assert(Argument_traits<Argument>::is_parameter,
-                  "an argument is no named parameter: write parameters::name = value");
-    static_assert(is_read(), "a named parameter is none of those that this function reads, or is given twice");
-    static constexpr bool value = Argument_traits<Argument>::is_parameter && is_read();
-  };
-  static constexpr bool are_read = (Check<std::decay_t<Arguments> >::value && ...);
+  using Traits = Argument_traits<std::decay_t<Argument> >;
 
-  template <class Tag>
-  static constexpr int count()
-  {
-    if constexpr (are_read)
-      return (Argument_traits<std::decay_t<Arguments> >::template count<Tag>() + ... + 0);
-    else
-      return 0;
-  }
-  static_assert(((count<Tags>() <= 1) && ...), "a named parameter is given twice");
+  typedef decltype((Parameter_list<>() + ... + typename Traits<Arguments>::Tags())) Tags;
+
+  template <class Call>
+  using Check = std::bool_constant<(Check_argument<Arguments, Traits<Arguments>::is_parameter, Call>::value && ...)>;
+};
+
+// Whether a value can become one of that type. That the address of a string is not null tells nothing.
+template <class Given, class Value>
+constexpr bool may_be = std::is_constructible<Value, Given>::value
+                        && !(std::is_arithmetic<Value>::value && std::is_convertible<Given, const void*>::value);
+
+// The arguments of a function that reads the parameters of that list.
+template <class List, class... Arguments>
+class Named_arguments
+{
+  typedef decltype(with_names(std::index_sequence_for<Arguments...>(), std::declval<const Arguments&>()...)) Tuple;
+  typedef typename Argument_list<Tuple>::Tags Tags;
+
+  // A type, so that arguments are checked in any case.
+  typedef std::bool_constant<Argument_list<Tuple>::template Check<Named_arguments>::value
+                             && Tags::template Check<List, Named_arguments>::value> Are_valid;
 
 public:
-  explicit Named_arguments(Arguments... arguments) : arguments_(arguments...) {}
+  static constexpr bool are_valid = Are_valid::value;
+
+  explicit Named_arguments(const Arguments&... arguments)
+    : arguments_(with_names(std::index_sequence_for<Arguments...>(), arguments...))
+  {}
 
   template <class Tag>
-  static constexpr bool has = count<Tag>() > 0;
+  static constexpr bool has = are_valid && Tags::template count<Tag> != 0;
 
   // As it was given.
   template <class Tag, std::size_t n = 0>
   const auto& get() const
   {
-    typedef Argument_traits<std::decay_t<std::tuple_element_t<n, std::tuple<Arguments...> > > > Traits;
-    if constexpr (Traits::template count<Tag>() > 0)
+    typedef Argument_traits<std::decay_t<std::tuple_element_t<n, Tuple> > > Traits;
+    if constexpr (Traits::Tags::template count<Tag> != 0)
       return Traits::template get<Tag>(std::get<n>(arguments_));
     else
       return get<Tag, n + 1>();
@@ -331,24 +327,17 @@ public:
   void read(Value& value) const
   {
     if constexpr (has<Tag>)
-      value = static_cast<Value>(get<Tag>());
+    {
+      typedef decltype(get<Tag>()) Given;
+      static_assert(may_be<Given, Value>, "the named parameter of this Tag cannot have a value of this type");
+      if constexpr (may_be<Given, Value>)
+        value = static_cast<Value>(get<Tag>());
+    }
   }
 
 private:
-  std::tuple<Arguments...> arguments_;
+  Tuple arguments_;
 };
-
-template <class List, std::size_t... positions, class... Arguments>
-auto named_arguments(std::index_sequence<positions...>, const Arguments&... arguments)
-{
-  return Named_arguments<List, decltype(with_name<positions>(arguments))...>(with_name<positions>(arguments)...);
-}
-
-template <class List, class... Arguments>
-auto named_arguments(const Arguments&... arguments)
-{
-  return named_arguments<List>(std::index_sequence_for<Arguments...>(), arguments...);
-}
 
 } // namespace internal
 } // namespace Global_odt_mesh_3

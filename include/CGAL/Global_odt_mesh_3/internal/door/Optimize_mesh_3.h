@@ -170,19 +170,26 @@ optimize(C3T3& c3t3, const MeshDomain& domain, Odt_task task, const Odt_paramete
   fields.read(arguments);
   p.check();
   fields.check();
-  CGAL_GLOBAL_ODT_MESH_3_CHECK_PARAMETER(!Mesh_3::internal::has_non_protecting_weights(c3t3.triangulation(), domain),
-                                         "c3t3 must not have weights on vertices off the features");
-  CGAL_GLOBAL_ODT_MESH_3_CHECK_PARAMETER(c3t3.triangulation().number_of_cells() <= Indexed_triangulation_3::most_cells,
-                                         "c3t3 must not have more than 268,435,456 cells");
-  if constexpr (is_periodic<C3T3>)
-    return Periodic_mesh_optimizer_3<C3T3, MeshDomain>(c3t3, domain, p)();
+  static_assert(Is_mesh_domain<MeshDomain>::value, "the second argument is no MeshDomain_3");
+  if constexpr (!Is_mesh_domain<MeshDomain>::value || !Arguments::are_valid)
+    return CANT_IMPROVE_ANYMORE;
   else
   {
-    User_constraints_3<C3T3> constraints;
-    constraints.read(c3t3, arguments);
-    auto visitor = find_visitor<C3T3>(arguments);
-    typedef std::decay_t<decltype(unwrap(visitor))> Visitor;
-    return Odt_mesh_optimizer_3<C3T3, MeshDomain, Visitor>(c3t3, domain, task, p, unwrap(visitor), fields, constraints)();
+    CGAL_GLOBAL_ODT_MESH_3_CHECK_PARAMETER(!Mesh_3::internal::has_non_protecting_weights(c3t3.triangulation(), domain),
+                                           "c3t3 must not have weights on vertices off the features: call this function before "
+                                           "exude_mesh_3(), and give no_exude() to make_mesh_3()");
+    CGAL_GLOBAL_ODT_MESH_3_CHECK_PARAMETER(c3t3.triangulation().number_of_cells() <= Indexed_triangulation_3::most_cells,
+                                           "c3t3 must not have more than 268,435,456 cells");
+    if constexpr (is_periodic<C3T3>)
+      return Periodic_mesh_optimizer_3<C3T3, MeshDomain>(c3t3, domain, p)();
+    else
+    {
+      User_constraints_3<C3T3> constraints;
+      constraints.read(c3t3, arguments);
+      auto visitor = find_visitor<C3T3>(arguments);
+      typedef std::decay_t<decltype(unwrap(visitor))> Visitor;
+      return Odt_mesh_optimizer_3<C3T3, MeshDomain, Visitor>(c3t3, domain, task, p, unwrap(visitor), fields, constraints)();
+    }
   }
 }
 

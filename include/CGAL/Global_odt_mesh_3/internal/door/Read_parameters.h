@@ -19,6 +19,7 @@
 #include <CGAL/Named_function_parameters.h>
 
 #include <cstddef>
+#include <functional>
 #include <limits>
 #include <type_traits>
 
@@ -32,13 +33,15 @@ void read_count(const Arguments& arguments, std::size_t& count, const char* mess
 {
   if constexpr (Arguments::template has<Tag>)
   {
-    const auto& value = arguments.template get<Tag>();
-    const double number = static_cast<double>(value);
+    double number = 0;
+    arguments.template read<Tag>(number);
     // What is the largest number becomes the one after it.
-    constexpr bool is_integral = std::is_integral<std::decay_t<decltype(value)> >::value;
+    typedef decltype(arguments.template get<Tag>()) Given;
+    constexpr bool is_integral = std::is_integral<std::decay_t<Given> >::value;
     CGAL_GLOBAL_ODT_MESH_3_CHECK_PARAMETER(
       number >= 0 && (is_integral || number < double((std::numeric_limits<std::size_t>::max)())), message);
-    arguments.template read<Tag>(count);
+    if constexpr (may_be<Given, double>)
+      arguments.template read<Tag>(count);
   }
 }
 
@@ -68,7 +71,13 @@ Odt_parameters read_parameters(const Arguments& arguments)
   }
   arguments.template read<internal_np::domain_is_thread_safe_t>(p.domain_is_thread_safe);
   arguments.template read<internal_np::random_seed_t>(p.random_seed);
-  arguments.template read<internal_np::callback_t>(p.callback);
+  if constexpr (Arguments::template has<internal_np::callback_t>)
+  {
+    constexpr bool is_callback = may_be<decltype(arguments.template get<internal_np::callback_t>()), std::function<bool(double)> >;
+    static_assert(is_callback, "callback must be called as f(x), x being the fraction done, and return bool");
+    if constexpr (is_callback)
+      arguments.template read<internal_np::callback_t>(p.callback);
+  }
   return p;
 }
 

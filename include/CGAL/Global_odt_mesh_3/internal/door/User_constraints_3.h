@@ -18,10 +18,19 @@
 
 #include <type_traits>
 #include <unordered_set>
+#include <utility>
 
 namespace CGAL {
 namespace Global_odt_mesh_3 {
 namespace internal {
+
+// A property map of truth values.
+template <class Map, class Key, class = void>
+struct Is_map : std::false_type {};
+
+template <class Map, class Key>
+struct Is_map<Map, Key, std::void_t<decltype(get(std::declval<const Map&>(), std::declval<Key&>()))> >
+  : std::is_convertible<decltype(get(std::declval<const Map&>(), std::declval<Key&>())), bool> {};
 
 // What the caller wants to stay: vertices, and cells with their vertices.
 template <class C3t3>
@@ -60,9 +69,14 @@ private:
   template <class Map, class Key>
   static bool is_true(const Map& map, Key key)
   {
-    static_assert(std::is_convertible<decltype(get(map, key)), bool>::value,
-                  "vertex_is_constrained_map and cell_is_selected_map must have values of type bool");
-    return get(map, key);
+    static_assert(Is_map<Map, Key>::value,
+                  "vertex_is_constrained_map and cell_is_selected_map need a ReadablePropertyMap with key type Vertex_handle or Cell_handle and "
+                  "value type bool: wrap a std::set in CGAL::Boolean_property_map, a std::map in boost::associative_property_map, and a "
+                  "function in boost::function_property_map");
+    if constexpr (Is_map<Map, Key>::value)
+      return get(map, key);
+    else
+      return false;
   }
 
   std::unordered_set<Vertex_handle, Hash> vertices_;

@@ -24,10 +24,19 @@
 #include <functional>
 #include <optional>
 #include <type_traits>
+#include <utility>
 
 namespace CGAL {
 namespace Global_odt_mesh_3 {
 namespace internal {
+
+// What gives a number when it is called with these arguments.
+template <class Void, class Field, class... Arguments>
+struct Is_field : std::false_type {};
+
+template <class Field, class... Arguments>
+struct Is_field<std::void_t<decltype(CGAL::to_double(std::declval<const Field&>()(std::declval<Arguments>()...)))>, Field, Arguments...>
+  : std::is_convertible<decltype(CGAL::to_double(std::declval<const Field&>()(std::declval<Arguments>()...))), double> {};
 
 // What the caller of odt_optimize_mesh_3() says of the sizes or of the density, if anything.
 template <class C3t3>
@@ -76,12 +85,20 @@ private:
   template <class Field>
   void set_density(const Field& field)
   {
-    density = [field](const Bare_point& p) { return CGAL::to_double(field(p)); };
-    quadratic_density = polynomial(field);
+    constexpr bool is_field = Is_field<void, Field, const Bare_point&>::value;
+    static_assert(is_field, "density must be called as f(p) and return a number");
+    if constexpr (is_field)
+    {
+      density = [field](const Bare_point& p) { return CGAL::to_double(field(p)); };
+      quadratic_density = polynomial(field);
+    }
   }
 
   template <class Field>
   static std::nullopt_t polynomial(const Field&) { return std::nullopt; }
+
+  template <class Field>
+  static decltype(auto) polynomial(const std::reference_wrapper<Field>& field) { return polynomial(field.get()); }
 
   template <class Kernel>
   static const Quadratic_polynomial_3& polynomial(const Quadratic_density_3<Kernel>& field) { return field.polynomial(); }
@@ -92,13 +109,15 @@ private:
     if constexpr (std::is_arithmetic<Field>::value)
       sizing_field = [field](const Bare_point&, int, const Index&) { return static_cast<double>(field); };
     else
-      sizing_field = [field](const Bare_point& p, int dimension, const Index& index)
-                     { return CGAL::to_double(field(p, dimension, index)); };
+    {
+      constexpr bool is_field = Is_field<void, Field, const Bare_point&, int&, const Index&>::value;
+      static_assert(is_field, "sizing_field must be a number, or be called as f(p, dimension, index) and return one");
+      if constexpr (is_field)
+        sizing_field = [field](const Bare_point& p, int dimension, const Index& index)
+                       { return CGAL::to_double(field(p, dimension, index)); };
+    }
   }
 };
-
-  template <class Field>
-  static decltype(auto) polynomial(const std::reference_wrapper<Field>& field) { return polynomial(field.get()); }
 
 } // namespace internal
 } // namespace Global_odt_mesh_3
