@@ -70,7 +70,7 @@ public:
     const auto in_stage = during(Stage_clock::READ);
     const double begin = control.time();
     Snapshot_reader_3 reader(input, threads);
-    slivers_of_input_ = slivers(reader.table());
+    slivers_of_input_ = slivers(reader.table(), threads);
     complex_.start(reader.read(mesh_, boundary_moves));
     control.has_read(begin);
     plan_ = std::make_unique<Round_plan>(task, parameters, number_of_surface_vertices() > 0);
@@ -87,6 +87,13 @@ public:
     if(mesh_.number_of_movable_vertices == 0)
       return true;
     control_.start(plan_->usual_most_iterations(), removes_slivers());
+    // So that vertices have a way back; where that is not to be had, moves may still lead to a valid complex.
+    if(slivers_of_input_.is_of_deformed_mesh)
+    {
+      if(complex_.make_regular())
+        complex_.load_into(mesh_);
+      complex_.release_triangulation();
+    }
     if(plan_->is_done())
     {
       if(parameters_.do_insert_vertices)
@@ -116,9 +123,10 @@ public:
   }
 
   // Of cells that may change. One that does not has the same angles, in whatever order its vertices are.
-  static Sliver_census_3 slivers(const Mesh_table_3& mesh)
+  static Sliver_census_3 slivers(const Mesh_table_3& mesh, const Thread_policy& threads)
   {
     Sliver_census_3 census;
+    census.is_of_deformed_mesh = is_deformed(mesh, threads);
     for(const Mesh_table_3::Cell& c : mesh.cells)
       if(c.label != Domain_view_3::outside && !c.is_kept)
         census.add(mesh.cell_sites(sorted(c.vertices)), c.label);
@@ -131,7 +139,7 @@ public:
   {
     if(may_be_worse && !is_cut_short)
       return true;
-    const Sliver_census_3 after = slivers(mesh);
+    const Sliver_census_3 after = slivers(mesh, Thread_policy());
     return may_be_worse ? after.is_not_worse_than(before, false) : after.may_replace(before, parameters.sliver_bound);
   }
 

@@ -211,7 +211,7 @@ void revert_intruders(const Complex_candidate_3& candidate, const Vertices& arou
   if(inside.empty())
     report.revert(around);
   else
-    report.revert(inside);
+    report.revert_or_retreat(inside, center);
 }
 
 // The label that is on the other side of a facet of a cell in the snapshot.

@@ -140,10 +140,21 @@ private:
     const Quadruple q = candidate_.numbers(c);
     c->set_label(found.label);
     // What was wrong in the input may stay so.
-    if(!found.has_several_labels && candidate_.numbering.is_input_cell(q, candidate_.sites))
+    if(!found.has_several_labels && candidate_.has_way_back && candidate_.numbering.is_input_cell(q, candidate_.sites))
       c->set_flag(IS_LABELLED);
     else
-      report.revert(q);
+      report.revert_or_retreat(q, found.has_several_labels ? centroid(q) : coordinates(candidate_.triangulation().dual(c)));
+  }
+
+  // Of the finite vertices.
+  Vector_3 centroid(const Quadruple& q) const
+  {
+    const double number = double(std::count_if(q.begin(), q.end(), [](int v) { return v >= 0; }));
+    Vector_3 result;
+    for(int v : q)
+      if(v >= 0)
+        result += position(candidate_.sites[v]) / number;
+    return result;
   }
 
   // Those among the cells with these numbers.

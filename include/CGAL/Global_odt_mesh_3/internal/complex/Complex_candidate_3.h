@@ -49,6 +49,8 @@ struct Complex_candidate_3
   const Complex_snapshot_3& snapshot;
   const Vertex_numbering_3& numbering;
   const bool is_final;                        // or else one on the way, of which less is asked
+  const bool has_way_back;                    // whether the snapshot is valid
+  bool may_retreat = true;                    // whether vertices may go elsewhere instead of back
   const Thread_policy threads;
 
   Working_triangulation_3& working;         // of the candidate's vertices once it has been built
@@ -70,10 +72,11 @@ struct Complex_candidate_3
   std::map<int, int> times_reverted;     // and how often
 
   Complex_candidate_3(const Complex_snapshot_3& from, Working_triangulation_3& triangulation, const std::vector<Site>& target,
-                      bool is_last, const Thread_policy& policy)
+                      bool is_last, bool is_snapshot_valid, const Thread_policy& policy)
     : snapshot(from)
     , numbering(*from.numbering)
     , is_final(is_last)
+    , has_way_back(is_snapshot_valid)
     , threads(policy)
     , working(triangulation)
     , sites(target)

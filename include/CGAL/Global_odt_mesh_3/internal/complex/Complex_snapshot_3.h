@@ -114,6 +114,15 @@ struct Vertex_numbering_3
   // Whether the site is that of the vertex in the input.
   bool is_input_site(int v, const Site& s) const { return same_place(s, input_sites[v]); }
 
+  // The same for an input that has not been valid, and of which nothing counts but that its vertices are elsewhere now.
+  Vertex_numbering_3 with_input_at(const std::vector<Site>& sites) const
+  {
+    Vertex_numbering_3 result = *this;
+    result.input_sites = sites;
+    result.input_boundary_cells = Tuple_table<Quadruple, Input_cell>();
+    return result;
+  }
+
   // Whether the vertices are where they were in the input.
   bool are_at_input(const Quadruple& q, const std::vector<Site>& sites) const
   {

@@ -14,6 +14,7 @@
 
 #include <CGAL/Global_odt_mesh_3/internal/complex/Boundary_extraction_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/complex/Candidate_checks_3.h>
+#include <CGAL/Global_odt_mesh_3/internal/complex/Candidate_repair_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/complex/Cell_labels_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/complex/Complex_candidate_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/complex/Complex_snapshot_3.h>
@@ -91,11 +92,12 @@ public:
     index_snapshot(snapshot_, working, threads_, mesh);
   }
 
-  // So that vertices can be tried, inserted, and removed: an input from elsewhere, such as a file with rounded coordinates, need
-  // not be regular. False if that cannot be had.
+  // So that vertices can be tried, inserted, and removed, and have a way back: an input from elsewhere, such as a file with rounded
+  // coordinates or a mesh that has been deformed, need not be regular. False if that cannot be had.
   bool make_regular()
   {
-    return !snapshot_.is_input || triangulation().is_regular(threads_) || advance(snapshot_.sites, true);
+    return !snapshot_.is_input || triangulation().is_regular(threads_) || advance(snapshot_.sites, nullptr, true, false)
+           || advance(snapshot_.sites, true);
   }
 
   // The complex for trials of single vertices, which have the triangulation until it is adopted.
@@ -117,7 +119,7 @@ public:
       is_up_to_date_ = true;
       return true;
     }
-    Complex_candidate_3 candidate(snapshot_, triangulation_, trials.sites, true, threads_);
+    Complex_candidate_3 candidate(snapshot_, triangulation_, trials.sites, true, true, threads_);
     trials.give(candidate);
     if(!complete_trials(candidate))
       return false;
@@ -132,19 +134,20 @@ public:
   // In a final snapshot, all vertices are on their surfaces and all boundary facets have surface centers.
   bool advance(const std::vector<Site>& target, bool is_final)
   {
-    return advance(target, nullptr, is_final);
+    return advance(target, nullptr, is_final, true);
   }
 
   // The same for positions of a mesh that is regular as far as its constraints permit, which is faster.
   bool advance(const Moving_triangulation_3& mesh, bool is_final)
   {
-    return advance(mesh.sites, &mesh, is_final);
+    return advance(mesh.sites, &mesh, is_final, true);
   }
 
 private:
   static constexpr int most_attempts = 40;
   // Then a valid complex matters more than the shape of facets.
   static constexpr int attempts_at_good_facets = 10;
+  static constexpr int attempts_at_retreat = 24;
 
   void replace_snapshot(Complex_candidate_3& candidate)
   {
@@ -159,18 +162,21 @@ private:
     number_of_transfers_ += candidate.build(mesh);
   }
 
-  bool advance(const std::vector<Site>& target, const Moving_triangulation_3* mesh, bool is_final)
+  // If there is no way back to the snapshot, what comes takes the place of the input.
+  bool advance(const std::vector<Site>& target, const Moving_triangulation_3* mesh, bool is_final, bool has_way_back)
   {
     const Stage_clock::In_stage in_stage(threads_.clock(), Stage_clock::CHECK);
     is_up_to_date_ = false;
-    Complex_candidate_3 candidate(snapshot_, triangulation_, target, is_final, threads_);
+    Complex_candidate_3 candidate(snapshot_, triangulation_, target, is_final, has_way_back, threads_);
     if(!complete(candidate, mesh))
       return false;
     replace_snapshot(candidate);
+    if(!has_way_back)
+      snapshot_.numbering = std::make_shared<Vertex_numbering_3>(snapshot_.numbering->with_input_at(snapshot_.sites));
     return true;
   }
 
-  // Whether the candidate is valid, perhaps with some vertices back where they were.
+  // Whether the candidate is valid, perhaps with some vertices elsewhere or back where they were.
   bool complete(Complex_candidate_3& candidate, const Moving_triangulation_3* mesh)
   {
     put_on_surfaces(candidate, domain_);
@@ -178,12 +184,12 @@ private:
     Candidate_repair_3 repair(candidate, domain_, [&] { build(candidate, nullptr); });
     for(int attempt = 0; attempt < most_attempts; ++attempt)
     {
-      Defect_report_3 report = check(candidate, attempt < attempts_at_good_facets);
+      candidate.may_retreat = attempt < attempts_at_retreat || !candidate.has_way_back;
+      const Defect_report_3 report = check(candidate, attempt < attempts_at_good_facets);
       if(report.is_clean())
         return true;
-      if(report.is_beyond_repair())
+      if(!repair.apply(report, attempt))
         return false;
-      repair.apply(report, attempt);
     }
     return false;
   }

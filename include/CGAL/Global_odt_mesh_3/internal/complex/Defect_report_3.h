@@ -24,8 +24,6 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
-#include <functional>
-#include <iterator>
 #include <map>
 #include <set>
 #include <unordered_set>
@@ -85,7 +83,7 @@ public:
   {}
 
   // Whether nothing is wrong, not even something that no vertex can undo by going back.
-  bool is_clean() const { return offending_vertices_.empty() && !is_beyond_repair_; }
+  bool is_clean() const { return offending_vertices_.empty() && retreats_.empty() && !is_beyond_repair_; }
   bool is_beyond_repair() const { return is_beyond_repair_; }
 
   const std::set<int>& offending_vertices() const { return offending_vertices_; }
@@ -96,10 +94,31 @@ public:
   template <class Vertices>
   void revert(const Vertices& vertices)
   {
-    if(!revert_around(vertices)
-       && !revert_nearest(vertices, most_rings_to_input, [this](int v) { return !candidate_.is_at_input(v); }))
+    if(!candidate_.has_way_back
+       || (!revert_around(vertices)
+           && !revert_nearest(vertices, most_rings_to_input, [this](int v) { return !candidate_.is_at_input(v); })))
       give_up();
   }
+
+  // The same for vertices that are too close to a point. As long as they may, those of the interior retreat from it instead, by a
+  // share of the way between.
+  template <class Vertices>
+  void revert_or_retreat(const Vertices& vertices, const Vector_3& from)
+  {
+    constexpr double share = 0.1;
+    bool is_found = false;
+    for(int v : vertices)
+      if(candidate_.may_retreat && v >= 0 && candidate_.numbering.is_interior(v))
+      {
+        retreats_[v] += share * (position(candidate_.sites[v]) - from);
+        is_found = true;
+      }
+    if(!is_found)
+      revert(vertices);
+  }
+
+  // The displacements of the vertices that retreat.
+  const std::map<int, Vector_3>& retreats() const { return retreats_; }
 
   // Those only that have not reverted, or else those around them; whether there are any. Numbers below zero, of the infinite
   // vertex, do not matter.
@@ -116,6 +135,8 @@ public:
   {
     is_beyond_repair_ = is_beyond_repair_ || (is_clean() && later.is_beyond_repair_);
     offending_vertices_.insert(later.offending_vertices_.begin(), later.offending_vertices_.end());
+    for(const auto& r : later.retreats_)
+      retreats_[r.first] += r.second;
   }
 
 private:
@@ -148,6 +169,7 @@ private:
 
   const Complex_candidate_3& candidate_;
   std::set<int> offending_vertices_;
+  std::map<int, Vector_3> retreats_;
   bool is_beyond_repair_ = false;
 };
 
@@ -175,71 +197,6 @@ inline void put_on_surfaces(Complex_candidate_3& candidate, const Domain_view_3&
       candidate.sites[v] = candidate.revert_sites[v];
   });
 }
-
-// Moves the vertices of a candidate at which something is wrong toward where they were.
-class Candidate_repair_3
-{
-public:
-  // `rebuild()` makes the triangulation of the candidate anew.
-  Candidate_repair_3(Complex_candidate_3& candidate, const Domain_view_3& domain, std::function<void()> rebuild)
-    : candidate_(candidate)
-    , domain_(domain)
-    , rebuild_(std::move(rebuild))
-  {}
-
-  void apply(const Defect_report_3& report, int attempt)
-  {
-    for(int v : report.offending_vertices())
-      if(candidate_.is_reverted(v))
-        candidate_.revert_to_input(v);
-    const std::set<int> offending = offending_vertices(report, attempt);
-    const bool rebuilds = !candidate_.working.is_worth_moving(offending.size());
-    for(int v : offending)
-    {
-      if(!candidate_.numbering.is_movable(v) || candidate_.is_reverted(v))
-        continue;
-      revert(v, attempt);
-      if(!rebuilds)
-        candidate_.move(v);
-    }
-    if(rebuilds)
-      rebuild_();
-    const auto has_moved = [&](int v) { return offending.count(v) > 0; };
-    for(auto it = candidate_.known_distances.begin(); it != candidate_.known_distances.end(); )
-      it = std::any_of(it->first.begin(), it->first.end(), has_moved) ? candidate_.known_distances.erase(it) : std::next(it);
-    candidate_.measure();
-  }
-
-private:
-  // In these, vertices go back half way first; then they revert, along with more and more neighbors.
-  static constexpr int patient_attempts = 10, attempts_per_ring = 3;
-  static constexpr int halfway_returns = 2, halfway_returns_on_surface = 1;
-
-  // Those of the report, and around them.
-  std::set<int> offending_vertices(const Defect_report_3& report, int attempt) const
-  {
-    Vertex_rings_3 region(candidate_.working, report.offending_vertices());
-    for(int ring = patient_attempts; ring <= attempt; ring += attempts_per_ring)
-      region.grow();
-    return std::set<int>(region.vertices().begin(), region.vertices().end());
-  }
-
-  void revert(int v, int attempt)
-  {
-    const bool on_surface = !candidate_.numbering.is_interior(v);
-    const int most = on_surface ? halfway_returns_on_surface : halfway_returns;
-    const bool is_halfway = attempt < patient_attempts && candidate_.times_reverted[v]++ < most;
-    Site& s = candidate_.sites[v];
-    const Site& home = candidate_.revert_sites[v];
-    s = is_halfway ? site_at((position(s) + position(home)) / 2, home.weight) : home;
-    if(on_surface && is_halfway && !put_on_surface(candidate_, domain_, v))
-      s = home;
-  }
-
-  Complex_candidate_3& candidate_;
-  const Domain_view_3& domain_;
-  std::function<void()> rebuild_;
-};
 
 } // namespace internal
 } // namespace Global_odt_mesh_3

@@ -78,6 +78,32 @@ struct Cells_of_table_3
   }
 };
 
+// Whether cells are clearly not those of a regular triangulation, as after a deformation; roundings do not count.
+inline bool is_deformed(const Mesh_table_3& table, const Thread_policy& threads)
+{
+  constexpr double tolerance = 1e-6;
+  const auto is_finite = [&](int n) { return index_of(table.cells[n].vertices, Mesh_table_3::infinite) == 4; };
+  const auto find_wrong = [&](int n, std::vector<int>& wrong)
+  {
+    if(!is_finite(n))
+      return;
+    const Mesh_table_3::Cell& c = table.cells[n];
+    const std::array<Site, 4> s = table.cell_sites(c.vertices);
+    const Cell_products t(s[0], s[1], s[2], s[3]);
+    bool is_wrong = t.determinant < -tolerance * t.cubed_length();
+    for(int i = 0; i < 4 && !is_wrong; ++i)
+      if(const int m = c.neighbors[i]; n < m && is_finite(m))
+      {
+        const Site& beyond = table.sites[table.cells[m].vertices[table.mirror_index(n, i)]];
+        const double length = (std::max)((position(beyond) - position(s[0])).length(), std::cbrt(t.cubed_length()));
+        is_wrong = t.power(s[0], beyond) < -tolerance * std::pow(length, 5);
+      }
+    if(is_wrong)
+      wrong.push_back(n);
+  };
+  return !collect_in_chunks(static_cast<int>(table.cells.size()), threads, find_wrong).empty();
+}
+
 // Reads a mesh: the first snapshot, still without a triangulation, and the indexed mesh of it.
 class Snapshot_reader_3
 {

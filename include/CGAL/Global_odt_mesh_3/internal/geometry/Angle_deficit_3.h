@@ -223,6 +223,8 @@ struct Sliver_count
 class Sliver_census_3
 {
 public:
+  bool is_of_deformed_mesh = false;           // which is not regular
+
   void add(const std::array<Site, 4>& cell, int label)
   {
     double& largest = largest_[label];
@@ -250,9 +252,17 @@ public:
     });
   }
 
-  // Whether it may take the place of the other one. Who wants a bound for angles does not mind sizes.
+  // Whether it may take the place of the other one. Who wants a bound for angles does not mind sizes. A regular mesh is worth more
+  // than one that is not, so that neither sizes nor angles above 20 degrees matter then.
   bool may_replace(const Sliver_census_3& other, double sliver_bound) const
-  { return is_not_worse_than(other, true) && (sliver_bound > 0 || is_not_coarser_than(other)); }
+  {
+    if(!other.is_of_deformed_mesh)
+      return is_not_worse_than(other, true) && (sliver_bound > 0 || is_not_coarser_than(other));
+    Sliver_count count = count_;
+    if(count.smallest >= Sliver_steps::angles[1])
+      count.smallest = Cell_lack().smallest;
+    return count.is_not_worse_than(other.count_, 2);
+  }
 
 private:
   static constexpr int steps = 3;
