@@ -94,6 +94,7 @@ private:
 
   static constexpr int first_step = 1, last_more_step = 6;    // 20 and 50 degrees
   static constexpr int number_of_optimizations = 2, most_attempts = 4, fewest_removals = 3, most_removals = 7;
+  static constexpr int most_tries = 5;                      // to rebuild a mesh
   static constexpr double worthwhile = 0.75;                // what a removal that pays leaves of what cells lack of the angle
   static constexpr double volume_tolerance = 0.02;
   static constexpr double size_of_perturbation = 1e-3;      // relative to the shortest edge at a vertex
@@ -308,12 +309,21 @@ private:
     return true;
   }
 
+  // Where the domain does not fit, vertices go back.
   std::optional<Periodic_complex_3> rebuilt(std::vector<Site> sites)
   {
     const double begin = timer_.time();
-    std::optional<Periodic_complex_3> result = mesh_.rebuild(complex_, std::move(sites));
+    std::optional<Periodic_complex_3> result;
+    std::vector<int> in_doubt;
+    int tries = 0;
+    do
+    {
+      for(int v : std::exchange(in_doubt, {}))
+        sites[v] = complex_.sites[v];
+      result = mesh_.rebuild(complex_, sites, in_doubt);
+    }
+    while(!result && !in_doubt.empty() && ++tries < most_tries);
     round_costs_ = 1.5 * (timer_.time() - begin);
-
     return result;
   }
 

@@ -162,8 +162,8 @@ public:
   }
 
   // The complex of these vertices. None if they have no triangulation of one sheet, or if the domain does not fit: where other
-  // subdomains or patches than those of the mesh come up, or no surface between two subdomains.
-  std::optional<Periodic_complex_3> rebuild(const Periodic_complex_3& before, std::vector<Site> sites)
+  // subdomains or patches than those of the mesh come up, or no surface between two subdomains; `in_doubt` tells the vertices there.
+  std::optional<Periodic_complex_3> rebuild(const Periodic_complex_3& before, std::vector<Site> sites, std::vector<int>& in_doubt)
   {
     Triangulation tr(c3t3_.triangulation().domain());
     std::vector<Vertex_handle> vertices;
@@ -176,7 +176,7 @@ public:
     complex.patches = before.patches;
     const std::vector<Cell_handle> cells = all_cells(tr);
     read_cells(tr, vertices, cells, complex);
-    if(!label_cells(tr, cells, complex) || !find_facets(tr, cells, complex))
+    if(!label_cells(tr, cells, complex) || !find_facets(tr, cells, complex, in_doubt))
       return std::nullopt;
     return complex;
   }
@@ -328,7 +328,8 @@ private:
       }
   }
 
-  bool find_facets(const Triangulation& tr, const std::vector<Cell_handle>& cells, Periodic_complex_3& complex) const
+  bool find_facets(const Triangulation& tr, const std::vector<Cell_handle>& cells, Periodic_complex_3& complex,
+                   std::vector<int>& in_doubt) const
   {
     std::size_t kept = 0;
     for(std::size_t n = 0; n < cells.size(); ++n)
@@ -345,11 +346,12 @@ private:
           f.center = k->center;
         }
         else if(labels[0] != labels[1] && !intersect(tr, Facet(cells[n], i), labels, f))
-          return false;
+          for(int c : { f.cell, complex.cells[n].neighbors[i] })
+            in_doubt.insert(in_doubt.end(), complex.cells[c].vertices.begin(), complex.cells[c].vertices.end());
         if(f.patch != Domain_view_3::other_patch)
           complex.facets.push_back(f);
       }
-    return kept == kept_facets_.entries().size();
+    return kept == kept_facets_.entries().size() && in_doubt.empty();
   }
 
   // Whether the domain has a patch of the mesh on the dual of a facet between two subdomains.
