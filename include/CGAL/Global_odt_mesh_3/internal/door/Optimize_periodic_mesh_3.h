@@ -92,7 +92,7 @@ public:
 private:
   typedef Periodic_mesh_3<C3t3, Mesh_domain> Mesh;
 
-  static constexpr int first_step = 1, last_more_step = 6;    // 20 and 50 degrees
+  static constexpr int first_step = 1, common_steps = 4;    // for 20 degrees, and up to 40
   static constexpr int number_of_optimizations = 2, most_attempts = 4, fewest_removals = 3, most_removals = 7;
   static constexpr int most_tries = 5;                      // to rebuild a mesh
   static constexpr double worthwhile = 0.75;                // what a removal that pays leaves of what cells lack of the angle
@@ -146,23 +146,18 @@ private:
     return step_ > first_step && !(parameters_.sliver_bound > 0) ? 0 : Sliver_steps::angles[(std::max)(step_, first_step)];
   }
 
-  // All steps are made up to that of the bound; then others as long as cells are left below the bound, and get better, so that a bound is
-  // met where a higher one would meet it. Where the user has ended the optimization that leaves slivers, the first step keeps it
+  // All steps are made up to that of the bound, and those that more bounds have in common as long as cells are left below it, so that it
+  // is met where a higher one would meet it. Where the user has ended the optimization that leaves slivers, the first step keeps it
   // from being in vain.
   void remove_slivers()
   {
     const double bound = parameters_.sliver_bound;
     const int last_step = bound > 0 ? Sliver_steps::last(bound) : first_step + 1;
-    double before = (std::numeric_limits<double>::max)(), left = before;
-    const auto goes_on = [&](int step) { return step <= last_step || (step <= last_more_step && left > 0 && left < before); };
-    for(step_ = first_step; goes_on_ && goes_on(step_); ++step_)
-    {
+    const auto is_wanted = [&] { return step_ <= last_step || (step_ <= common_steps && complex_.deficit(bound) > 0); };
+    for(step_ = first_step; goes_on_ && is_wanted(); ++step_)
       make_step();
-      if(step_ >= last_step)
-        before = std::exchange(left, complex_.deficit(bound));
-    }
     step_ = first_step;
-    if(!goes_on_ && is_changed_)
+    if(!goes_on_ && iterations_ > 0)
       make_step();
   }
 

@@ -302,8 +302,8 @@ private:
     return true;
   }
 
-  // Those in the complex. Where the complex and the domain do not agree, as facets are in the complex that separate nothing, or
-  // are not though they do, they stay, and so do their vertices.
+  // Those in the complex. Facets that are in the complex without separating subdomains, or are not though they do, stay, and so do
+  // their vertices, unless cells have other labels than those of the domain.
   void read_facets(const std::vector<Cell_handle>& cells, Periodic_complex_3& complex)
   {
     for(std::size_t n = 0; n < cells.size(); ++n)
@@ -320,12 +320,14 @@ private:
           f.center = coordinates(cells[n]->get_facet_surface_center(i));
           complex.facets.push_back(f);
         }
-        if(is_in_complex == (labels[0] != labels[1]))
-          continue;
-        kept_facets_.insert(sorted(complex.facet_vertices(f)), { labels, f.patch, f.center });
-        for(int v : complex.facet_vertices(f))
-          complex.dimensions[v] = 0;
+        if(is_in_complex != (labels[0] != labels[1]))
+          kept_facets_.insert(sorted(complex.facet_vertices(f)), { labels, f.patch, f.center });
       }
+    if(!kept_facets_.entries().empty() && !is_labelled_by_domain(complex))
+      kept_facets_ = {};
+    for(const auto& f : kept_facets_.entries())
+      for(int v : f.first)
+        complex.dimensions[v] = 0;
   }
 
   bool find_facets(const Triangulation& tr, const std::vector<Cell_handle>& cells, Periodic_complex_3& complex,
