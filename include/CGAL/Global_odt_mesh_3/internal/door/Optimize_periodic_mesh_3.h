@@ -81,7 +81,6 @@ public:
     first_corner_ = Vector_3(random_.uniform(), random_.uniform(), random_.uniform());
     while(goes_on_ && optimizations_ < number_of_optimizations && round_ < most_attempts)
       make_round();
-
     if(parameters_.do_remove_slivers)
       remove_slivers();
     if(result_)
