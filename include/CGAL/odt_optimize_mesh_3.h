@@ -176,7 +176,8 @@ version of %CGAL in use accepts: `parameters::time_limit = 10, parameters::do_fr
     \cgalParamDescription{the dihedral angle, in degrees, that all cells should exceed at the end. Slivers are removed in steps of 20, 30, 35, 40, 45, ... degrees,
                           and the removal stops at the first step that is not below the bound. 0 means no bound. Then a step above
                           30 degrees is made only if no cell is left below the step before, and fewer than one cell in twenty-five is below this one.
-                          A bound above 30 degrees makes its steps in any case, and may reach more.}
+                          A bound above 30 degrees makes its steps in any case, and may reach more. In periodic meshes, steps up to 40 degrees follow as
+                          long as cells are left below the bound.}
     \cgalParamType{`double`}
     \cgalParamPrecondition{`0 <= sliver_bound <= 70.5`, the regular tetrahedron having angles of 70.53 degrees}
     \cgalParamDefault{0}

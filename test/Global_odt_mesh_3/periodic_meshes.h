@@ -91,7 +91,8 @@ struct State
   std::map<int, double> volumes;
   double smallest_angle = 180, mean_ratio = 0;
   std::size_t edges = 0, corners = 0, facets = 0;
-  std::set<std::pair<int, int> > mistaken;        // pairs of subdomains between which a facet has another patch
+  std::size_t slivers = 0;                        // cells with an angle below 10 degrees
+  std::set<std::vector<Point> > disagreeing;      // facets that are in the complex without separating subdomains, or the other way round
 
   explicit State(const Mesh& c3t3)
   {
@@ -109,9 +110,12 @@ struct State
       const auto t = tr.tetrahedron(c);
       for(int i = 0; i < 4; ++i)
       {
-        const std::pair<int, int> sides = std::minmax(c->subdomain_index(), c->neighbor(i)->subdomain_index());
-        if(c3t3.is_in_complex(c, i) && c->surface_patch_index(i) != sides)
-          mistaken.insert(sides);
+        std::vector<Point> facet;
+        for(int j = 1; j < 4; ++j)
+          facet.push_back(c->vertex((i + j) & 3)->point().point());
+        std::sort(facet.begin(), facet.end());
+        if(c3t3.is_in_complex(c, i) == (c->subdomain_index() == c->neighbor(i)->subdomain_index()))
+          disagreeing.insert(facet);
         key.push_back(c->vertex(i)->point().point());
         s[i] = { t[i].x(), t[i].y(), t[i].z(), 0 };
       }
@@ -121,7 +125,9 @@ struct State
       if(c->subdomain_index() == 0)
         continue;
       const CGAL::Global_odt_mesh_3::internal::Cell_shape_3 shape(s[0], s[1], s[2], s[3]);
-      smallest_angle = (std::min)(smallest_angle, *std::min_element(shape.angles.begin(), shape.angles.end()));
+      const double angle = *std::min_element(shape.angles.begin(), shape.angles.end());
+      smallest_angle = (std::min)(smallest_angle, angle);
+      slivers += angle < 10;
       mean_ratio += shape.radius_ratio;
       ++inside;
     }
@@ -157,18 +163,18 @@ void check_labels(const State<Mesh>& before, const Mesh& c3t3, const D& domain, 
     {
       const typename Mesh::Cell_handle d = c->neighbor(i);
       const std::pair<int, int> sides = std::minmax(c->subdomain_index(), d->subdomain_index());
-      const bool is_separating = sides.first != sides.second;
-      number_of_facets += is_separating;
-      wrong_facets += c3t3.is_in_complex(c, i) != is_separating;
-      if(!is_separating)
+      number_of_facets += c3t3.is_in_complex(c, i);
+      if(!c3t3.is_in_complex(c, i) || sides.first == sides.second)
         continue;
       const Point center = c->get_facet_surface_center(i);
       const auto patch = c->surface_patch_index(i);
-      wrong_facets += (patch != sides && before.mistaken.count(sides) == 0) || d->surface_patch_index(d->index(c)) != patch || center != d->get_facet_surface_center(d->index(c))
+      wrong_facets += patch != sides || d->surface_patch_index(d->index(c)) != patch || center != d->get_facet_surface_center(d->index(c))
                       || c->get_facet_surface_center_index(i) != domain.index_from_surface_patch_index(patch);
     }
   check::that(wrong_cells == 0, name, ": ", wrong_cells, " cells with another label than that of the domain");
   check::that(wrong_facets == 0, name, ": ", wrong_facets, " facets are wrong");
+  const auto disagreeing = State<Mesh>(c3t3).disagreeing;
+  check::that(disagreeing.empty() || disagreeing == before.disagreeing, name, ": other facets that separate nothing");
   check::that(number_of_facets == 2 * c3t3.number_of_facets_in_complex(), name, ": number of facets");
 }
 

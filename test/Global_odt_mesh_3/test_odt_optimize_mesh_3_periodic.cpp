@@ -17,6 +17,7 @@
 #include <functional>
 #include <stdexcept>
 #include <string>
+#include <utility>
 #include <vector>
 
 using namespace periodic;
@@ -181,6 +182,81 @@ static void test_limits()
                 == CGAL::MAX_ITERATION_NUMBER_REACHED, "ten iterations, and a bound of 50 degrees");
 }
 
+// A higher bound never leads to less, a lower one is met where a higher one is, and the code says whether it is.
+static void test_bounds(const Function& f, unsigned int seed)
+{
+  CGAL::Random random(seed);
+  const Domain domain = make_domain(f, 2, random);
+  const C3t3 input = make_mesh(domain, 0.11);
+  std::vector<std::pair<double, double> > reached;
+  for(double bound : { 10., 20., 30., 40. })
+  {
+    const std::string run = "bound " + std::to_string(bound) + ", seed " + std::to_string(seed);
+    C3t3 c3t3 = input;
+    const auto code = CGAL::odt_optimize_mesh_3(c3t3, domain, params::sliver_bound = bound, params::number_of_rounds(0), params::random_seed(seed));
+    const double angle = State<C3t3>(c3t3).smallest_angle;
+    std::cout << run << ": " << angle << " degrees" << std::endl;
+    for(const auto& r : reached)
+      check::that(angle < r.first ? r.second <= angle : r.second >= r.first, run, ": ", angle, ", and with ", r.first, " ", r.second);
+    check::that(angle < bound ? code == CGAL::CANT_IMPROVE_ANYMORE : code == CGAL::CONVERGENCE_REACHED || code == CGAL::ALL_VERTICES_FROZEN,
+                run, ": code ", code);
+    reached.emplace_back(bound, angle);
+  }
+}
+
+// Wherever the user ends a call, it does not leave the slivers that there were.
+static void test_ended(unsigned int seed)
+{
+  CGAL::Random random(seed);
+  const Domain domain = make_domain(gyroid, 2, random);
+  const C3t3 input = make_mesh(domain, 0.11);
+  const State<C3t3> before(input);
+  for(int last : { 50, 200, 600 })
+  {
+    C3t3 c3t3 = input;
+    int calls = 0;
+    const auto stop = [&](double fraction)
+    {
+      check::that(fraction >= 0 && fraction <= 1, "a fraction of ", fraction);
+      return ++calls < last;
+    };
+    const auto code = CGAL::odt_optimize_mesh_3(c3t3, domain, params::callback(stop));
+    const State<C3t3> after(c3t3);
+    std::cout << "ended at call " << last << ": " << before.slivers << " -> " << after.slivers << " slivers" << std::endl;
+    check::that(code == CGAL::TIME_LIMIT_REACHED || calls < last, "ended at call ", last, ": code ", code);
+    check::that(4 * after.slivers < before.slivers, "ended at call ", last, ": ", before.slivers, " -> ", after.slivers, " slivers");
+  }
+}
+
+// Where there is no time to rebuild a mesh, nothing is begun.
+static void test_short_limit()
+{
+  CGAL::Random random(0);
+  long questions = 0;
+  const Domain domain = make_domain([&questions](const Point& p) { ++questions; return gyroid(p); }, 2, random);
+  C3t3 c3t3 = make_mesh(domain, 0.1);
+  const State<C3t3> before(c3t3);
+  questions = 0;
+  check::that(CGAL::odt_optimize_mesh_3(c3t3, domain, params::time_limit = 1e-3) == CGAL::TIME_LIMIT_REACHED, "code of a short call");
+  check::that(questions == 0 && State<C3t3>(c3t3) == before, "a short call asks the domain ", questions, " times");
+}
+
+// Where three subdomains meet, the mesh generator may take the patch of two others. Here it has for all facets between two.
+static void test_mistaken_patch(unsigned int seed)
+{
+  CGAL::Random random(seed);
+  const Domain domain = make_domain(double_diamond, 3, random);
+  C3t3 c3t3 = make_mesh(domain, 0.12);
+  for(auto c = c3t3.triangulation().cells_begin(); c != c3t3.triangulation().cells_end(); ++c)
+    for(int i = 0; i < 4; ++i)
+      if(c3t3.is_in_complex(c, i) && c->surface_patch_index(i) == std::make_pair(1, 2))
+        c->set_surface_patch_index(i, std::make_pair(2, 3));
+  const State<C3t3> before(c3t3);
+  CGAL::odt_optimize_mesh_3(c3t3, domain, params::number_of_rounds(0));
+  check::that(State<C3t3>(c3t3).points != before.points, "mistaken patch: not optimized");
+  check_labels(before, c3t3, domain, "mistaken patch");
+}
+
 // Wherever the domain throws, the mesh is as it was.
 static void test_exceptions()
 {
@@ -244,6 +320,39 @@ static void test_features()
   check::that(after.mean_ratio > before.mean_ratio, "features: quality");
 }
 
+// CGAL's example of features: a cone whose halves meet in a circle. If the function is not periodic, facets come into the complex that
+// separate nothing.
+static void test_cone(bool is_periodic)
+{
+  typedef CGAL::Periodic_3_function_wrapper<Function, Kernel> Periodic_function;
+  const Function cone = [](const Point& p)
+  {
+    return CGAL::square(p.x() - 0.51) + CGAL::square(p.y() - 0.51) > 0.9 * CGAL::square(p.z() - 0.5) ? 1. : -1.;
+  };
+  CGAL::Random random(0);
+  Domain_with_features domain = Domain_with_features::create_implicit_mesh_domain(is_periodic ? Function(Periodic_function(cone, cube)) : cone,
+                                                                                  cube, params::p_rng = &random);
+  std::vector<std::vector<Point> > circle(1);
+  const double radius = 0.5 * std::sqrt(0.9);
+  for(int n = 0; n <= 360; ++n)
+    circle.front().push_back(Point(0.51 + radius * std::sin(n % 360 * turn / 360), 0.51 + radius * std::cos(n % 360 * turn / 360), 0));
+  domain.add_features(circle.begin(), circle.end());
+  domain.add_corner(Point(0.51, 0.51, 0.5));
+  typedef Complex<Domain_with_features> Mesh;
+  const CGAL::Mesh_criteria_3<Mesh::Triangulation> criteria(params::edge_size = 0.05, params::facet_angle = 0.05, params::facet_size = 0.05,
+                                                            params::cell_radius_edge_ratio = 2, params::cell_size = 0.5);
+  Mesh c3t3 = CGAL::make_periodic_3_mesh_3<Mesh>(domain, criteria, params::features(), params::no_exude(), params::no_perturb());
+  const State<Mesh> before(c3t3);
+  CGAL::odt_optimize_mesh_3(c3t3, domain, params::number_of_rounds(0));
+  const State<Mesh> after(c3t3);
+  std::cout << "cone: " << before.disagreeing.size() << " facets separate nothing, angles " << before.smallest_angle << " -> "
+            << after.smallest_angle << std::endl;
+  check::that(is_periodic == before.disagreeing.empty(), "cone: facets that separate nothing");
+  check::that(after.disagreeing == before.disagreeing, "cone: facets that separate nothing have gone");
+  check_contract(before, c3t3, domain, "cone");
+  check::that(after.smallest_angle > (is_periodic ? 12 : 3), "cone: smallest angle ", after.smallest_angle);
+}
+
 int main()
 {
   for(unsigned int seed = 0; seed < 3; ++seed)
@@ -256,6 +365,16 @@ int main()
       test_foam(seed);
     test_vertices_without_patch(seed);
   }
+  for(unsigned int seed = 0; seed < 2; ++seed)
+  {
+    test_bounds(gyroid, seed);
+    test_bounds(schwarz_p, seed);
+    test_ended(seed);
+    test_mistaken_patch(seed);
+  }
+  test_cone(true);
+  test_cone(false);
+  test_short_limit();
   test_other_cube();
   test_calls();
   test_limits();

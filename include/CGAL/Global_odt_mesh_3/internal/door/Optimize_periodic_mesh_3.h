@@ -73,8 +73,12 @@ public:
     if(!mesh_.is_one_sheeted())
       return CANT_IMPROVE_ANYMORE;
     complex_ = mesh_.read();
+    round_costs_ = reading_for_round * timer_.time();
+    if(parameters_.time_limit > 0 && timer_.time() + 2 * round_costs_ > parameters_.time_limit)
+      return TIME_LIMIT_REACHED;
     set_input();
     break_ties();
+<<<<<<< HEAD
     const double z = random_.uniform(), y = random_.uniform(), x = random_.uniform();
     const Vector_3 first_corner(x, y, z);
     for(round_ = 0; goes_on_ && removals_pay_ && step() < number_of_steps(); ++round_)
@@ -86,6 +90,13 @@ public:
       for(round_ = 0; round_ < fewest_removals && !result_; ++round_)
         make_round(first_corner);
     }
+=======
+    first_corner_ = Vector_3(random_.uniform(), random_.uniform(), random_.uniform());
+    while(goes_on_ && optimizations_ < number_of_optimizations && round_ < most_attempts)
+      make_round();
+    if(parameters_.do_remove_slivers)
+      remove_slivers();
+>>>>>>> periodic
     if(result_)
       mesh_.write(*result_);
     return code();
@@ -94,10 +105,13 @@ public:
 private:
   typedef Periodic_mesh_3<C3t3, Mesh_domain> Mesh;
 
+  static constexpr int first_step = 1, common_steps = 4;    // for 20 degrees, and up to 40
   static constexpr int number_of_optimizations = 2, most_attempts = 4, fewest_removals = 3, most_removals = 7;
+  static constexpr int most_tries = 5;                      // to rebuild a mesh
   static constexpr double worthwhile = 0.75;                // what a removal that pays leaves of what cells lack of the angle
   static constexpr double volume_tolerance = 0.02;
   static constexpr double size_of_perturbation = 1e-3;      // relative to the shortest edge at a vertex
+  static constexpr double reading_for_round = 20;           // how many times longer than to read a mesh it takes to rebuild it
 
   // Counts iterations.
   struct Counter
@@ -117,49 +131,77 @@ private:
     return result;
   }
 
-  int number_of_steps() const { return number_of_optimizations + (parameters_.do_remove_slivers ? most_removals : 0); }
-
-  // Of the work, in time.
-  double share_before(int step) const
+  // Of the work and the time that are left, what the next round may take.
+  double share() const
   {
-    constexpr std::array<double, number_of_optimizations + most_removals + 1> shares
-      = {{ 0, 0.35, 0.8, 0.86, 0.91, 0.95, 0.97, 0.98, 0.99, 1 }};
-    return shares[step] / shares[number_of_steps()];
+    if(removes())
+      return 0.3;
+    return optimizations_ + 1 < number_of_optimizations ? 0.4 : parameters_.do_remove_slivers ? 0.7 : 1.;
   }
 
   Mesh_optimization_return_code code() const
   {
-    if(!goes_on_ || code_ == TIME_LIMIT_REACHED)
+    if(code_ == TIME_LIMIT_REACHED)
       return code_;
     const bool is_failure = !result_ && (is_changed_ || failures_ > 0);
-    const bool removes_slivers
-      = code_ != MAX_ITERATION_NUMBER_REACHED && parameters_.do_remove_slivers && parameters_.sliver_bound > 0;
+    const bool wants_bound = code_ != MAX_ITERATION_NUMBER_REACHED && parameters_.do_remove_slivers && parameters_.sliver_bound > 0;
     const Periodic_complex_3& last = result_ ? *result_ : complex_;
-    return is_failure || (removes_slivers && last.deficit(parameters_.sliver_bound) > 0) ? CANT_IMPROVE_ANYMORE : code_;
+    return is_failure || (wants_bound && last.deficit(parameters_.sliver_bound) > 0) ? CANT_IMPROVE_ANYMORE : code_;
   }
 
-  // Or else slivers are removed, and nothing else. Where a result is not valid, another cut may do better.
-  bool optimizes() const { return optimizations_ < number_of_optimizations && round_ < most_attempts; }
+  // Or else vertices move to lower energies.
+  bool removes() const { return step_ > 0; }
 
-  // Where the round is in the work.
-  int step() const { return optimizes() ? optimizations_ : number_of_optimizations + removals_; }
+  // What a round wants: that of the step, so that a higher bound goes the way of a lower one, and then on. Without a bound, as much as is
+  // worth it after the first step.
+  double bound_of_round() const
+  {
+    return step_ > first_step && !(parameters_.sliver_bound > 0) ? 0 : Sliver_steps::angles[(std::max)(step_, first_step)];
+  }
 
-  void make_round(const Vector_3& first_corner)
+  // All steps are made up to that of the bound, and those that more bounds have in common as long as cells are left below it, so that it
+  // is met where a higher one would meet it. Where the user has ended the optimization that leaves slivers, the first step keeps it
+  // from being in vain.
+  void remove_slivers()
+  {
+    const double bound = parameters_.sliver_bound;
+    const int last_step = bound > 0 ? Sliver_steps::last(bound) : first_step + 1;
+    const auto is_wanted = [&] { return step_ <= last_step || (step_ <= common_steps && complex_.deficit(bound) > 0); };
+    for(step_ = first_step; goes_on_ && is_wanted(); ++step_)
+      make_step();
+    step_ = first_step;
+    if(!goes_on_ && iterations_ > 0)
+      make_step();
+  }
+
+  // Until a round has nothing left to do, or does not pay.
+  void make_step()
+  {
+    const bool goes_on = goes_on_;
+    const double bound = bound_of_round(), angle = bound > 0 ? bound : parameters_.wanted_angle();
+    double before = (std::numeric_limits<double>::max)(), left = complex_.deficit(angle);
+    const auto pays = [&](int n) { return n < fewest_removals || (goes_on && n < most_removals && left < worthwhile * before); };
+    for(int n = 0; goes_on_ == goes_on && left > 0 && pays(n); ++n)
+    {
+      make_round();
+      before = std::exchange(left, complex_.deficit(angle));
+    }
+  }
+
+  void make_round()
   {
     const double s = shift(round_);
-    const Vector_3 corner = complex_.cube.corner + complex_.cube.period * (first_corner + Vector_3(s, s, s));
-    const bool removes = !optimizes();
+    const Vector_3 corner = complex_.cube.corner + complex_.cube.period * (first_corner_ + Vector_3(s, s, s));
+    end_of_round_ = done_ + share() * (1 - done_);
     // The removal of slivers moves few vertices, and may succeed where the optimization has not.
-    const bool lattice_moves = lattice_moves_ || removes;
+    const bool lattice_moves = lattice_moves_ || removes();
     if(!try_round(corner, lattice_moves) && lattice_moves && goes_on_)
     {
       lattice_moves_ = false;
       try_round(corner, false);
     }
-    if(!removes)
-      return;
-    const double before = std::exchange(deficit_, complex_.deficit(parameters_.wanted_angle()));
-    removals_pay_ = ++removals_ < fewest_removals || deficit_ < worthwhile * before;
+    done_ = end_of_round_;
+    ++round_;
   }
 
   // False if there is no triangulation of one sheet where the optimizer has led.
@@ -168,6 +210,7 @@ private:
     const std::optional<Odt_parameters> p = parameters_of_round();
     if(!p)
       return true;
+
     Unrolled_mesh_3<Exact_predicates_inexact_constructions_kernel> unrolled(complex_, corner, lattice_moves);
     if(!unrolled.is_faithful())
     {
@@ -175,16 +218,18 @@ private:
       return true;
     }
     Counter counter;
-    const Odt_task task = optimizes() ? Odt_task::OPTIMIZE : Odt_task::REMOVE_SLIVERS;
+    const Odt_task task = removes() ? Odt_task::REMOVE_SLIVERS : Odt_task::OPTIMIZE;
     const Mesh_optimization_return_code code
       = optimize_mesh(unrolled, domain_, task, *p, User_field_3(), counter, Thread_policy());
     iterations_ += counter.number;
-    if(code == TIME_LIMIT_REACHED || (optimizes() && (unrolled.is_changed() || code != CANT_IMPROVE_ANYMORE)))
+    if(!goes_on_)
+      code_ = TIME_LIMIT_REACHED;
+    else if(!removes() && code != CANT_IMPROVE_ANYMORE)
       code_ = code;
     const int failures = failures_;
     failures_ += unrolled.is_changed() ? !unrolled.may_have_one_sheet() : code == CANT_IMPROVE_ANYMORE;
     const bool is_one_sheeted = !unrolled.is_changed() || (unrolled.may_have_one_sheet() && adopt(unrolled.periodic_sites()));
-    optimizations_ += optimizes() && failures_ == failures;
+    optimizations_ += !removes() && failures_ == failures;
     return is_one_sheeted;
   }
 
@@ -193,10 +238,11 @@ private:
   {
     Odt_parameters p = parameters_;
     p.random_seed += static_cast<unsigned int>(round_);
+    p.sliver_bound = bound_of_round();
     // Nearly all vertices move once more before slivers matter.
-    if(optimizes() && optimizations_ + 1 < number_of_optimizations)
+    if(!removes() && optimizations_ + 1 < number_of_optimizations)
       p.do_remove_slivers = false;
-    if(p.max_iteration_number > 0 && optimizes())
+    if(p.max_iteration_number > 0 && !removes())
     {
       const std::size_t until_end = round_ == 0 ? p.max_iteration_number - p.max_iteration_number / 2 : p.max_iteration_number;
       if(until_end <= iterations_)
@@ -205,9 +251,8 @@ private:
     }
     if(p.time_limit > 0)
     {
-      const int rebuildings = (std::max)(1, number_of_optimizations + fewest_removals - step());
-      const double left = p.time_limit - timer_.time() - rebuilding_ * rebuildings;
-      p.time_limit = left * (share_before(step() + 1) - share_before(step())) / (1 - share_before(step()));
+      const int rounds = removes() ? 1 : number_of_optimizations - optimizations_ + 1;
+      p.time_limit = share() * (p.time_limit - timer_.time() - rounds * round_costs_);
       if(!(p.time_limit > 0))
       {
         code_ = TIME_LIMIT_REACHED;
@@ -216,15 +261,11 @@ private:
       }
     }
     if(!goes_on_)
-    {
       p.callback = nullptr;
-      p.sliver_bound = Sliver_steps::angles[1];
-    }
     else if(p.callback)
       p.callback = [this](double fraction)
       {
-        const double begin = share_before(step()), end = share_before(step() + 1);
-        reported_ = (std::max)(reported_, begin + fraction * (end - begin));
+        reported_ = (std::max)(reported_, done_ + fraction * (end_of_round_ - done_));
         goes_on_ = parameters_.callback(reported_);
         return goes_on_;
       };
@@ -267,6 +308,8 @@ private:
       ++failures_;
       return candidate.has_value();
     }
+    if(removes() && !candidate->slivers().is_not_worse_than(complex_.slivers(), true))
+      return true;
     complex_ = std::move(*candidate);
     is_changed_ = true;
     if(!parameters_.do_remove_slivers || complex_.slivers().may_replace(slivers_of_input_, parameters_.sliver_bound))
@@ -274,11 +317,21 @@ private:
     return true;
   }
 
+  // Where the domain does not fit, vertices go back.
   std::optional<Periodic_complex_3> rebuilt(std::vector<Site> sites)
   {
     const double begin = timer_.time();
-    std::optional<Periodic_complex_3> result = mesh_.rebuild(complex_, std::move(sites));
-    rebuilding_ = timer_.time() - begin;
+    std::optional<Periodic_complex_3> result;
+    std::vector<int> in_doubt;
+    int tries = 0;
+    do
+    {
+      for(int v : std::exchange(in_doubt, {}))
+        sites[v] = complex_.sites[v];
+      result = mesh_.rebuild(complex_, sites, in_doubt);
+    }
+    while(!result && !in_doubt.empty() && ++tries < most_tries);
+    round_costs_ = 1.5 * (timer_.time() - begin);
     return result;
   }
 
@@ -302,14 +355,14 @@ private:
   Sliver_census_3 slivers_of_input_;
   std::map<int, double> volumes_;           // of the input
   std::map<int, std::array<long, 3> > topology_;
-  int round_ = 0, optimizations_ = 0, removals_ = 0, failures_ = 0;
-  double deficit_ = (std::numeric_limits<double>::max)();   // after the last removal
-  bool removals_pay_ = true, lattice_moves_ = true;
-  bool goes_on_ = true, is_changed_ = false;
+  Vector_3 first_corner_;
+  int round_ = 0, optimizations_ = 0, failures_ = 0;
+  int step_ = 0;                            // of the removal of slivers, if that has begun
+  bool lattice_moves_ = true, goes_on_ = true, is_changed_ = false;
   std::size_t iterations_ = 0;
-  double rebuilding_ = 0;                   // seconds
-  double reported_ = 0;                     // of the work
-  Mesh_optimization_return_code code_ = CANT_IMPROVE_ANYMORE;
+  double round_costs_ = 0;                  // in seconds, besides the optimization: to cut the mesh open, and to rebuild it
+  double done_ = 0, end_of_round_ = 0, reported_ = 0;       // of the work
+  Mesh_optimization_return_code code_ = CONVERGENCE_REACHED;
 };
 
 } // namespace internal

@@ -149,30 +149,21 @@ public:
     }
     read_cells(tr, vertices_, cells, complex);
     for(std::size_t n = 0; n < cells.size(); ++n)
-    {
       complex.cells[n].label = domain_.number_subdomain(cells[n]->subdomain_index());
-      for(int i = 0; i < 4; ++i)
-        if(cells[n]->is_facet_on_surface(i) && static_cast<int>(n) < complex.cells[n].neighbors[i])
-          complex.facets.push_back({ static_cast<int>(n), i, domain_.number_patch(cells[n]->surface_patch_index(i)),
-                                     coordinates(cells[n]->get_facet_surface_center(i)) });
-    }
-    for(Vertex_handle v : vertices_)
-      complex.patches.push_back(v->in_dimension() == 2 ? domain_.patch_at(v->index()) : int(Domain_view_3::other_patch));
-    find_patches(complex);
-    for(Periodic_complex_3::Facet& f : complex.facets)
-    {
-      f.patch = patch_between(complex.labels(f), f.patch);
-      // A point of the lattice close to a surface gets dimension 2 from the mesh generator, but no patch.
+    read_facets(cells, complex);
+    for(std::size_t v = 0; v < vertices_.size(); ++v)
+      complex.patches.push_back(complex.dimensions[v] == 2 ? domain_.patch_at(vertices_[v]->index()) : int(Domain_view_3::other_patch));
+    // A point of the lattice close to a surface gets dimension 2 from the mesh generator, but no patch.
+    for(const Periodic_complex_3::Facet& f : complex.facets)
       for(int v : complex.facet_vertices(f))
         if(complex.dimensions[v] == 2 && complex.patches[v] == Domain_view_3::other_patch)
           complex.patches[v] = f.patch;
-    }
     return complex;
   }
 
   // The complex of these vertices. None if they have no triangulation of one sheet, or if the domain does not fit: where other
-  // subdomains or patches than those of the mesh come up, or no surface between two subdomains.
-  std::optional<Periodic_complex_3> rebuild(const Periodic_complex_3& before, std::vector<Site> sites)
+  // subdomains or patches than those of the mesh come up, or no surface between two subdomains; `in_doubt` tells the vertices there.
+  std::optional<Periodic_complex_3> rebuild(const Periodic_complex_3& before, std::vector<Site> sites, std::vector<int>& in_doubt)
   {
     Triangulation tr(c3t3_.triangulation().domain());
     std::vector<Vertex_handle> vertices;
@@ -185,7 +176,7 @@ public:
     complex.patches = before.patches;
     const std::vector<Cell_handle> cells = all_cells(tr);
     read_cells(tr, vertices, cells, complex);
-    if(!label_cells(tr, cells, complex) || !find_facets(tr, cells, complex))
+    if(!label_cells(tr, cells, complex) || !find_facets(tr, cells, complex, in_doubt))
       return std::nullopt;
     return complex;
   }
@@ -233,6 +224,14 @@ private:
   typedef typename Domain_view::Index Index;
   typedef typename Mesh_domain::Subdomain_index Subdomain_index;
   typedef CGAL::Hash_handles_with_or_without_timestamps Hash;
+
+  // By its vertices; without a patch if it is not in the complex.
+  struct Kept_facet
+  {
+    std::array<int, 2> labels;
+    int patch;
+    Vector_3 center;
+  };
 
   static Weighted_point weighted_point(const Site& s) { return Weighted_point(Bare_point(s.x, s.y, s.z), s.weight); }
 
@@ -303,47 +302,82 @@ private:
     return true;
   }
 
-  bool find_facets(const Triangulation& tr, const std::vector<Cell_handle>& cells, Periodic_complex_3& complex) const
+  // Those in the complex. Facets that are in the complex without separating subdomains, or are not though they do, stay, and so do
+  // their vertices, unless cells have other labels than those of the domain.
+  void read_facets(const std::vector<Cell_handle>& cells, Periodic_complex_3& complex)
   {
     for(std::size_t n = 0; n < cells.size(); ++n)
       for(int i = 0; i < 4; ++i)
       {
-        const int m = complex.cells[n].neighbors[i];
-        if(m < static_cast<int>(n) || complex.cells[n].label == complex.cells[m].label)
+        Periodic_complex_3::Facet f = { static_cast<int>(n), i, Domain_view_3::other_patch, Vector_3() };
+        const std::array<int, 2> labels = complex.labels(f);
+        const bool is_in_complex = cells[n]->is_facet_on_surface(i);
+        if(f.cell > complex.cells[n].neighbors[i] || (!is_in_complex && labels[0] == labels[1]))
           continue;
-        Bare_point p, q;
-        tr.dual_segment(Facet(cells[n], i), p, q);
-        const Vector_3 from = coordinates(p), to = coordinates(q);
-        Vector_3 center = (from + to) / 2;
-        int patch;
-        if(!domain_.intersect(center, (to - from).normalized(), (to - from).length() / 2, patch))
-          return false;
-        complex.facets.push_back({ static_cast<int>(n), i, patch, center });
-        Periodic_complex_3::Facet& f = complex.facets.back();
-        f.patch = patch_between(complex.labels(f), patch);
-        if(f.patch == Domain_view_3::other_patch)
-          return false;
+        if(is_in_complex)
+        {
+          f.patch = patch_between(labels, domain_.number_patch(cells[n]->surface_patch_index(i)));
+          f.center = coordinates(cells[n]->get_facet_surface_center(i));
+          complex.facets.push_back(f);
+        }
+        if(is_in_complex != (labels[0] != labels[1]))
+          kept_facets_.insert(sorted(complex.facet_vertices(f)), { labels, f.patch, f.center });
       }
-    return true;
+    if(!kept_facets_.entries().empty() && !is_labelled_by_domain(complex))
+      kept_facets_ = {};
+    for(const auto& f : kept_facets_.entries())
+      for(int v : f.first)
+        complex.dimensions[v] = 0;
   }
 
-  // If two subdomains have one patch between them, it is that of most facets there: where three subdomains meet, the dual of a facet
-  // between two may go through the third, and the domain find a patch of that.
-  void find_patches(const Periodic_complex_3& complex)
+  bool find_facets(const Triangulation& tr, const std::vector<Cell_handle>& cells, Periodic_complex_3& complex,
+                   std::vector<int>& in_doubt) const
   {
-    if(!std::is_same<typename Mesh_domain::Surface_patch_index, std::pair<Subdomain_index, Subdomain_index> >::value)
-      return;
-    std::map<std::array<int, 2>, std::map<int, int> > facets;
-    for(const Periodic_complex_3::Facet& f : complex.facets)
-      ++facets[complex.labels(f)][f.patch];
-    for(const auto& f : facets)
-      patches_[f.first] = std::max_element(f.second.begin(), f.second.end(), [](const auto& p, const auto& q) { return p.second < q.second; })->first;
+    std::size_t kept = 0;
+    for(std::size_t n = 0; n < cells.size(); ++n)
+      for(int i = 0; i < 4; ++i)
+      {
+        Periodic_complex_3::Facet f = { static_cast<int>(n), i, Domain_view_3::other_patch, Vector_3() };
+        if(f.cell > complex.cells[n].neighbors[i])
+          continue;
+        const std::array<int, 2> labels = complex.labels(f);
+        if(const Kept_facet* const k = kept_facets_.find(sorted(complex.facet_vertices(f))); k != nullptr && k->labels == labels)
+        {
+          ++kept;
+          f.patch = k->patch;
+          f.center = k->center;
+        }
+        else if(labels[0] != labels[1] && !intersect(tr, Facet(cells[n], i), labels, f))
+          for(int c : { f.cell, complex.cells[n].neighbors[i] })
+            in_doubt.insert(in_doubt.end(), complex.cells[c].vertices.begin(), complex.cells[c].vertices.end());
+        if(f.patch != Domain_view_3::other_patch)
+          complex.facets.push_back(f);
+      }
+    return kept == kept_facets_.entries().size() && in_doubt.empty();
   }
 
-  int patch_between(const std::array<int, 2>& labels, int found) const
+  // Whether the domain has a patch of the mesh on the dual of a facet between two subdomains.
+  bool intersect(const Triangulation& tr, const Facet& facet, const std::array<int, 2>& labels, Periodic_complex_3::Facet& f) const
   {
-    const auto it = patches_.find(labels);
-    return it == patches_.end() ? found : it->second;
+    Bare_point p, q;
+    tr.dual_segment(facet, p, q);
+    const Vector_3 from = coordinates(p), to = coordinates(q);
+    f.center = (from + to) / 2;
+    if(!domain_.intersect(f.center, (to - from).normalized(), (to - from).length() / 2, f.patch))
+      return false;
+    f.patch = patch_between(labels, f.patch);
+    return f.patch != Domain_view_3::other_patch;
+  }
+
+  // Between two subdomains of a domain with labels, it is their pair: where three meet, the dual of a facet between two may go
+  // through the third, and the domain find a patch of that.
+  int patch_between([[maybe_unused]] const std::array<int, 2>& labels, int found) const
+  {
+    if constexpr(Is_ordered_index<Subdomain_index>::value
+                 && std::is_same<typename Mesh_domain::Surface_patch_index, std::pair<Subdomain_index, Subdomain_index> >::value)
+      if(labels[0] != labels[1])
+        return domain_.number_patch(std::minmax(domain_.subdomain(labels[0]), domain_.subdomain(labels[1])));
+    return found;
   }
 
   // All or none.
@@ -368,7 +402,7 @@ private:
   C3t3& c3t3_;
   Domain_view& domain_;
   std::vector<Vertex_handle> vertices_;
-  std::map<std::array<int, 2>, int> patches_;     // by the labels on their sides
+  Tuple_table<Triple, Kept_facet> kept_facets_;
 };
 
 } // namespace internal

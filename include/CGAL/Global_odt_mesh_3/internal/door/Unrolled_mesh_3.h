@@ -92,7 +92,7 @@ public:
     moved_ = table.sites;
     for(const Mesh_table_3::Cell& c : table.cells)
       if(has_movable_vertex(c.vertices) && index_of(c.vertices, Mesh_table_3::infinite) == 4)
-        squared_radius_ = (std::max)(squared_radius_, squared_circumradius(table.cell_sites(c.vertices)));
+        squared_radius_ = (std::max)(squared_radius_, squared_orthoradius(table.cell_sites(c.vertices)));
   }
 
   // They are counted in the periodic complex.
@@ -104,6 +104,12 @@ private:
   typedef CGAL::Regular_triangulation_3<Kernel, CGAL::Triangulation_data_structure_3<Vertex_base, Cell_base> > Triangulation;
 
   static constexpr int interior = 3;
+
+  // The square of the radius of the sphere that CGAL compares: with weights, it is smaller than that through the vertices.
+  static double squared_orthoradius(const std::array<Site, 4>& s)
+  {
+    return Cell_products(s[0], s[1], s[2], s[3]).to_dual().squared_length() - s[0].weight;
+  }
 
   void place_vertices()
   {
