@@ -57,6 +57,7 @@ public:
 
   Mesh_optimization_return_code run(User_mesh_view_3& mesh, Odt_task task)
   {
+    release_cells(mesh);
     const std::optional<Outcome> outcome
       = parameters_.do_insert_vertices || parameters_.do_remove_vertices ? adapt_and_optimize(mesh, task)
                                                                          : optimize(mesh, task);
@@ -111,6 +112,23 @@ private:
 
   // Whether cells may have smaller angles than those of the input, since the user wants other sizes, or slivers.
   bool may_be_worse() const { return !parameters_.do_remove_slivers || field_ || parameters_.number_of_vertices > 0; }
+
+  // Cells that are to stay, but are none of the regular triangulation of the vertices where these are, cannot stay. Those of a mesh
+  // that is not deformed are what they seem.
+  void release_cells(User_mesh_view_3& mesh)
+  {
+    const Mesh_table_3 table = mesh.read(threads_);
+    std::vector<Quadruple> kept;
+    for(const Mesh_table_3::Cell& c : table.cells)
+      if(c.is_kept)
+        kept.push_back(c.vertices);
+    if(kept.empty() || !is_deformed(table, threads_))
+      return;
+    Working_triangulation_3 regular;
+    regular.build(table.sites);
+    kept.erase(std::remove_if(kept.begin(), kept.end(), [&regular](const Quadruple& q) { return regular.is_cell(q); }), kept.end());
+    mesh.release(kept);
+  }
 
   // Vertices are inserted and removed for the sizes that are wanted, before all vertices move; and then where cells are too
   // large and at the slivers that are left.

@@ -157,6 +157,13 @@ public:
   // Whether the vertex is in the triangulation, and not hidden.
   bool is_visible(int v) const { return vertices_[v] != Vertex_handle(); }
 
+  bool is_cell(const Quadruple& q) const
+  {
+    Cell_handle c;
+    return std::all_of(q.begin(), q.end(), [this](int v) { return is_visible(v); })
+           && tr_.is_cell(vertices_[q[0]], vertices_[q[1]], vertices_[q[2]], vertices_[q[3]], c);
+  }
+
   // Whether this is the regular triangulation of its vertices. One that is copied need not be, and then CGAL's functions that
   // insert and remove vertices are of no use.
   bool is_regular(const Thread_policy& threads) const

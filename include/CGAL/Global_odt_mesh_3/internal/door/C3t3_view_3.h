@@ -103,6 +103,7 @@ public:
     Mesh_table_3 table;
     vertices_.clear();
     centers_.clear();
+    kept_cells_.clear();
     const Triangulation& tr = c3t3_.triangulation();
     if(tr.dimension() != 3)
       return table;
@@ -136,6 +137,17 @@ public:
   {
     Cell_handle c;
     return c3t3_.triangulation().is_cell(vertices_[v[0]], vertices_[v[1]], vertices_[v[2]], vertices_[v[3]], c);
+  }
+
+  void release(const std::vector<Quadruple>& cells) override
+  {
+    std::vector<Cell_handle> handles;
+    for(const Quadruple& v : cells)
+    {
+      handles.emplace_back();
+      c3t3_.triangulation().is_cell(vertices_[v[0]], vertices_[v[1]], vertices_[v[2]], vertices_[v[3]], handles.back());
+    }
+    constraints_.release(handles);
   }
 
   // But for those that stay.
@@ -385,7 +397,7 @@ private:
 
   C3t3& c3t3_;
   Mesh_domain_view_3<Mesh_domain>& domain_;
-  const User_constraints_3<C3t3> constraints_;
+  User_constraints_3<C3t3> constraints_;
   std::function<void(Vertex_handle)> before_removal_;
   std::vector<Vertex_handle> vertices_;
   std::vector<Center> centers_;               // by the numbers of facets in the table

@@ -78,25 +78,12 @@ public:
       return TIME_LIMIT_REACHED;
     set_input();
     break_ties();
-<<<<<<< HEAD
     const double z = random_.uniform(), y = random_.uniform(), x = random_.uniform();
-    const Vector_3 first_corner(x, y, z);
-    for(round_ = 0; goes_on_ && removals_pay_ && step() < number_of_steps(); ++round_)
-      make_round(first_corner);
-    // Where the user has ended the optimization that leaves slivers, the first step of their removal keeps it from being in vain.
-    if(!goes_on_ && is_changed_)
-    {
-      optimizations_ = number_of_optimizations;
-      for(round_ = 0; round_ < fewest_removals && !result_; ++round_)
-        make_round(first_corner);
-    }
-=======
-    first_corner_ = Vector_3(random_.uniform(), random_.uniform(), random_.uniform());
+    first_corner_ = Vector_3(x, y, z);
     while(goes_on_ && optimizations_ < number_of_optimizations && round_ < most_attempts)
       make_round();
     if(parameters_.do_remove_slivers)
       remove_slivers();
->>>>>>> periodic
     if(result_)
       mesh_.write(*result_);
     return code();

@@ -18,6 +18,7 @@
 
 #include <type_traits>
 #include <unordered_set>
+#include <vector>
 #include <utility>
 
 namespace CGAL {
@@ -43,7 +44,7 @@ public:
   typedef typename Triangulation::Vertex_handle Vertex_handle;
   typedef typename Triangulation::Cell_handle Cell_handle;
 
-  bool has(Vertex_handle v) const { return vertices_.count(v) > 0; }
+  bool has(Vertex_handle v) const { return vertices_.count(v) > 0 || vertices_of_cells_.count(v) > 0; }
   bool has(Cell_handle c) const { return cells_.count(c) > 0; }
 
   // Asks the property maps, once for each vertex and for each cell of the complex.
@@ -54,18 +55,31 @@ public:
     if constexpr (Arguments::template has<internal_np::cell_selector_t>)
       for(Cell_handle c : tr.all_cell_handles())
         if(c3t3.is_in_complex(c) && !is_true(arguments.template get<internal_np::cell_selector_t>(), c))
-        {
           cells_.insert(c);
-          for(int i = 0; i < 4; ++i)
-            vertices_.insert(c->vertex(i));
-        }
+    find_vertices_of_cells();
     if constexpr (Arguments::template has<internal_np::vertex_is_constrained_t>)
       for(Vertex_handle v : tr.finite_vertex_handles())
         if(is_true(arguments.template get<internal_np::vertex_is_constrained_t>(), v))
           vertices_.insert(v);
   }
 
+  // Of cells, as far as none of the others has their vertices, and no map says that these stay.
+  void release(const std::vector<Cell_handle>& cells)
+  {
+    for(Cell_handle c : cells)
+      cells_.erase(c);
+    find_vertices_of_cells();
+  }
+
 private:
+  void find_vertices_of_cells()
+  {
+    vertices_of_cells_.clear();
+    for(Cell_handle c : cells_)
+      for(int i = 0; i < 4; ++i)
+        vertices_of_cells_.insert(c->vertex(i));
+  }
+
   template <class Map, class Key>
   static bool is_true(const Map& map, Key key)
   {
@@ -79,7 +93,7 @@ private:
       return false;
   }
 
-  std::unordered_set<Vertex_handle, Hash> vertices_;
+  std::unordered_set<Vertex_handle, Hash> vertices_, vertices_of_cells_;
   std::unordered_set<Cell_handle, Hash> cells_;
 };
 

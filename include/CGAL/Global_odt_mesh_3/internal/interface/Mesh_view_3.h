@@ -158,6 +158,9 @@ public:
 
   // By the vertices, as they have been read.
   virtual std::vector<std::array<int, 2> > feature_edges() const = 0;
+
+  // Of cells that are to stay, and cannot: they and their vertices may change as those may that are selected.
+  virtual void release(const std::vector<Quadruple>&) {}
 };
 
 } // namespace internal
