@@ -61,11 +61,11 @@ public:
     const std::optional<Outcome> outcome
       = parameters_.do_insert_vertices || parameters_.do_remove_vertices ? adapt_and_optimize(mesh, task)
                                                                          : optimize(mesh, task);
-    if(!outcome)
-      return CANT_IMPROVE_ANYMORE;
     const std::size_t slivers = parameters_.sliver_bound > 0 ? mesh.number_of_slivers(parameters_.sliver_bound) : 0;
     visitor_.after_sliver_removal(slivers);
     visitor_.after_rebuild_restricted_delaunay();
+    if(!outcome)
+      return CANT_IMPROVE_ANYMORE;
     return slivers > 0 ? outcome->with_slivers : outcome->without_slivers;
   }
 
@@ -77,6 +77,7 @@ private:
   };
 
   static constexpr unsigned int most_adaptations = 3;
+  static constexpr int most_releases = 5, edges_of_question = 100;
   // In which cells are split that are too large: in the end, no more angles get below 30 degrees. Where cells were split whatever
   // that did to angles, those of an elephant fell from 30 to 8 degrees.
   static constexpr int step_on_the_way = 1, last_step = 3;
@@ -113,21 +114,46 @@ private:
   // Whether cells may have smaller angles than those of the input, since the user wants other sizes, or slivers.
   bool may_be_worse() const { return !parameters_.do_remove_slivers || field_ || parameters_.number_of_vertices > 0; }
 
-  // Cells that are to stay, but are none of the regular triangulation of the vertices where these are, cannot stay. Those of a mesh
-  // that is not deformed are what they seem.
+  // Cells of a deformed mesh that are to stay, but are none of the regular triangulation of the vertices where these are, cannot
+  // stay, nor can those whose vertices stand in the way of a valid complex.
   void release_cells(User_mesh_view_3& mesh)
   {
-    const Mesh_table_3 table = mesh.read(threads_);
-    std::vector<Quadruple> kept;
-    for(const Mesh_table_3::Cell& c : table.cells)
-      if(c.is_kept)
-        kept.push_back(c.vertices);
+    Mesh_table_3 table = mesh.read(threads_);
+    std::vector<Quadruple> kept = kept_cells(table);
     if(kept.empty() || !is_deformed(table, threads_))
       return;
     Working_triangulation_3 regular;
     regular.build(table.sites);
-    kept.erase(std::remove_if(kept.begin(), kept.end(), [&regular](const Quadruple& q) { return regular.is_cell(q); }), kept.end());
-    mesh.release(kept);
+    const auto release = [&](const auto& stays)
+    {
+      kept.erase(std::remove_if(kept.begin(), kept.end(), stays), kept.end());
+      mesh.release(kept);
+      return !kept.empty();
+    };
+    release([&](const Quadruple& q) { return regular.is_cell(q); });
+    bool has_released = true;
+    for(int n = 0; n < most_releases && has_released; ++n)
+    {
+      Facet_bounds_3 bounds(domain_);
+      Moving_triangulation_3 indexed;
+      Complex_updater_3 complex(domain_, bounds, parameters_.optimize_boundary, threads_);
+      Snapshot_reader_3 reader(mesh, threads_);
+      kept = kept_cells(reader.table());
+      complex.start(reader.read(indexed, parameters_.optimize_boundary));
+      if(complex.make_regular())
+        return;
+      has_released = release([&](const Quadruple& q)
+                             { return std::none_of(q.begin(), q.end(), [&](int v) { return complex.obstacles().count(v) > 0; }); });
+    }
+  }
+
+  static std::vector<Quadruple> kept_cells(const Mesh_table_3& table)
+  {
+    std::vector<Quadruple> kept;
+    for(const Mesh_table_3::Cell& c : table.cells)
+      if(c.is_kept)
+        kept.push_back(c.vertices);
+    return kept;
   }
 
   // Vertices are inserted and removed for the sizes that are wanted, before all vertices move; and then where cells are too
@@ -142,7 +168,9 @@ private:
     const Sliver_census_3 slivers = Optimization_attempt_3::slivers(adapted.table(), threads_);
     const std::optional<Size_criteria_3> criteria = size_criteria(adapted.table());
     const auto may_go_on = [this] { return control_.may_go_on(); };
-    adaptation(adapted).adapt_sizes(field_, [this] { return control_.may_move(); });
+    // There are many edges to ask for.
+    int questions = 0;
+    adaptation(adapted).adapt_sizes(field_, [&] { return questions++ % edges_of_question != 0 || control_.may_move(); });
     std::optional<Outcome> outcome = optimize(adapted, task);
     if(!outcome)
       return outcome;

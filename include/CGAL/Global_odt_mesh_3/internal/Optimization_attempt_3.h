@@ -180,6 +180,12 @@ private:
         energy = (std::numeric_limits<double>::max)();
       previous = stage;
       const double before = std::exchange(energy, rounds_->make_round(complex_.snapshot().boundary));
+      // One who says no at once does not wait.
+      if(control_.is_canceled() && control_.has_made_nothing())
+      {
+        code_ = control_.code();
+        return true;
+      }
       const bool pays = !plan_->stops_without_gain() || relative_rise(before, energy) < -least_gain_of_round;
       plan_->advance();
       while(!plan_->is_done() && control_.elapsed(boundary_moves()) > plan_->end_of_time(plan_->stage()))

@@ -66,6 +66,7 @@ struct Complex_candidate_3
   std::vector<Facet> facets;
   std::vector<int> old_facets;                // the numbers that facets have in the snapshot, or -1
   std::vector<Surface_center> centers;
+  std::map<Triple, Surface_center> found_centers;   // of facets where trials have led, by sorted vertices
 
   // Of facets' centroids from the surface, until their vertices move.
   std::unordered_map<Triple, double, boost::hash<Triple> > known_distances;

@@ -31,6 +31,7 @@
 #include <cstddef>
 #include <optional>
 #include <utility>
+#include <set>
 #include <vector>
 
 namespace CGAL {
@@ -127,6 +128,9 @@ public:
     return true;
   }
 
+  // Where no valid complex could be made: the vertices of what was wrong in the end, by their numbers in the input.
+  const std::set<int>& obstacles() const { return obstacles_; }
+
   // How often most of a candidate's cells were those of a mesh.
   std::size_t number_of_transfers() const { return number_of_transfers_; }
 
@@ -188,10 +192,22 @@ private:
       const Defect_report_3 report = check(candidate, attempt < attempts_at_good_facets);
       if(report.is_clean())
         return true;
+      note_obstacles(report);
       if(!repair.apply(report, attempt))
         return false;
     }
     return false;
+  }
+
+  void note_obstacles(const Defect_report_3& report)
+  {
+    obstacles_.clear();
+    for(const std::set<int>& vertices : { report.offending_vertices(), report.obstacles() })
+      for(int v : vertices)
+        if(v >= 0)
+          obstacles_.insert(snapshot_.numbering->input_numbers[v]);
+    for(const auto& r : report.retreats())
+      obstacles_.insert(snapshot_.numbering->input_numbers[r.first]);
   }
 
   // Whether a candidate that trials have led to is valid.
@@ -239,6 +255,7 @@ private:
   Working_triangulation_3 triangulation_;
   bool is_up_to_date_ = false;               // whether that is the triangulation of the snapshot, with its labels
   std::size_t number_of_transfers_ = 0;
+  std::set<int> obstacles_;
 };
 
 } // namespace internal

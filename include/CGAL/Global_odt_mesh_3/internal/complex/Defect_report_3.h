@@ -97,7 +97,10 @@ public:
     if(!candidate_.has_way_back
        || (!revert_around(vertices)
            && !revert_nearest(vertices, most_rings_to_input, [this](int v) { return !candidate_.is_at_input(v); })))
+    {
+      obstacles_.insert(vertices.begin(), vertices.end());
       give_up();
+    }
   }
 
   // The same for vertices that are too close to a point. As long as they may, those of the interior retreat from it instead, by a
@@ -130,10 +133,14 @@ public:
 
   void give_up() { is_beyond_repair_ = true; }
 
+  // The vertices of what is wrong and cannot be mended.
+  const std::set<int>& obstacles() const { return obstacles_; }
+
   // What is found later may come of what is wrong already; so it is not beyond repair unless all else is well.
   void add(const Defect_report_3& later)
   {
     is_beyond_repair_ = is_beyond_repair_ || (is_clean() && later.is_beyond_repair_);
+    obstacles_.insert(later.obstacles_.begin(), later.obstacles_.end());
     offending_vertices_.insert(later.offending_vertices_.begin(), later.offending_vertices_.end());
     for(const auto& r : later.retreats_)
       retreats_[r.first] += r.second;
@@ -168,7 +175,7 @@ private:
   }
 
   const Complex_candidate_3& candidate_;
-  std::set<int> offending_vertices_;
+  std::set<int> offending_vertices_, obstacles_;
   std::map<int, Vector_3> retreats_;
   bool is_beyond_repair_ = false;
 };

@@ -29,6 +29,7 @@
 
 #include <algorithm>
 #include <array>
+#include <map>
 #include <memory>
 #include <utility>
 #include <vector>
@@ -69,6 +70,7 @@ struct Editable_complex_3
   std::vector<Site> sites;
   Exchangeable_boundary_3 boundary;
   Circumradius_bound_3 size_bound;              // of cells
+  std::map<Triple, Complex_snapshot_3::Surface_center> centers;     // of facets that have come or moved, by sorted vertices
 
   // In the triangulation of the snapshot, with whose numbering that of the vertices begins. If `moves` is false, the boundary
   // stays. Threads share visits of all cells.
@@ -184,6 +186,7 @@ struct Editable_complex_3
   // Hands over cells and boundary to a candidate with the sites.
   void give(Complex_candidate_3& candidate) const
   {
+    candidate.found_centers = centers;
     const std::vector<Found_facet> found = find_boundary();
     for(Cell_handle c : working.cells())
       if(c->has_flag(IS_BOUNDARY_CELL))

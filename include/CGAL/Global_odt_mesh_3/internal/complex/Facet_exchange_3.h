@@ -62,9 +62,7 @@ public:
     // Where facets stay as many, those that are worse may stay so.
     const double bound = complex_.bounds.smallest_angle();
     const double least = change.vertex >= 0 ? bound : (std::min)((std::max)(bound, small_angle), smallest_angle_before());
-    std::vector<Triple> facets = moved_;
-    for(const Facet& f : added_)
-      facets.push_back(f.vertices);
+    const std::vector<Triple> facets = new_facets();
     return std::all_of(facets.begin(), facets.end(), [&](const Triple& t)
     {
       const std::array<Site, 3> s = cavity_.sites(t);
@@ -72,8 +70,15 @@ public:
     });
   }
 
-  // The facets that would come.
-  const std::vector<Exchangeable_boundary_3::Facet>& added() const { return added_; }
+  // The facets that would come, and those that would stay with the vertex at its place.
+  std::vector<Triple> new_facets() const
+  {
+    std::vector<Triple> facets = moved_;
+    for(const Facet& f : added_)
+      facets.push_back(f.vertices);
+    return facets;
+  }
+
 
   void apply(Editable_complex_3& complex) const { complex.boundary.exchange(removed_, added_); }
 

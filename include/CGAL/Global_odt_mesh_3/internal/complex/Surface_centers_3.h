@@ -49,16 +49,15 @@ public:
   // Puts the center of a facet with these vertices, which is expected where it is, onto the surface, or finds it not exact.
   void search(const Facet& facet, const Triple& t, Surface_center& center) const
   {
-    if(!search_near(t, center) || !is_between_subdomains(facet, t, center))
+    if(!search_near(Facet_dual_3(t, sites_), center) || !is_between_subdomains(facet, t, center))
       put_on_dual_segment(facet, Facet_dual_3(t, sites_), center);
   }
 
   // The same, whatever the cells beside the facet are; whether it is found.
-  bool search_near(const Triple& t, Surface_center& center) const
+  bool search_near(const Facet_dual_3& dual, Surface_center& center) const
   {
     center.is_exact = false;
     const Vector_3 expected = center.point;
-    const Facet_dual_3 dual(t, sites_);
     return std::any_of(std::begin(segments_to_search), std::end(segments_to_search), [&](const double (&s)[2])
                        { return put_on_segment(expected + s[0] * dual.radius * dual.normal, dual.normal, s[1] * dual.radius, center); });
   }
@@ -162,6 +161,9 @@ private:
   {
     if(old >= 0 && candidate_.is_unchanged(t))
       return candidate_.snapshot.centers[old];
+    const auto found = candidate_.found_centers.find(sorted(t));
+    if(found != candidate_.found_centers.end())
+      return found->second;
     return { estimated_surface_center(t, candidate_.boundary, candidate_.sites), Boundary_facet::no_patch };
   }
 

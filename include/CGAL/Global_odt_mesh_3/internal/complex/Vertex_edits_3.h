@@ -258,34 +258,15 @@ private:
   // Whether the vertex is accepted, which is up to the domain, too.
   bool end(bool is_permitted)
   {
-    const bool is_accepted = is_permitted && accept();
+    const bool is_accepted = is_permitted && trial_.accept();
     if(!is_accepted)
       remove_last();
     return is_accepted;
   }
 
-  // Unless there is a facet for which the domain finds no surface center.
-  bool accept()
-  {
-    const Surface_center_search_3 search(complex().sites, complex().triangulation(), complex().domain);
-    std::vector<std::pair<Triple, Complex_snapshot_3::Surface_center> > centers;
-    for(const Exchangeable_boundary_3::Facet& f : trial_.new_facets())
-    {
-      centers.emplace_back(f.vertices, Complex_snapshot_3::Surface_center());
-      centers.back().second.point = Facet_dual_3(f.vertices, complex().sites).center;
-      if(!search.search_near(f.vertices, centers.back().second))
-        return false;
-    }
-    if(!trial_.accept())
-      return false;
-    for(const auto& c : centers)
-      centers_.insert(c.first, c.second);
-    return true;
-  }
-
   bool end_removal(bool is_permitted)
   {
-    if(!is_permitted || !accept())
+    if(!is_permitted || !trial_.accept())
       return false;
     for(const auto& c : changes_of_volume())
       change_of_volume_[c.first] += c.second;
@@ -359,8 +340,8 @@ private:
     Complex_snapshot_3::Surface_center known, found;
     if(n >= 0)
       known = complex().snapshot.centers[n];
-    else if(const auto* accepted = centers_.find(f.key))
-      known = *accepted;
+    else if(const auto accepted = complex().centers.find(f.key); accepted != complex().centers.end())
+      known = accepted->second;
     if(n >= 0 && known.is_exact && (!complex_.boundary_moves || search.is_between_subdomains(f.facet, t, known)))
       return known;
     found.point = expected;
@@ -372,7 +353,6 @@ private:
   std::shared_ptr<Vertex_numbering_3> numbering_;
   Editable_complex_3 complex_;
   Vertex_trial_3 trial_;
-  Tuple_table<Triple, Complex_snapshot_3::Surface_center> centers_;         // of facets that have come
   std::vector<int> places_;                 // of those that have been inserted
   int number_of_removed_ = 0;
   double most_of_volume_;                   // by which removals may change that of a subdomain

@@ -14,6 +14,7 @@
 
 #include <CGAL/Global_odt_mesh_3/internal/complex/Editable_complex_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/complex/Facet_exchange_3.h>
+#include <CGAL/Global_odt_mesh_3/internal/complex/Surface_centers_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/complex/Vertex_cavity_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/complex/Working_triangulation_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/geometry/Angle_deficit_3.h>
@@ -30,6 +31,7 @@
 #include <cstddef>
 #include <iterator>
 #include <limits>
+#include <map>
 #include <optional>
 #include <utility>
 #include <vector>
@@ -203,18 +205,15 @@ public:
   // The cells that go and those that come, as tried last.
   const Vertex_cavity_3& cavity() const { return cavity_; }
 
-  // The facets that come, once it is known that this is permitted.
-  const std::vector<Exchangeable_boundary_3::Facet>& new_facets() const { return exchange_.added(); }
-
   // The sum of the deficits of the new cells.
   double deficit_after() const { return after_.deficit; }
 
   // The vertex stays where move() or fits() has put it, or out if leave() or may_leave() have been called, if that is permitted.
-  // False if the domain does not agree.
+  // False if the domain does not agree, or finds no surface center for a facet.
   bool accept()
   {
     const int v = cavity_.vertex();
-    if(!ask_all())
+    if(!ask_all() || !find_centers())
       return false;
     exchange_.apply(complex_);
     if(cavity_.is_new())
@@ -235,6 +234,24 @@ private:
 
   // Labels that are not known yet count for outside.
   static bool is_inside(int label) { return label >= 0 && label != Domain_view_3::outside; }
+
+  bool find_centers()
+  {
+    const Surface_center_search_3 search(complex_.sites, complex_.triangulation(), complex_.domain);
+    std::map<Triple, Complex_snapshot_3::Surface_center> found;
+    for(const Triple& t : exchange_.new_facets())
+    {
+      const Facet_dual_3 dual(cavity_.sites(t));
+      Complex_snapshot_3::Surface_center center;
+      center.point = dual.center;
+      if(!search.search_near(dual, center))
+        return false;
+      found.emplace(sorted(t), center);
+    }
+    for(const auto& f : found)
+      complex_.centers[f.first] = f.second;
+    return true;
+  }
 
   // Whatever becomes of angles.
   bool is_permitted() { return promises(infinity) && ask_all() && exchange_.is_permitted(change_); }

@@ -164,8 +164,8 @@ public:
            && tr_.is_cell(vertices_[q[0]], vertices_[q[1]], vertices_[q[2]], vertices_[q[3]], c);
   }
 
-  // Whether this is the regular triangulation of its vertices. One that is copied need not be, and then CGAL's functions that
-  // insert and remove vertices are of no use.
+  // Whether this is a regular triangulation of its vertices, of which there are several where a sphere passes through five. One that
+  // is copied need not be, or is another than CGAL's functions make, and then those that insert and remove vertices are of no use.
   bool is_regular(const Thread_policy& threads) const
   {
     const std::vector<Cell_handle>& all = cells();
@@ -356,7 +356,7 @@ private:
       if(!is_first_side(Facet(c, i)))
         continue;
       const Vertex_handle beyond = tr_.mirror_vertex(c, i);
-      if(!tr_.is_infinite(beyond) && tr_.side_of_power_sphere(c, beyond->point(), true) == ON_BOUNDED_SIDE)
+      if(!tr_.is_infinite(beyond) && tr_.side_of_power_sphere(c, beyond->point(), false) == ON_BOUNDED_SIDE)
         return false;
     }
     return true;

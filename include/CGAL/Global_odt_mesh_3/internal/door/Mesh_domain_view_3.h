@@ -51,6 +51,24 @@ template <class T>
 struct Is_mesh_domain<T, std::void_t<typename T::Index, typename T::Subdomain_index, typename T::Surface_patch_index,
                                      decltype(std::declval<const T&>().is_in_domain_object())> > : std::true_type {};
 
+// Whether the domain agrees about the subdomains of most cells of a mesh, of which a thousand are asked about at most.
+template <class C3t3, class Domain_view>
+bool is_domain_of_mesh(const C3t3& c3t3, Domain_view& domain)
+{
+  constexpr std::size_t most_questions = 1000;
+  const auto& tr = c3t3.triangulation();
+  const std::size_t step = c3t3.number_of_cells_in_complex() / most_questions + 1;
+  std::size_t number = 0, questions = 0, agreements = 0;
+  for(auto c = c3t3.cells_in_complex_begin(); c != c3t3.cells_in_complex_end(); ++c)
+    if(number++ % step == 0)
+    {
+      const int label = domain.number_subdomain(c->subdomain_index());
+      agreements += domain.label(coordinates(tr.dual(c))) == label;
+      ++questions;
+    }
+  return 2 * agreements >= questions;
+}
+
 // Domains need not have all members of the concept MeshDomain_3.
 template <class Mesh_domain>
 class Mesh_domain_view_3

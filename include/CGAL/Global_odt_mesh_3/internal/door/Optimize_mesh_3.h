@@ -94,7 +94,8 @@ public:
   Odt_mesh_optimizer_3(C3t3& c3t3, const Mesh_domain& domain, Odt_task task, const Odt_parameters& parameters,
                        Visitor& visitor, const User_fields_3<C3t3>& fields = User_fields_3<C3t3>(),
                        const User_constraints_3<C3t3>& constraints = User_constraints_3<C3t3>())
-    : fields_(fields)
+    : c3t3_(c3t3)
+    , fields_(fields)
     , domain_(domain, parameters.domain_is_thread_safe ? threads() : Thread_policy())
     , mesh_(c3t3, domain_, constraints, [&visitor](typename C3t3::Vertex_handle v) { tell_of_removal(visitor, v); })
     , task_(task)
@@ -108,6 +109,7 @@ public:
 
   Mesh_optimization_return_code operator()()
   {
+    CGAL_GLOBAL_ODT_MESH_3_CHECK_PARAMETER(is_domain_of_mesh(c3t3_, domain_), wrong_domain);
     const User_field_3 field = fields_.of_mesh([this](int v) { return mesh_.vertex(v); },
                                                [this](const Vertex_stratum& s) { return domain_.index(s.dimension, s.place); });
     return optimize_mesh(mesh_, domain_, task_, parameters_, field, visitor_, threads());
@@ -120,6 +122,7 @@ private:
   Thread_policy threads() { return Thread_policy::for_tag<typename C3t3::Triangulation::Concurrency_tag>().with(clock_); }
 
   Stage_clock clock_;
+  const C3t3& c3t3_;
   const User_fields_3<C3t3> fields_;
   Mesh_domain_view_3<Mesh_domain> domain_;
   C3t3_view_3<C3t3, Mesh_domain> mesh_;

@@ -119,6 +119,8 @@ public:
     return { coordinates((tr.domain().min)()), CGAL::to_double(tr.domain().xmax()) - CGAL::to_double(tr.domain().xmin()) };
   }
 
+  const C3t3& c3t3() const { return c3t3_; }
+
   bool is_one_sheeted() const { return c3t3_.triangulation().number_of_vertices() > 0 && c3t3_.triangulation().is_1_cover(); }
 
   // Whether the domain says now what the mesh generator has been told of the complex that has been read.

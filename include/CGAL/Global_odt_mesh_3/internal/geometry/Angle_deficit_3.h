@@ -253,15 +253,13 @@ public:
   }
 
   // Whether it may take the place of the other one. Who wants a bound for angles does not mind sizes. A regular mesh is worth more
-  // than one that is not, so that neither sizes nor angles above 20 degrees matter then.
+  // than one that is not: then neither sizes nor angles above 20 degrees matter.
   bool may_replace(const Sliver_census_3& other, double sliver_bound) const
   {
     if(!other.is_of_deformed_mesh)
       return is_not_worse_than(other, true) && (sliver_bound > 0 || is_not_coarser_than(other));
-    Sliver_count count = count_;
-    if(count.smallest >= Sliver_steps::angles[1])
-      count.smallest = Cell_lack().smallest;
-    return count.is_not_worse_than(other.count_, 2);
+    const int slivers = count_.below[1];
+    return slivers == 0 || (slivers <= other.count_.below[1] && count_.smallest >= other.count_.smallest);
   }
 
 private:
