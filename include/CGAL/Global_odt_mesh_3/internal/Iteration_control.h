@@ -63,8 +63,8 @@ public:
   // Of the attempt.
   int number_of_iterations() const { return number_of_iterations_; }
 
-  // Neither in this attempt nor before.
-  bool has_made_nothing() const { return number_of_iterations_ + iterations_before_ == 0; }
+  // In this attempt and before.
+  int number_of_all_iterations() const { return number_of_iterations_ + iterations_before_; }
 
   // False once time or iterations are used up, or the user has said so; then code() says why.
   bool goes_on() const { return goes_on_; }

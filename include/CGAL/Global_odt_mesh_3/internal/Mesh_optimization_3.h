@@ -14,10 +14,13 @@
 
 #include <CGAL/Global_odt_mesh_3/internal/Iteration_control.h>
 #include <CGAL/Global_odt_mesh_3/internal/Mesh_adaptation_3.h>
+#include <CGAL/Global_odt_mesh_3/internal/Mesh_changes_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/Odt_parameters.h>
 #include <CGAL/Global_odt_mesh_3/internal/Optimization_attempt_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/complex/Candidate_checks_3.h>
-#include <CGAL/Global_odt_mesh_3/internal/complex/Complex_candidate_3.h>
+#include <CGAL/Global_odt_mesh_3/internal/complex/Complex_updater_3.h>
+#include <CGAL/Global_odt_mesh_3/internal/complex/Snapshot_reader_3.h>
+#include <CGAL/Global_odt_mesh_3/internal/complex/Working_triangulation_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/geometry/Angle_deficit_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/interface/Domain_view_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/interface/Mesh_view_3.h>
@@ -25,12 +28,15 @@
 #include <CGAL/Global_odt_mesh_3/internal/interface/User_field_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/parallel/Thread_policy.h>
 #include <CGAL/Global_odt_mesh_3/internal/sizing/Size_criteria_3.h>
+#include <CGAL/Global_odt_mesh_3/internal/triangulation/Moving_triangulation_3.h>
 
+#include <CGAL/Mesh_optimization_report_3.h>
 #include <CGAL/Mesh_optimization_return_code.h>
 
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <map>
 #include <optional>
 #include <utility>
 #include <vector>
@@ -57,11 +63,14 @@ public:
 
   Mesh_optimization_return_code run(User_mesh_view_3& mesh, Odt_task task)
   {
+    const std::map<int, double> volumes_before = visitor_.summary != nullptr ? volumes(mesh.read(threads_)) : std::map<int, double>();
     release_cells(mesh);
     const std::optional<Outcome> outcome
       = parameters_.do_insert_vertices || parameters_.do_remove_vertices ? adapt_and_optimize(mesh, task)
                                                                          : optimize(mesh, task);
     const std::size_t slivers = parameters_.sliver_bound > 0 ? mesh.number_of_slivers(parameters_.sliver_bound) : 0;
+    if(visitor_.summary != nullptr)
+      complete_summary(mesh, volumes_before, *visitor_.summary);
     visitor_.after_sliver_removal(slivers);
     visitor_.after_rebuild_restricted_delaunay();
     if(!outcome)
@@ -70,6 +79,8 @@ public:
   }
 
 private:
+  typedef Mesh_optimization_summary_3 Reason;
+
   // The code, by whether cells are left below the bound.
   struct Outcome
   {
@@ -97,9 +108,14 @@ private:
   std::optional<Outcome> attempt(Mesh_view_3& mesh, Odt_task task, bool boundary_moves)
   {
     Optimization_attempt_3 attempt(mesh, domain_, bounds_, task, parameters_, field_, control_, threads_, boundary_moves);
-    if(!attempt.run())
+    const bool is_made = attempt.run(), is_committed = is_made && attempt.commit(task == Odt_task::REMESH_BOUNDARY || may_be_worse());
+    reason_ = !is_made ? Reason::NO_VALID_MESH : control_.is_stopped() ? Reason::OUT_OF_TIME : attempt.reason();
+    if(!is_made)
+    {
+      visitor_.obstacles = attempt.obstacles();
       return std::nullopt;
-    if(!attempt.commit(task == Odt_task::REMESH_BOUNDARY || may_be_worse()))
+    }
+    if(!is_committed)
       return incomplete();
     return Outcome{ attempt.code(0), attempt.code(1) };
   }
@@ -118,7 +134,9 @@ private:
   // stay, nor can those whose vertices stand in the way of a valid complex.
   void release_cells(User_mesh_view_3& mesh)
   {
-    Mesh_table_3 table = mesh.read(threads_);
+    if(!mesh.keeps_cells())
+      return;
+    const Mesh_table_3 table = mesh.read(threads_);
     std::vector<Quadruple> kept = kept_cells(table);
     if(kept.empty() || !is_deformed(table, threads_))
       return;
@@ -195,10 +213,34 @@ private:
       outcome = Outcome{ CANT_IMPROVE_ANYMORE, CANT_IMPROVE_ANYMORE };
     const bool is_cut_short = parameters_.do_remove_slivers && control_.is_stopped();
     if(!Optimization_attempt_3::is_acceptable(adapted.table(), slivers, parameters_, may_be_worse(), is_cut_short))
+    {
+      reason_ = is_cut_short ? Reason::OUT_OF_TIME : Reason::SMALLER_ANGLES;
       return incomplete();
+    }
     if(adapted.is_changed())
       mesh.write(adapted.table());
+    if(visitor_.summary != nullptr)
+      count_vertices(adapted, *visitor_.summary);
     return outcome;
+  }
+
+  static void count_vertices(const Tabulated_mesh_3& mesh, Mesh_optimization_summary_3& summary)
+  {
+    const std::vector<int>& dimensions = mesh.table().dimensions;
+    const auto removed = std::count(dimensions.begin(), dimensions.begin() + mesh.number_of_input_vertices(), int(Mesh_table_3::removed));
+    summary.number_of_removed_vertices = static_cast<std::size_t>(removed);
+    summary.number_of_inserted_vertices = static_cast<std::size_t>(mesh.number_of_vertices() + removed - mesh.number_of_input_vertices());
+  }
+
+  void complete_summary(User_mesh_view_3& mesh, const std::map<int, double>& volumes_before, Mesh_optimization_summary_3& summary) const
+  {
+    summary.reason = mesh.is_changed() ? Reason::CHANGED : reason_;
+    summary.sliver_bound = parameters_.sliver_bound > 0 ? parameters_.sliver_bound : Sliver_steps::angles[1];
+    summary.number_of_slivers = mesh.number_of_slivers(summary.sliver_bound);
+    summary.number_of_iterations = static_cast<std::size_t>(control_.number_of_all_iterations());
+    const Mesh_table_3 table = mesh.read(threads_);
+    summary.largest_volume_change = largest_change(volumes_before, volumes(table));
+    summary.farthest_facet = farthest_facet(table, domain_);
   }
 
   // Whether there are as many vertices as the user wants, if there is such a number, up to 1 % or two; or else fewer than there
@@ -239,6 +281,7 @@ private:
   Thread_policy threads_;
   Iteration_control control_;
   Facet_bounds_3 bounds_;
+  Reason::Reason reason_ = Reason::NOTHING_TO_DO;       // if the mesh is not changed
 };
 
 } // namespace internal

@@ -32,6 +32,7 @@
 #include <CGAL/Global_odt_mesh_3/internal/slivers/Sliver_removal_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/triangulation/Moving_triangulation_3.h>
 
+#include <CGAL/Mesh_optimization_report_3.h>
 #include <CGAL/Mesh_optimization_return_code.h>
 
 #include <algorithm>
@@ -117,10 +118,20 @@ public:
     const Mesh_table_3 table = Snapshot_tabulation_3(complex_.snapshot(), complex_.triangulation(), threads_)();
     complex_.release_triangulation();
     if(!is_acceptable(table, slivers_of_input_, parameters_, may_be_worse, removes_slivers() && control_.is_stopped()))
+    {
+      const bool is_worse = !slivers(table, threads_).is_not_worse_than(slivers_of_input_, true);
+      reason_ = is_worse ? Mesh_optimization_summary_3::SMALLER_ANGLES : Mesh_optimization_summary_3::LARGER_CELLS;
       return false;
+    }
     input_.write(table);
     return true;
   }
+
+  // Why the mesh stays as it was.
+  Mesh_optimization_summary_3::Reason reason() const { return reason_; }
+
+  // Where no valid complex could be made, by the numbers of vertices in the input.
+  std::vector<int> obstacles() const { return std::vector<int>(complex_.obstacles().begin(), complex_.obstacles().end()); }
 
   // Of cells that may change. One that does not has the same angles, in whatever order its vertices are.
   static Sliver_census_3 slivers(const Mesh_table_3& mesh, const Thread_policy& threads)
@@ -181,7 +192,7 @@ private:
       previous = stage;
       const double before = std::exchange(energy, rounds_->make_round(complex_.snapshot().boundary));
       // One who says no at once does not wait.
-      if(control_.is_canceled() && control_.has_made_nothing())
+      if(control_.is_canceled() && control_.number_of_all_iterations() == 0)
       {
         code_ = control_.code();
         return true;
@@ -261,6 +272,7 @@ private:
   std::unique_ptr<Optimization_rounds_3> rounds_;
   std::unique_ptr<Largest_cells_3> largest_cells_;
   Mesh_optimization_return_code code_;
+  Mesh_optimization_summary_3::Reason reason_ = Mesh_optimization_summary_3::NOTHING_TO_DO;
 };
 
 } // namespace internal

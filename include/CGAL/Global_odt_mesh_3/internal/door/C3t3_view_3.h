@@ -97,6 +97,7 @@ public:
 
   // By their numbers in the table.
   Vertex_handle vertex(int n) const { return vertices_[n]; }
+  bool has_vertex(int n) const { return static_cast<std::size_t>(n) < vertices_.size(); }
 
   Mesh_table_3 read(const Thread_policy& threads) override
   {
@@ -139,16 +140,24 @@ public:
     return c3t3_.triangulation().is_cell(vertices_[v[0]], vertices_[v[1]], vertices_[v[2]], vertices_[v[3]], c);
   }
 
+  bool is_changed() const override { return is_changed_; }
+  bool keeps_cells() const override { return constraints_.has_cells(); }
+
   void release(const std::vector<Quadruple>& cells) override
   {
     std::vector<Cell_handle> handles;
     for(const Quadruple& v : cells)
     {
+      released_cells_.push_back({{ vertices_[v[0]], vertices_[v[1]], vertices_[v[2]], vertices_[v[3]] }});
+      const auto& w = released_cells_.back();
       handles.emplace_back();
-      c3t3_.triangulation().is_cell(vertices_[v[0]], vertices_[v[1]], vertices_[v[2]], vertices_[v[3]], handles.back());
+      c3t3_.triangulation().is_cell(w[0], w[1], w[2], w[3], handles.back());
     }
     constraints_.release(handles);
   }
+
+  // By their vertices.
+  const std::vector<std::array<Vertex_handle, 4> >& released_cells() const { return released_cells_; }
 
   // But for those that stay.
   std::size_t number_of_slivers(double bound) const override
@@ -199,6 +208,7 @@ public:
     cells.reserve(cells.size() + created.cells().size());
 
     created.keep();
+    is_changed_ = true;
     vertices_.insert(vertices_.end(), created.vertices().begin(), created.vertices().end());
     cells.insert(cells.end(), created.cells().begin(), created.cells().end());
     take_out_of_complex(cells, c3t3_);
@@ -402,6 +412,8 @@ private:
   std::vector<Vertex_handle> vertices_;
   std::vector<Center> centers_;               // by the numbers of facets in the table
   std::vector<std::array<Site, 4> > kept_cells_;
+  std::vector<std::array<Vertex_handle, 4> > released_cells_;
+  bool is_changed_ = false;
 };
 
 } // namespace internal

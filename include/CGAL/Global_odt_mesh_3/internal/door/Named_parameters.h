@@ -46,6 +46,7 @@ typedef Global_odt_tag<struct Do_remove_vertices_name> do_remove_vertices_t;
 typedef Global_odt_tag<struct Domain_is_thread_safe_name> domain_is_thread_safe_t;
 typedef Global_odt_tag<struct Number_of_rounds_name> number_of_rounds_t;
 typedef Global_odt_tag<struct Number_of_vertices_name> number_of_vertices_t;
+typedef Global_odt_tag<struct Optimization_report_name> optimization_report_t;
 typedef Global_odt_tag<struct Optimize_boundary_name> optimize_boundary_t;
 typedef Global_odt_tag<struct Quadrature_name> quadrature_t;
 typedef Global_odt_tag<struct Surface_weight_name> surface_weight_t;
@@ -138,6 +139,7 @@ inline constexpr Global_odt_parameter<internal_np::do_remove_vertices_t> do_remo
 inline constexpr Global_odt_parameter<internal_np::domain_is_thread_safe_t> domain_is_thread_safe{};
 inline constexpr Global_odt_parameter<internal_np::number_of_rounds_t> number_of_rounds{};
 inline constexpr Global_odt_parameter<internal_np::number_of_vertices_t> number_of_vertices{};
+inline constexpr Global_odt_parameter<internal_np::optimization_report_t> optimization_report{};
 inline constexpr Global_odt_parameter<internal_np::optimize_boundary_t> optimize_boundary{};
 inline constexpr Global_odt_parameter<internal_np::quadrature_t> quadrature{};
 inline constexpr Global_odt_parameter<internal_np::surface_weight_t> surface_weight{};

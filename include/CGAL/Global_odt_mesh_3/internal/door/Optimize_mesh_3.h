@@ -29,6 +29,7 @@
 
 #include <CGAL/Mesh_3/Null_global_optimizer_visitor.h>
 #include <CGAL/Mesh_3/internal/check_weights.h>
+#include <CGAL/Mesh_optimization_report_3.h>
 #include <CGAL/Mesh_optimization_return_code.h>
 #include <CGAL/tags.h>
 
@@ -115,6 +116,21 @@ public:
     return optimize_mesh(mesh_, domain_, task_, parameters_, field, visitor_, threads());
   }
 
+  // The same, with a report.
+  Mesh_optimization_return_code operator()(Mesh_optimization_report_3<C3t3>& report)
+  {
+    report = Mesh_optimization_report_3<C3t3>();
+    visitor_.summary = &report;
+    const Mesh_optimization_return_code code = (*this)();
+    for(int v : visitor_.obstacles)
+      if(report.reason == Mesh_optimization_summary_3::NO_VALID_MESH && mesh_.has_vertex(v))
+        report.obstacles.push_back(mesh_.vertex(v));
+    report.released_cells = mesh_.released_cells();
+    for(int n = 0; n < Stage_clock::NUMBER_OF_STAGES; ++n)
+      report.seconds.emplace_back(Stage_clock::name(n), clock_.seconds(n).all);
+    return code;
+  }
+
   const Stage_clock& clock() const { return clock_; }
   const Oracle_statistics& oracle_statistics() const { return domain_.statistics(); }
 
@@ -140,14 +156,15 @@ using Optimization_parameters = std::conditional_t<
   is_periodic<C3T3>,
   Parameter_list<tags::time_limit, tags::max_iteration_number, tags::convergence, tags::freeze_bound, tags::do_freeze,
                  tags::sliver_bound, internal_np::do_remove_slivers_t, internal_np::annealing_schedule_t, internal_np::number_of_rounds_t,
-                 internal_np::optimize_boundary_t, internal_np::surface_weight_t, internal_np::random_seed_t, internal_np::callback_t>,
+                 internal_np::optimize_boundary_t, internal_np::surface_weight_t, internal_np::random_seed_t, internal_np::callback_t,
+                 internal_np::optimization_report_t>,
   Parameter_list<tags::time_limit, tags::max_iteration_number, tags::convergence, tags::freeze_bound, tags::do_freeze,
                  tags::sliver_bound, internal_np::do_remove_slivers_t, internal_np::do_insert_vertices_t, internal_np::do_remove_vertices_t, internal_np::number_of_vertices_t,
                  tags::sizing_field, internal_np::density_t,
                  internal_np::quadrature_t, internal_np::annealing_schedule_t, internal_np::number_of_rounds_t,
                  internal_np::optimize_boundary_t, internal_np::surface_weight_t, internal_np::domain_is_thread_safe_t,
                  internal_np::random_seed_t, internal_np::vertex_is_constrained_t, internal_np::cell_selector_t,
-                 internal_np::callback_t, internal_np::visitor_t> >;
+                 internal_np::callback_t, internal_np::visitor_t, internal_np::optimization_report_t> >;
 
 template <class T>
 T& unwrap(T& t) { return t; }
@@ -163,6 +180,24 @@ auto find_visitor(const Arguments& arguments)
     return arguments.template get<internal_np::visitor_t>();
   else
     return Mesh_3::Null_global_optimizer_visitor<C3T3>();
+}
+
+// Calls the optimizer, with the report among the arguments if there is one.
+template <class C3T3, class Optimizer, class Arguments>
+Mesh_optimization_return_code call_with_report(Optimizer&& optimizer, const Arguments& arguments)
+{
+  if constexpr (Arguments::template has<internal_np::optimization_report_t>)
+  {
+    typedef std::decay_t<decltype(arguments.template get<internal_np::optimization_report_t>())> Given;
+    constexpr bool is_report = std::is_same<Given, std::reference_wrapper<Mesh_optimization_report_3<C3T3> > >::value;
+    static_assert(is_report, "optimization_report must be std::ref(r), r being a Mesh_optimization_report_3 of the type of the mesh");
+    if constexpr (is_report)
+      return optimizer(arguments.template get<internal_np::optimization_report_t>().get());
+    else
+      return CANT_IMPROVE_ANYMORE;
+  }
+  else
+    return optimizer();
 }
 
 template <class C3T3, class MeshDomain, class Arguments>
@@ -184,14 +219,14 @@ optimize(C3T3& c3t3, const MeshDomain& domain, Odt_task task, const Odt_paramete
     CGAL_GLOBAL_ODT_MESH_3_CHECK_PARAMETER(c3t3.triangulation().number_of_cells() <= Indexed_triangulation_3::most_cells,
                                            "c3t3 must not have more than 268,435,456 cells");
     if constexpr (is_periodic<C3T3>)
-      return Periodic_mesh_optimizer_3<C3T3, MeshDomain>(c3t3, domain, p)();
+      return call_with_report<C3T3>(Periodic_mesh_optimizer_3<C3T3, MeshDomain>(c3t3, domain, p), arguments);
     else
     {
       User_constraints_3<C3T3> constraints;
       constraints.read(c3t3, arguments);
       auto visitor = find_visitor<C3T3>(arguments);
       typedef std::decay_t<decltype(unwrap(visitor))> Visitor;
-      return Odt_mesh_optimizer_3<C3T3, MeshDomain, Visitor>(c3t3, domain, task, p, unwrap(visitor), fields, constraints)();
+      return call_with_report<C3T3>(Odt_mesh_optimizer_3<C3T3, MeshDomain, Visitor>(c3t3, domain, task, p, unwrap(visitor), fields, constraints), arguments);
     }
   }
 }

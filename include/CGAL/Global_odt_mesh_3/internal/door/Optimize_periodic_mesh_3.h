@@ -12,6 +12,7 @@
 
 #include <CGAL/license/Global_odt_mesh_3.h>
 
+#include <CGAL/Global_odt_mesh_3/internal/Mesh_changes_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/Mesh_optimizer_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/Odt_parameters.h>
 #include <CGAL/Global_odt_mesh_3/internal/door/Periodic_complex_3.h>
@@ -26,6 +27,7 @@
 #include <CGAL/Global_odt_mesh_3/internal/parallel/Thread_policy.h>
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+#include <CGAL/Mesh_optimization_report_3.h>
 #include <CGAL/Mesh_optimization_return_code.h>
 #include <CGAL/Real_timer.h>
 
@@ -88,6 +90,26 @@ public:
     if(result_)
       mesh_.write(*result_);
     return code();
+  }
+
+  // The same, with a report.
+  Mesh_optimization_return_code operator()(Mesh_optimization_report_3<C3t3>& report)
+  {
+    report = Mesh_optimization_report_3<C3t3>();
+    const Mesh_optimization_return_code code = (*this)();
+    const Periodic_complex_3& last = result_ ? *result_ : complex_;
+    if(result_)
+      report.reason = Mesh_optimization_summary_3::CHANGED;
+    else if(!goes_on_ || code == TIME_LIMIT_REACHED)
+      report.reason = Mesh_optimization_summary_3::OUT_OF_TIME;
+    else if(failures_ > 0 || is_changed_)
+      report.reason = is_changed_ ? Mesh_optimization_summary_3::SMALLER_ANGLES : Mesh_optimization_summary_3::NO_VALID_MESH;
+    report.sliver_bound = parameters_.sliver_bound > 0 ? parameters_.sliver_bound : Sliver_steps::angles[1];
+    report.number_of_slivers = last.number_of_slivers(report.sliver_bound);
+    report.number_of_iterations = iterations_;
+    report.largest_volume_change = result_ ? largest_change(volumes_, result_->volumes()) : 0.;
+    report.seconds.emplace_back("all", timer_.time());
+    return code;
   }
 
 private:

@@ -150,6 +150,14 @@ struct Periodic_complex_3
     return census;
   }
 
+  // Below an angle.
+  std::size_t number_of_slivers(double angle) const
+  {
+    const Angle_deficit_3 deficit(angle);
+    return static_cast<std::size_t>(std::count_if(cells.begin(), cells.end(), [&](const Cell& c)
+                                                  { return is_inside(c) && deficit(cell_sites(c)) > 0; }));
+  }
+
   // What all cells lack of an angle, in square degrees.
   double deficit(double angle) const
   {

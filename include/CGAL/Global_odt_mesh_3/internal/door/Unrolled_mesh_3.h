@@ -76,7 +76,7 @@ public:
     return sites;
   }
 
-  bool is_changed() const { return !moved_.empty(); }
+  bool is_changed() const override { return !moved_.empty(); }
 
   // False if the cells around vertices that have moved take several sheets. CGAL needs seconds to find that out.
   bool may_have_one_sheet() const { return squared_radius_ < CGAL::square(complex_.cube.period) / 64; }

@@ -45,6 +45,7 @@ public:
   typedef typename Triangulation::Cell_handle Cell_handle;
 
   bool has(Vertex_handle v) const { return vertices_.count(v) > 0 || vertices_of_cells_.count(v) > 0; }
+  bool has_cells() const { return !cells_.empty(); }
   bool has(Cell_handle c) const { return cells_.count(c) > 0; }
 
   // Asks the property maps, once for each vertex and for each cell of the complex.

@@ -159,6 +159,12 @@ public:
   // By the vertices, as they have been read.
   virtual std::vector<std::array<int, 2> > feature_edges() const = 0;
 
+  // Whether something has been written.
+  virtual bool is_changed() const = 0;
+
+  // Whether there are cells that are to stay.
+  virtual bool keeps_cells() const { return false; }
+
   // Of cells that are to stay, and cannot: they and their vertices may change as those may that are selected.
   virtual void release(const std::vector<Quadruple>&) {}
 };

@@ -12,16 +12,22 @@
 
 #include <CGAL/license/Global_odt_mesh_3.h>
 
+#include <CGAL/Mesh_optimization_report_3.h>
+
 #include <cstddef>
+#include <vector>
 
 namespace CGAL {
 namespace Global_odt_mesh_3 {
 namespace internal {
 
-// What is told to the visitor of the user, whatever its type.
+// What is told to the visitor of the user, whatever its type, and in the report.
 class Optimization_visitor
 {
 public:
+  Mesh_optimization_summary_3* summary = nullptr;     // unless nobody wants to know
+  std::vector<int> obstacles;                         // vertices around which no valid mesh could be made
+
   virtual ~Optimization_visitor() {}
 
   virtual void after_compute_moves() {}

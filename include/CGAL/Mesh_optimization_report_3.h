@@ -1,0 +1,125 @@
+// Copyright (c) 2026 The Global ODT Mesh authors.
+// All rights reserved.
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later OR LicenseRef-Commercial
+//
+// Author(s)     : The Global ODT Mesh authors
+
+#ifndef CGAL_MESH_OPTIMIZATION_REPORT_3_H
+#define CGAL_MESH_OPTIMIZATION_REPORT_3_H
+
+#include <CGAL/license/Global_odt_mesh_3.h>
+
+#include <array>
+#include <cstddef>
+#include <iomanip>
+#include <ostream>
+#include <sstream>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+
+/// \cond SKIP_IN_MANUAL
+
+// What is told of a call whatever the types of the mesh are.
+struct Mesh_optimization_summary_3
+{
+  enum Reason { CHANGED, NOTHING_TO_DO, NO_VALID_MESH, SMALLER_ANGLES, LARGER_CELLS, OUT_OF_TIME };
+
+  Reason reason = NOTHING_TO_DO;
+  double sliver_bound = 0;
+  std::size_t number_of_slivers = 0;
+  std::size_t number_of_inserted_vertices = 0, number_of_removed_vertices = 0;
+  double largest_volume_change = 0;
+  double farthest_facet = 0;
+  std::size_t number_of_iterations = 0;
+  std::vector<std::pair<std::string, double> > seconds;
+};
+
+/// \endcond
+
+/*!
+\ingroup PkgGlobalOdtMesh3Quality
+
+The class template `Mesh_optimization_report_3` tells what a call has done to a mesh. It is filled by a function to which it is
+passed as `parameters::optimization_report = std::ref(report)`, and printed in a few lines by `operator<<`.
+
+\tparam C3T3 the type of the mesh
+
+\sa `odt_optimize_mesh_3()`
+*/
+template <class C3T3>
+struct Mesh_optimization_report_3
+#ifndef DOXYGEN_RUNNING
+  : Mesh_optimization_summary_3
+#endif
+{
+  /// is the handle to a vertex of the mesh.
+  typedef typename C3T3::Vertex_handle Vertex_handle;
+
+#ifdef DOXYGEN_RUNNING
+  /// says why the mesh is as it was, if it is.
+  enum Reason
+  {
+    CHANGED,            ///< the mesh has changed
+    NOTHING_TO_DO,      ///< no vertex may move, or none needs to
+    NO_VALID_MESH,      ///< no valid mesh could be made; see `obstacles`
+    SMALLER_ANGLES,     ///< more cells would have angles below 10, 20, or 30 degrees, or the smallest would be smaller
+    LARGER_CELLS,       ///< cells would be larger than the largest of their subdomain, and angles not much better
+    OUT_OF_TIME         ///< `time_limit` or `callback` have ended the call before there was anything better
+  };
+  Reason reason;                             ///< `CHANGED`, or why the mesh has not changed
+  double sliver_bound;                       ///< the `sliver_bound` of the call, or 20 degrees if that is 0
+  std::size_t number_of_slivers;             ///< the number of cells that are left with a dihedral angle below that, without those that are to stay
+  std::size_t number_of_inserted_vertices;   ///< the number of vertices that the mesh has and had not
+  std::size_t number_of_removed_vertices;    ///< the number of vertices that the mesh had and has not
+  double largest_volume_change;              ///< the largest change of the volume of a subdomain, over that volume; negative if it has shrunk
+  double farthest_facet;                     ///< the largest distance of the centroid of a facet from the surface, in the unit of the coordinates; 0 for periodic meshes
+  std::size_t number_of_iterations;          ///< the number of iterations
+  std::vector<std::pair<std::string, double> > seconds;   ///< the wall time of each stage; for periodic meshes, of all
+#endif
+
+  /// the vertices around which no valid mesh could be made, if `reason` is `NO_VALID_MESH`. What stands in the way are cells and facets
+  /// between them
+  std::vector<Vertex_handle> obstacles;
+  /// the vertices of the cells that were to stay by `cell_is_selected_map`, and could not, since they are no cells of the regular triangulation
+  /// of a mesh that has been deformed
+  std::vector<std::array<Vertex_handle, 4> > released_cells;
+
+  /// returns whether the mesh has changed.
+  bool is_changed() const { return this->reason == Mesh_optimization_summary_3::CHANGED; }
+};
+
+/*!
+\ingroup PkgGlobalOdtMesh3Quality
+
+prints what a call has done.
+*/
+template <class C3T3>
+std::ostream& operator<<(std::ostream& out, const Mesh_optimization_report_3<C3T3>& r)
+{
+  static const char* const reasons[] = { "changed", "unchanged: nothing to do", "unchanged: no valid mesh could be made",
+                                         "unchanged: angles would be smaller", "unchanged: cells would be larger",
+                                         "unchanged: out of time" };
+  std::ostringstream s;   // leaves the format of `out` alone
+  s << "mesh " << reasons[r.reason];
+  if(!r.obstacles.empty())
+    s << " around " << r.obstacles.size() << " vertices";
+  s << '\n' << r.number_of_slivers << " cells below " << r.sliver_bound << " degrees; " << r.number_of_inserted_vertices
+    << " vertices inserted, " << r.number_of_removed_vertices << " removed\n";
+  if(!r.released_cells.empty())
+    s << r.released_cells.size() << " cells could not stay\n";
+  s << "largest change of a volume " << std::showpos << std::setprecision(3) << 100 * r.largest_volume_change << std::noshowpos
+    << " %, farthest facet " << r.farthest_facet << '\n' << r.number_of_iterations << " iterations; seconds:" << std::fixed << std::setprecision(2);
+  for(const auto& stage : r.seconds)
+    s << ' ' << stage.first << ' ' << stage.second << (&stage == &r.seconds.back() ? "" : ",");
+  return out << s.str() << '\n';
+}
+
+} // namespace CGAL
+
+#endif // CGAL_MESH_OPTIMIZATION_REPORT_3_H
