@@ -421,7 +421,7 @@ struct Candidate_at_rest
     : Opened_complex(from, of, true)
   {
     const odt::Complex_snapshot_3& snapshot = complex.snapshot();
-    candidate = std::make_unique<odt::Complex_candidate_3>(snapshot, triangulation, snapshot.sites, true, odt::Thread_policy());
+    candidate = std::make_unique<odt::Complex_candidate_3>(snapshot, triangulation, snapshot.sites, true, true, odt::Thread_policy());
     candidate->build(nullptr);
   }
 };
