@@ -12,6 +12,8 @@
 
 #include <CGAL/license/Global_odt_mesh_3.h>
 
+#include <CGAL/Global_odt_mesh_3/internal/Requirements.h>
+
 #include <array>
 #include <cstddef>
 #include <iomanip>

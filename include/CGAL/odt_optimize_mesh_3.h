@@ -53,7 +53,7 @@ Bad values violate preconditions, which are checked in each build (section \ref 
 - Section \ref godt_threads tells what runs on several threads.
 - Meshes in periodic triangulations of one sheet are optimized, too (section \ref godt_periodic). For them, the parameters are
 `time_limit`, `max_iteration_number`, `convergence`, `freeze_bound`, `do_freeze`, `optimize_boundary`, `surface_weight`,
-`annealing_schedule`, `number_of_rounds`, `sliver_bound`, `do_remove_slivers`, `random_seed`, and `callback`.
+`annealing_schedule`, `number_of_rounds`, `sliver_bound`, `do_remove_slivers`, `random_seed`, `callback`, and `optimization_report`.
 
 \tparam C3T3 a model of the concept `MeshComplex_3InTriangulation_3` whose points have coordinates of type `double`, such as those of
 `Exact_predicates_inexact_constructions_kernel`
@@ -253,6 +253,7 @@ version of %CGAL in use accepts: `parameters::time_limit = 10, parameters::do_fr
                           cells only. The map is read once, like the one above.}
     \cgalParamType{a class model of `ReadablePropertyMap` with `C3T3::Cell_handle` as key type and `bool` as value type}
     \cgalParamDefault{a constant property map that is `true` for all cells}
+    \cgalParamExtra{Cells of a deformed mesh that cannot stay, since no valid mesh has them, are treated as selected, and named in the report.}
     \cgalParamExtra{The angles that may not become smaller are those of selected cells, and so are the cells below `sliver_bound` of which
                     the return code and the visitor tell. Handles do not remain valid, also of cells that stay.}
     \cgalParamExtra{It is spelled `parameters::cell_is_selected_map(m)` and copied; `cell_is_selected_map = m` does not compile.}
@@ -260,7 +261,7 @@ version of %CGAL in use accepts: `parameters::time_limit = 10, parameters::do_fr
   \cgalParamNBegin{callback}
     \cgalParamDescription{a functor called before every iteration, and while slivers are removed and vertices are inserted or
                           removed, with the fraction done. This fraction never falls, and need not reach 1. When the functor returns `false`, the process stops with
-                          the mesh found so far. Where it has ended iterations or insertion, a first step of the removal of slivers follows.
+                          the mesh found so far. When it does so before the first iteration, the mesh is left unchanged; where it has ended iterations or insertion, a first step of the removal of slivers follows.
                           During that removal, it is called before each step only.}
     \cgalParamType{a model of `bool(double)`}
     \cgalParamDefault{none}
@@ -274,6 +275,12 @@ version of %CGAL in use accepts: `parameters::time_limit = 10, parameters::do_fr
     \cgalParamDefault{a visitor that does nothing}
     \cgalParamExtra{It is spelled `parameters::visitor(v)` and copied; pass `std::ref(v)` to keep its state. `visitor = v` does not compile.}
   \cgalParamNEnd
+  \cgalParamNBegin{optimization_report}
+    \cgalParamDescription{tells what the call has done: whether the mesh has changed, and if not, why; the slivers that are left, vertices inserted and
+                          removed, the change of volumes, the farthest facet, iterations, and the time of each stage.}
+    \cgalParamType{`std::reference_wrapper<CGAL::Mesh_optimization_report_3<C3T3> >`, as `std::ref(report)` gives it}
+    \cgalParamDefault{none}
+  \cgalParamNEnd
 \cgalNamedParamsEnd
 
 \return a value of type `CGAL::Mesh_optimization_return_code`, which is
@@ -286,8 +293,8 @@ version of %CGAL in use accepts: `parameters::time_limit = 10, parameters::do_fr
   + iterations have not run out, but cells below a positive `sliver_bound` are left though `do_remove_slivers` is `true`, also when no vertex may move;
   + `number_of_vertices` is not met, or `do_insert_vertices` permits no more vertices;
   + no step along the search direction, nor along the gradient, lowers the energy;
-  + no valid mesh can be made, or only one with more cells below 10, 20, or 30 degrees, or with a smaller angle below 30.
-    In these cases, `c3t3` is unchanged. Angles may become smaller if `do_remove_slivers` is `false`, or with `sizing_field`, `density`, or
+  + no valid mesh can be made, or only one with more cells below 10, 20, or 30 degrees, with a smaller angle below 30, or with larger cells.
+    In these cases, `c3t3` is unchanged; the report tells which it is. Angles may become smaller if `do_remove_slivers` is `false`, or with `sizing_field`, `density`, or
     `number_of_vertices`.
 
 \pre No vertex but those on features carries a weight, that is, `exude_mesh_3()` has not been called before, nor `make_mesh_3()` without `no_exude()`.

@@ -105,6 +105,11 @@ The guarantees are those of `odt_optimize_mesh_3()`, also if the domain, a prope
     \cgalParamType{a model of `MeshOptimizationVisitor_3`}
     \cgalParamDefault{a visitor that does nothing}
   \cgalParamNEnd
+  \cgalParamNBegin{optimization_report}
+    \cgalParamDescription{as for `odt_optimize_mesh_3()`}
+    \cgalParamType{`std::reference_wrapper<CGAL::Mesh_optimization_report_3<C3T3> >`}
+    \cgalParamDefault{none}
+  \cgalParamNEnd
 \cgalNamedParamsEnd
 
 \return a value of type `CGAL::Mesh_optimization_return_code`, which is

@@ -207,10 +207,16 @@ private:
     }
     for(unsigned int n = 0; n < most_adaptations && !control_.is_stopped() && refine(adapted, criteria, last_step, n); ++n)
       control_.may_go_on();
+    return conclude(mesh, adapted, slivers, *outcome);
+  }
+
+  // The mesh becomes the adapted one, unless that is worse.
+  Outcome conclude(User_mesh_view_3& mesh, const Tabulated_mesh_3& adapted, const Sliver_census_3& slivers, Outcome outcome)
+  {
     if(control_.is_stopped())
       outcome = incomplete();
     else if(!has_wanted_number(adapted))
-      outcome = Outcome{ CANT_IMPROVE_ANYMORE, CANT_IMPROVE_ANYMORE };
+      outcome = { CANT_IMPROVE_ANYMORE, CANT_IMPROVE_ANYMORE };
     const bool is_cut_short = parameters_.do_remove_slivers && control_.is_stopped();
     if(!Optimization_attempt_3::is_acceptable(adapted.table(), slivers, parameters_, may_be_worse(), is_cut_short))
     {

@@ -13,7 +13,9 @@
 #include <CGAL/license/Global_odt_mesh_3.h>
 
 #include <CGAL/Global_odt_mesh_3/internal/complex/Boundary_extraction_3.h>
+#include <CGAL/Global_odt_mesh_3/internal/complex/Complex_snapshot_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/complex/Editable_complex_3.h>
+#include <CGAL/Global_odt_mesh_3/internal/complex/Surface_centers_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/complex/Vertex_cavity_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/geometry/Cell_geometry_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/geometry/Site.h>
@@ -25,6 +27,7 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
+#include <map>
 #include <set>
 #include <utility>
 #include <vector>
@@ -70,13 +73,24 @@ public:
     });
   }
 
-  // The facets that would come, and those that would stay with the vertex at its place.
-  std::vector<Triple> new_facets() const
+  // Adds the surface centers of the facets that would come, and of those that would stay at the vertex, by sorted vertices; false
+  // if the domain does not find all.
+  bool find_centers(std::map<Triple, Complex_snapshot_3::Surface_center>& centers) const
   {
-    std::vector<Triple> facets = moved_;
-    for(const Facet& f : added_)
-      facets.push_back(f.vertices);
-    return facets;
+    const Surface_center_search_3 search(complex_.sites, complex_.triangulation(), complex_.domain);
+    std::map<Triple, Complex_snapshot_3::Surface_center> found;
+    for(const Triple& t : new_facets())
+    {
+      const Facet_dual_3 dual(cavity_.sites(t));
+      Complex_snapshot_3::Surface_center center;
+      center.point = dual.center;
+      if(!search.search_near(dual, center))
+        return false;
+      found.emplace(sorted(t), center);
+    }
+    for(const auto& f : found)
+      centers[f.first] = f.second;
+    return true;
   }
 
 
@@ -88,6 +102,14 @@ private:
 
   // Degrees. Below that, a facet is worse for the surface than a sliver for the cells, even if the input has worse ones.
   static constexpr double small_angle = 25;
+
+  std::vector<Triple> new_facets() const
+  {
+    std::vector<Triple> facets = moved_;
+    for(const Facet& f : added_)
+      facets.push_back(f.vertices);
+    return facets;
+  }
 
   // A facet of one of some cells.
   struct Side

@@ -14,7 +14,6 @@
 
 #include <CGAL/Global_odt_mesh_3/internal/complex/Editable_complex_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/complex/Facet_exchange_3.h>
-#include <CGAL/Global_odt_mesh_3/internal/complex/Surface_centers_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/complex/Vertex_cavity_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/complex/Working_triangulation_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/geometry/Angle_deficit_3.h>
@@ -31,7 +30,6 @@
 #include <cstddef>
 #include <iterator>
 #include <limits>
-#include <map>
 #include <optional>
 #include <utility>
 #include <vector>
@@ -213,7 +211,7 @@ public:
   bool accept()
   {
     const int v = cavity_.vertex();
-    if(!ask_all() || !find_centers())
+    if(!ask_all() || !exchange_.find_centers(complex_.centers))
       return false;
     exchange_.apply(complex_);
     if(cavity_.is_new())
@@ -234,24 +232,6 @@ private:
 
   // Labels that are not known yet count for outside.
   static bool is_inside(int label) { return label >= 0 && label != Domain_view_3::outside; }
-
-  bool find_centers()
-  {
-    const Surface_center_search_3 search(complex_.sites, complex_.triangulation(), complex_.domain);
-    std::map<Triple, Complex_snapshot_3::Surface_center> found;
-    for(const Triple& t : exchange_.new_facets())
-    {
-      const Facet_dual_3 dual(cavity_.sites(t));
-      Complex_snapshot_3::Surface_center center;
-      center.point = dual.center;
-      if(!search.search_near(dual, center))
-        return false;
-      found.emplace(sorted(t), center);
-    }
-    for(const auto& f : found)
-      complex_.centers[f.first] = f.second;
-    return true;
-  }
 
   // Whatever becomes of angles.
   bool is_permitted() { return promises(infinity) && ask_all() && exchange_.is_permitted(change_); }
