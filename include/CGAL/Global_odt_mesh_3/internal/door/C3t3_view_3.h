@@ -70,6 +70,15 @@ void write_facet(const typename C3t3::Facet& f, const typename C3t3::Surface_pat
   }
 }
 
+template <class Cell>
+std::array<Site, 4> sites_of(const Cell& c)
+{
+  std::array<Site, 4> s;
+  for(int i = 0; i < 4; ++i)
+    s[i] = weighted_site(c.vertex(i)->point());
+  return s;
+}
+
 // Reads and writes a c3t3.
 //
 // Vertices and cells are read in an order that depends on positions alone, since files do not keep that of the triangulation.
@@ -297,15 +306,6 @@ private:
       c3t3_.set_dimension(v, table.dimensions[n]);
       c3t3_.set_index(v, domain_.index(table.dimensions[n], place));
     }
-  }
-
-  template <class Cell>
-  static std::array<Site, 4> sites_of(const Cell& c)
-  {
-    std::array<Site, 4> s;
-    for(int i = 0; i < 4; ++i)
-      s[i] = weighted_site(c.vertex(i)->point());
-    return s;
   }
 
   static bool is_on_feature(Vertex_handle v) { return v->in_dimension() == 0 || v->in_dimension() == 1; }

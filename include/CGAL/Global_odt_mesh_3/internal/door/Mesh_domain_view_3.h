@@ -22,6 +22,8 @@
 
 #include <boost/variant/get.hpp>
 
+#include <cmath>
+#include <cstddef>
 #include <tuple>
 #include <type_traits>
 #include <utility>
@@ -51,19 +53,22 @@ template <class T>
 struct Is_mesh_domain<T, std::void_t<typename T::Index, typename T::Subdomain_index, typename T::Surface_patch_index,
                                      decltype(std::declval<const T&>().is_in_domain_object())> > : std::true_type {};
 
-// Whether the domain agrees about the subdomains of most cells of a mesh, of which a thousand are asked about at most.
-template <class C3t3, class Domain_view>
-bool is_domain_of_mesh(const C3t3& c3t3, Domain_view& domain)
+// Whether the domain agrees about the subdomains of most cells of a mesh, of which a thousand are asked about at most. `dual(c)` is
+// the dual point of a cell, or not finite.
+template <class C3t3, class Domain_view, class Dual>
+bool is_domain_of_mesh(const C3t3& c3t3, Domain_view& domain, const Dual& dual)
 {
   constexpr std::size_t most_questions = 1000;
-  const auto& tr = c3t3.triangulation();
   const std::size_t step = c3t3.number_of_cells_in_complex() / most_questions + 1;
   std::size_t number = 0, questions = 0, agreements = 0;
   for(auto c = c3t3.cells_in_complex_begin(); c != c3t3.cells_in_complex_end(); ++c)
     if(number++ % step == 0)
     {
       const int label = domain.number_subdomain(c->subdomain_index());
-      agreements += domain.label(coordinates(tr.dual(c))) == label;
+      const Vector_3 p = dual(c);
+      if(!std::isfinite(p.squared_length()))
+        continue;
+      agreements += domain.label(p) == label;
       ++questions;
     }
   return 2 * agreements >= questions;

@@ -21,6 +21,9 @@
 #include <CGAL/Global_odt_mesh_3/internal/door/Optimize_periodic_mesh_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/door/User_constraints_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/door/User_fields_3.h>
+#include <CGAL/Global_odt_mesh_3/internal/geometry/Cell_geometry_3.h>
+#include <CGAL/Global_odt_mesh_3/internal/geometry/Site.h>
+#include <CGAL/Global_odt_mesh_3/internal/geometry/Vector_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/interface/Domain_view_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/interface/Optimization_visitor.h>
 #include <CGAL/Global_odt_mesh_3/internal/interface/User_field_3.h>
@@ -33,6 +36,7 @@
 #include <CGAL/Mesh_optimization_return_code.h>
 #include <CGAL/tags.h>
 
+#include <array>
 #include <cstddef>
 #include <functional>
 #include <type_traits>
@@ -110,7 +114,7 @@ public:
 
   Mesh_optimization_return_code operator()()
   {
-    CGAL_GLOBAL_ODT_MESH_3_CHECK_PARAMETER(is_domain_of_mesh(c3t3_, domain_), wrong_domain);
+    CGAL_GLOBAL_ODT_MESH_3_CHECK_PARAMETER(is_domain_of_mesh(c3t3_, domain_, dual_point), wrong_domain);
     const User_field_3 field = fields_.of_mesh([this](int v) { return mesh_.vertex(v); },
                                                [this](const Vertex_stratum& s) { return domain_.index(s.dimension, s.place); });
     return optimize_mesh(mesh_, domain_, task_, parameters_, field, visitor_, threads());
@@ -135,6 +139,13 @@ public:
   const Oracle_statistics& oracle_statistics() const { return domain_.statistics(); }
 
 private:
+  // A mesh from elsewhere may have inverted cells, of which CGAL gives none.
+  static Vector_3 dual_point(typename C3t3::Cell_handle c)
+  {
+    const std::array<Site, 4> s = sites_of(*c);
+    return position(s[0]) + Cell_products(s[0], s[1], s[2], s[3]).to_dual();
+  }
+
   Thread_policy threads() { return Thread_policy::for_tag<typename C3t3::Triangulation::Concurrency_tag>().with(clock_); }
 
   Stage_clock clock_;

@@ -119,7 +119,11 @@ public:
     return { coordinates((tr.domain().min)()), CGAL::to_double(tr.domain().xmax()) - CGAL::to_double(tr.domain().xmin()) };
   }
 
-  const C3t3& c3t3() const { return c3t3_; }
+  bool is_domain_of_mesh() const
+  {
+    const Triangulation& tr = c3t3_.triangulation();
+    return internal::is_domain_of_mesh(c3t3_, domain_, [&tr](Cell_handle c) { return coordinates(tr.dual(c)); });
+  }
 
   bool is_one_sheeted() const { return c3t3_.triangulation().number_of_vertices() > 0 && c3t3_.triangulation().is_1_cover(); }
 
