@@ -350,7 +350,7 @@ static void test_sizes_by_subdomain(const domains::Labeled_domain& domain)
 template <class C3t3, class Domain>
 void test_wrong_units(const C3t3& input, const Domain& domain)
 {
-  for(long most_calls : { 0, 3000 })
+  for(long most_calls : { 0, 30 })
   {
     Mesh_contract<C3t3, Domain> contract(input, domain, "wrong units");
     contract.permit(true, false);
@@ -463,7 +463,7 @@ static void early_ends(const domains::Labeled_c3t3& input, const domains::Labele
   contract.permit(true, true);
   const double before = quality_of(input).smallest_angle;
   std::set<std::size_t> numbers;
-  for(int most : { 1, 100, 1000, 2000, 3000, 3200, 3300, 3500, 3700, 4000 })
+  for(int most : { 1, 5, 10, 15, 20, 25, 30, 35, 40, 50, 100, 1000 })
   {
     domains::Labeled_c3t3 c3t3(input);
     int calls = 0;

@@ -23,7 +23,9 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstddef>
+#include <limits>
 #include <map>
 #include <set>
 #include <unordered_set>
@@ -104,7 +106,7 @@ public:
   }
 
   // The same for vertices that are too close to a point. As long as they may, those of the interior retreat from it instead, by a
-  // share of the way between.
+  // share of the way between or, if a flat cell has its dual point far away, of the way to the farthest of the others.
   template <class Vertices>
   void revert_or_retreat(const Vertices& vertices, const Vector_3& from)
   {
@@ -113,7 +115,10 @@ public:
     for(int v : vertices)
       if(candidate_.may_retreat && v >= 0 && candidate_.numbering.is_interior(v))
       {
-        retreats_[v] += share * (position(candidate_.sites[v]) - from);
+        const Vector_3 way = position(candidate_.sites[v]) - from;
+        const double length = way.length(), longest = (std::min)(length, farthest(vertices, v));
+        if(length > 0)
+          retreats_[v] += share * longest / length * way;
         is_found = true;
       }
     if(!is_found)
@@ -151,6 +156,16 @@ private:
   static constexpr int most_rings = 3;
   // Positions of the input among others may be wrong where the input as a whole is not.
   static constexpr int most_rings_to_input = 6;
+
+  template <class Vertices>
+  double farthest(const Vertices& vertices, int v) const
+  {
+    double squared = 0;
+    for(int w : vertices)
+      if(w >= 0)
+        squared = (std::max)(squared, squared_distance(candidate_.sites[w], position(candidate_.sites[v])));
+    return squared > 0 ? std::sqrt(squared) : (std::numeric_limits<double>::max)();
+  }
 
   // Reverts those movable vertices that satisfy the predicate in the first ring around some that has any.
   template <class Vertices, class Predicate>
