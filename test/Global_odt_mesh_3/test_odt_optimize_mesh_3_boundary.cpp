@@ -103,7 +103,8 @@ static void facets_without_centers()
     = CGAL::make_mesh_3<domains::Labeled_c3t3>(domain, criteria, params::no_exude(), params::no_perturb());
   const Mesh_contract<domains::Labeled_c3t3, domains::Labeled_domain> contract(c3t3, domain, "coarse plate");
   CGAL::odt_optimize_mesh_3(c3t3, domain);
-  contract.check_moved(c3t3, 1e-2, 30, 0.07);
+  // The mesh has a sixtieth of the plate's volume, so that its volume means little.
+  contract.check_moved(c3t3, 1e-2, 30, 0.15);
 }
 
 // Surfaces closer than the mesh size, or crossing, are to be neither joined nor parted.

@@ -143,8 +143,11 @@ private:
     if(!found.has_several_labels && candidate_.has_way_back && candidate_.numbering.is_input_cell(q, candidate_.sites))
       c->set_flag(IS_LABELLED);
     else
-      report.revert_or_retreat(q, found.has_several_labels ? centroid(q) : coordinates(candidate_.triangulation().dual(c)));
+      report.revert_or_retreat(q, found.has_several_labels ? centroid(sorted(q)) : dual_point(sorted(q)));
   }
+
+  // In that order of the vertices.
+  Vector_3 dual_point(const Quadruple& q) const { return position(candidate_.sites[q[0]]) + products(q).to_dual(); }
 
   // Of the finite vertices.
   Vector_3 centroid(const Quadruple& q) const

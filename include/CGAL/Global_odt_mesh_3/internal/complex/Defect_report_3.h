@@ -28,6 +28,7 @@
 #include <limits>
 #include <map>
 #include <set>
+#include <tuple>
 #include <unordered_set>
 #include <utility>
 #include <vector>
@@ -118,7 +119,7 @@ public:
         const Vector_3 way = position(candidate_.sites[v]) - from;
         const double length = way.length(), longest = (std::min)(length, farthest(vertices, v));
         if(length > 0)
-          retreats_[v] += share * longest / length * way;
+          add_retreat(v, share * longest / length * way);
         is_found = true;
       }
     if(!is_found)
@@ -148,7 +149,7 @@ public:
     obstacles_.insert(later.obstacles_.begin(), later.obstacles_.end());
     offending_vertices_.insert(later.offending_vertices_.begin(), later.offending_vertices_.end());
     for(const auto& r : later.retreats_)
-      retreats_[r.first] += r.second;
+      add_retreat(r.first, r.second);
   }
 
 private:
@@ -156,6 +157,15 @@ private:
   static constexpr int most_rings = 3;
   // Positions of the input among others may be wrong where the input as a whole is not.
   static constexpr int most_rings_to_input = 6;
+
+  // The longest counts, in whatever order they come.
+  void add_retreat(int v, const Vector_3& way)
+  {
+    const auto key = [](const Vector_3& w) { return std::make_tuple(w.squared_length(), w[0], w[1], w[2]); };
+    Vector_3& longest = retreats_[v];
+    if(key(longest) < key(way))
+      longest = way;
+  }
 
   template <class Vertices>
   double farthest(const Vertices& vertices, int v) const

@@ -74,11 +74,11 @@ public:
   {
     if(!mesh_.is_one_sheeted())
       return CANT_IMPROVE_ANYMORE;
-    CGAL_GLOBAL_ODT_MESH_3_CHECK_PARAMETER(mesh_.is_domain_of_mesh(), wrong_domain);
     complex_ = mesh_.read();
     round_costs_ = reading_for_round * timer_.time();
     if(parameters_.time_limit > 0 && timer_.time() + 2 * round_costs_ > parameters_.time_limit)
       return TIME_LIMIT_REACHED;
+    CGAL_GLOBAL_ODT_MESH_3_CHECK_PARAMETER(mesh_.is_domain_of_mesh(), wrong_domain);
     set_input();
     break_ties();
     const double z = random_.uniform(), y = random_.uniform(), x = random_.uniform();
