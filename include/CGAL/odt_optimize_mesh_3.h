@@ -129,7 +129,8 @@ version of %CGAL in use accepts: `parameters::time_limit = 10, parameters::do_fr
                    `CGAL::Local_feature_size_field_3` or `CGAL::Spline_grid_field_3`, or a number}
     \cgalParamPrecondition{all sizes are positive and finite; not together with `density`}
     \cgalParamDefault{the sizes of the input's cells}
-    \cgalParamExtra{Without insertion and removal, and with `number_of_vertices`, only ratios of sizes matter.}
+    \cgalParamExtra{Without insertion and removal, and with `number_of_vertices`, only ratios of sizes matter. Near features, whose vertices stay, the field
+                    gives way to the sizes of the mesh.}
     \cgalParamExtra{With `do_insert_vertices`, sizes bound circumradii, as those of `Mesh_criteria_3` do: larger cells are split, where no
                     feature edge or junction is in the way. With `do_remove_vertices`, vertices are removed where the mesh is finer.}
     \cgalParamExtra{The field is evaluated at vertices, with their dimension and index, also outside of the domain, no farther from it

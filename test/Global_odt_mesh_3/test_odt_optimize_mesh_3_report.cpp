@@ -260,6 +260,46 @@ static void check_slivers_that_stay()
   check::that(last.slivers == slivers, last.slivers, " slivers are told of, and ", slivers, " are left");
 }
 
+// Sizes of the mesh generator that grow from a corner of a box.
+struct Growing_size
+{
+  typedef double FT;
+  typedef domains::Polyhedral_domain::Index Index;
+  typedef domains::Point_3 Point_3;
+
+  double operator()(const Point_3& p, int, const Index&) const { return 0.05 + 0.3 * std::sqrt(domains::squared(p)); }
+};
+
+// The field with which a mesh with features has been made costs hardly any angle.
+static void check_field_near_features()
+{
+  const domains::Polyhedron polyhedron = domains::notched_box();
+  domains::Polyhedral_domain domain(polyhedron);
+  domain.detect_features();
+  const Growing_size size;
+  const domains::Polyhedral_criteria criteria(params::edge_size = size, params::facet_angle = 25, params::facet_size = size,
+                                              params::facet_distance = 0.02, params::cell_radius_edge_ratio = 2, params::cell_size = size);
+  CGAL::get_default_random() = CGAL::Random(0);
+  const auto input = CGAL::make_mesh_3<domains::Polyhedral_c3t3>(domain, criteria, params::no_perturb(), params::no_exude());
+  double angle[2] = { 0, 0 }, ratio[2] = { 0, 0 };
+  constexpr unsigned int seeds = 3;
+  for(unsigned int seed = 0; seed < seeds; ++seed)
+    for(bool has_field : { false, true })
+    {
+      domains::Polyhedral_c3t3 c3t3(input);
+      if(has_field)
+        CGAL::odt_optimize_mesh_3(c3t3, domain, params::random_seed(seed), params::sizing_field = size);
+      else
+        CGAL::odt_optimize_mesh_3(c3t3, domain, params::random_seed(seed));
+      const CGAL::Mesh_quality_report_3 quality = CGAL::mesh_quality_report_3(c3t3);
+      angle[has_field] += quality.smallest_angle / seeds;
+      ratio[has_field] += quality.mean_radius_ratio / seeds;
+    }
+  std::cout << "field near features: smallest angles " << angle[0] << ", " << angle[1] << " with it; 3r/R " << ratio[0] << ", " << ratio[1]
+            << std::endl;
+  check::that(angle[1] > 0.8 * angle[0] && ratio[1] > ratio[0] - 0.02, "a field makes cells near features worse");
+}
+
 typedef CGAL::Polyhedral_complex_mesh_domain_3<domains::Kernel, domains::Polyhedron> Box_domain;
 typedef CGAL::Mesh_triangulation_3<Box_domain>::type Box_triangulation;
 typedef CGAL::Mesh_complex_3_in_triangulation_3<Box_triangulation, Box_domain::Corner_index, Box_domain::Curve_index> Box_c3t3;
@@ -327,6 +367,7 @@ int main()
     check_stretched(0.12, 6, seed);
   }
   check_selected_half();
+  check_field_near_features();
   check_structured_box(5, 54.7);
   check_structured_box(6, 45);
   return check::result();

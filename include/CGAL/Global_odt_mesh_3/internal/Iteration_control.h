@@ -66,6 +66,10 @@ public:
   // In this attempt and before.
   int number_of_all_iterations() const { return number_of_iterations_ + iterations_before_; }
 
+  // Whether an end leaves anything to be kept; what has been done besides iterations is to be noted.
+  bool has_work() const { return has_other_work_ || number_of_all_iterations() > 0; }
+  void note_work() { has_other_work_ = true; }
+
   // False once time or iterations are used up, or the user has said so; then code() says why.
   bool goes_on() const { return goes_on_; }
   Mesh_optimization_return_code code() const { return code_; }
@@ -154,7 +158,7 @@ private:
   Optimization_visitor& visitor_;
   Real_timer timer_;
   int most_iterations_ = 1, number_of_iterations_ = 0, iterations_before_ = 0;
-  bool goes_on_ = true, is_canceled_ = false;
+  bool goes_on_ = true, is_canceled_ = false, has_other_work_ = false;
   double fraction_ = 0, share_of_moves_ = 1 - share_of_slivers;
   double writing_ = 0, rebuilding_ = 0;     // seconds
   Mesh_optimization_return_code code_ = CANT_IMPROVE_ANYMORE;

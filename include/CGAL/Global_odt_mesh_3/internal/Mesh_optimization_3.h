@@ -189,6 +189,8 @@ private:
     // There are many edges to ask for.
     int questions = 0;
     adaptation(adapted).adapt_sizes(field_, [&] { return questions++ % edges_of_question != 0 || control_.may_move(); });
+    if(adapted.is_changed())
+      control_.note_work();
     std::optional<Outcome> outcome = optimize(adapted, task);
     if(!outcome)
       return outcome;

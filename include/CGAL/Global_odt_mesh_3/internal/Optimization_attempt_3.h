@@ -192,7 +192,7 @@ private:
       previous = stage;
       const double before = std::exchange(energy, rounds_->make_round(complex_.snapshot().boundary));
       // One who says no at once does not wait.
-      if(control_.is_canceled() && control_.number_of_all_iterations() == 0)
+      if(control_.is_canceled() && !control_.has_work())
       {
         code_ = control_.code();
         return true;

@@ -27,6 +27,7 @@
 #include <CGAL/Global_odt_mesh_3/internal/optimization/Limited_memory_bfgs.h>
 #include <CGAL/Global_odt_mesh_3/internal/optimization/Odt_objective_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/parallel/Thread_policy.h>
+#include <CGAL/Global_odt_mesh_3/internal/sizing/Field_near_features_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/sizing/Input_density_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/surface/Surface_cvt_objective_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/surface/Surface_triangulation_3.h>
@@ -123,10 +124,16 @@ public:
                const Vertex_numbering_3& numbering)
   {
     const auto in_input = [&field, &numbering](int v, const Site& s) { return field.value(numbering.stratum(v), s); };
+    const auto is_on_feature = [](int dimension) { return dimension == 0 || dimension == 1; };
+    const std::vector<int>& dimensions = numbering.dimensions;
+    density_ = std::make_unique<Input_density_3>(mesh);
     if(field)
+    {
+      const bool gives_way = !density_->is_uniform() && std::any_of(dimensions.begin(), dimensions.end(), is_on_feature);
       density_ = std::make_unique<Field_density_3>(field.meaning, in_input, mesh.sites, field.polynomial);
-    else
-      density_ = std::make_unique<Input_density_3>(mesh);
+      if(gives_way)
+        density_ = std::make_unique<Field_near_features_3>(std::move(density_), mesh, [&](int v) { return is_on_feature(dimensions[v]); });
+    }
     // The density of the input is what it is at vertices, but a field may vary between them.
     if(!density_->is_uniform() || field)
       quadrature_ = make_quadrature(*density_, mesh.sites);

@@ -13,12 +13,11 @@
 #include <CGAL/license/Global_odt_mesh_3.h>
 
 #include <CGAL/Global_odt_mesh_3/internal/density/Field_density_3.h>
-#include <CGAL/Global_odt_mesh_3/internal/geometry/Vector_3.h>
-#include <CGAL/Global_odt_mesh_3/internal/triangulation/Indexed_triangulation_3.h>
+#include <CGAL/Global_odt_mesh_3/internal/geometry/Site.h>
+#include <CGAL/Global_odt_mesh_3/internal/sizing/Nodal_values_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/triangulation/Moving_triangulation_3.h>
 
 #include <algorithm>
-#include <array>
 #include <cstddef>
 #include <vector>
 
@@ -27,9 +26,7 @@ namespace Global_odt_mesh_3 {
 namespace internal {
 
 // The density that the input mesh stands for, so that a graded mesh stays
-// graded: edge lengths averaged at the vertices, smoothed, and interpolated
-// linearly on a copy of the input, in which each vertex is found by walking from
-// the cell where it was last.
+// graded: that of the mean lengths of edges at the vertices.
 class Input_density_3
   : public Density_3
 {
@@ -39,123 +36,40 @@ public:
   static constexpr double uniform_ratio = 1.5;
 
   explicit Input_density_3(const Moving_triangulation_3& mesh)
-    : topology_(mesh.topology)
-    , sites_(mesh.sites)
-    , number_of_movable_vertices_(mesh.number_of_movable_vertices)
-    , last_cell_(mesh.sites.size())
-  {
-    for(std::size_t v = 0; v < last_cell_.size(); ++v)
-      last_cell_[v] = topology_.incident_cell(static_cast<int>(v));
-    compute_sizes(mesh);
-  }
+    : sizes_(mesh, sizes_of(mesh))
+  {}
 
   bool is_uniform() const override { return is_uniform_; }
   bool is_safe_for_threads() const override { return true; }
 
   // The wanted size where vertex v is now; vertices that stay have the one of the input.
-  double size(int v, const Site& s)
-  {
-    return v < number_of_movable_vertices_ ? interpolated_size(last_cell_[v], s) : size_[v];
-  }
+  double size(int v, const Site& s) { return sizes_.at(v, s); }
 
   double in_volume(int v, const Site& s) override { return volume_density(size(v, s) / median_size_); }
   double on_surface(int v, const Site& s) override { return surface_density(size(v, s) / median_size_); }
-
-  double in_cell(int v, const Site& s) override
-  {
-    int c = last_cell_[v];
-    return volume_density(interpolated_size(c, s) / median_size_);
-  }
+  double in_cell(int v, const Site& s) override { return volume_density(sizes_.near(v, s) / median_size_); }
 
 private:
-  // Sets `c`, where the search begins, to the cell where it ends.
-  double interpolated_size(int& c, const Site& s) const
+  // Also finds the median, and whether sizes are one.
+  std::vector<double> sizes_of(const Moving_triangulation_3& mesh)
   {
-    std::array<double, 4> b;
-    c = locate(c, s, b);
-    double size = 0;
-    for(int i = 0; i < 4; ++i)
-      size += b[i] * size_[topology_.vertices(c)[i]];
-    return size;
-  }
-
-  void compute_sizes(const Moving_triangulation_3& mesh)
-  {
-    mesh.mean_edge_lengths(static_cast<int>(sites_.size()), size_);
-    std::vector<double> sorted;
-    for(int v = 0; v < mesh.number_of_movable_vertices; ++v)
-      sorted.push_back(size_[v]);
+    std::vector<double> sizes;
+    mesh.mean_edge_lengths(static_cast<int>(mesh.sites.size()), sizes);
+    std::vector<double> sorted(sizes.begin(), sizes.begin() + mesh.number_of_movable_vertices);
     if(sorted.empty())
-      return;
+      return sizes;
     std::sort(sorted.begin(), sorted.end());
     const std::size_t margin = sorted.size() / 20;
     is_uniform_ = sorted[sorted.size() - 1 - margin] < uniform_ratio * sorted[margin];
     median_size_ = sorted[sorted.size() / 2];
     // Facets may have vertices that no cell has.
-    std::replace(size_.begin(), size_.end(), 0., median_size_);
+    std::replace(sizes.begin(), sizes.end(), 0., median_size_);
+    return sizes;
   }
 
-  // Visibility walk; a point beyond a constrained facet gets the barycentric coordinates of
-  // the last cell, clamped.
-  int locate(int c, const Site& s, std::array<double, 4>& b) const
-  {
-    int previous = -1;
-    for(int step = 0; step < max_steps; ++step)
-    {
-      const double total = volumes(topology_.vertices(c), s, b);
-      int leave = -1;
-      double lowest = 0;
-      for(int i = 0; i < 4; ++i)
-      {
-        const Half_facet across = topology_.neighbor(Half_facet(c, i));
-        if(b[i] < lowest && !across.is_side() && across.cell() != previous)
-        {
-          lowest = b[i];
-          leave = across.cell();
-        }
-      }
-      if(leave < 0 || step + 1 == max_steps)
-      {
-        double sum = 0;
-        for(double& x : b)
-        {
-          x = total > 0 ? (std::max)(0., x / total) : 0;    // a flat cell of the input may have no volume
-          sum += x;
-        }
-        for(double& x : b)
-          x = sum > 0 ? x / sum : 0.25;
-        return c;
-      }
-      previous = c;
-      c = leave;
-    }
-    return c;
-  }
-
-  // The volumes of a cell's parts between its facets and a point, and of the cell, times six.
-  double volumes(const int* cell, const Site& s, std::array<double, 4>& parts) const
-  {
-    const Site& origin = sites_[cell[0]];
-    const auto edge = [&origin](const Site& p) { return Vector_3(p.x - origin.x, p.y - origin.y, p.z - origin.z); };
-    const Vector_3 a = edge(sites_[cell[1]]), b = edge(sites_[cell[2]]), c = edge(sites_[cell[3]]), d = edge(s);
-    const Vector_3 normal = b.cross(c);
-    const double all = a.dot(normal);
-    parts[1] = d.dot(normal);
-    parts[2] = d.dot(c.cross(a));
-    parts[3] = d.dot(a.cross(b));
-    parts[0] = all - parts[1] - parts[2] - parts[3];
-    return all;
-  }
-
-  static constexpr int max_steps = 200;
-
-  Indexed_triangulation_3 topology_;
-  std::vector<Site> sites_;
-  int number_of_movable_vertices_;
-  std::vector<double> size_;
-  std::vector<int> last_cell_;
   double median_size_ = 1;
   bool is_uniform_ = true;
+  Nodal_values_3 sizes_;                      // made with the two
 };
 
 } // namespace internal
