@@ -255,6 +255,8 @@ private:
     // Where the user has ended the iterations, the first step keeps them from being in vain, for the slivers that they leave.
     bool may_begin = control_.is_canceled();
     stage.run(has_time, [&] { return control_.may_go_on() || (std::exchange(may_begin, false) && has_time()); });
+    if(complex_.is_lost())
+      return false;
     if(!control_.goes_on())
       code_ = control_.code();
     return true;

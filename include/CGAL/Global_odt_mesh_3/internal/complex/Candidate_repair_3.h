@@ -105,11 +105,13 @@ private:
     std::vector<Place> result;
     for(Cell_handle c : candidate_.working.cells())
     {
-      const Quadruple q = candidate_.numbers(c);
-      if(c->label() != label || *std::min_element(q.begin(), q.end()) < 0)
+      const Quadruple q = sorted(candidate_.numbers(c));
+      if(c->label() != label || q[0] < 0)
         continue;
-      const Vector_3 dual = coordinates(candidate_.triangulation().dual(c));
-      const double squared_radius = squared_distance(weighted_site(c->vertex(0)->point()), dual);
+      // The sites have moved already.
+      const auto site = [&](int i) { return weighted_site(candidate_.working.vertex(q[i])->point()); };
+      const Vector_3 to_dual = Cell_products(site(0), site(1), site(2), site(3)).to_dual(), dual = position(site(0)) + to_dual;
+      const double squared_radius = to_dual.squared_length();
       if(has_room(dual, label, share_of_room * std::sqrt(squared_radius)))
         result.push_back({ squared_radius, dual, q });
     }

@@ -97,8 +97,10 @@ public:
   // coordinates or a mesh that has been deformed, need not be regular. False if that cannot be had.
   bool make_regular()
   {
-    return !snapshot_.is_input || triangulation().is_regular(threads_) || advance(snapshot_.sites, nullptr, true, false)
-           || advance(snapshot_.sites, true);
+    if(!snapshot_.is_input)
+      return true;
+    has_cells_of_input_ = triangulation().is_regular(threads_);
+    return has_cells_of_input_ || advance(snapshot_.sites, nullptr, true, false) || advance(snapshot_.sites, true);
   }
 
   // The complex for trials of single vertices, which have the triangulation until it is adopted.
@@ -123,13 +125,19 @@ public:
     Complex_candidate_3 candidate(snapshot_, triangulation_, trials.sites, true, true, threads_);
     trials.give(candidate);
     if(!complete_trials(candidate))
+    {
+      is_lost_ = has_cells_of_input_ && !snapshot_.is_input;
       return false;
+    }
     replace_snapshot(candidate);
     return true;
   }
 
   // Where no valid complex could be made: the vertices of what was wrong in the end, by their numbers in the input.
   const std::set<int>& obstacles() const { return obstacles_; }
+
+  // Whether trials have failed of a snapshot whose triangulation cannot be built anew, since ties may be broken another way.
+  bool is_lost() const { return is_lost_; }
 
   // How often most of a candidate's cells were those of a mesh.
   std::size_t number_of_transfers() const { return number_of_transfers_; }
@@ -254,6 +262,7 @@ private:
   Complex_snapshot_3 snapshot_;
   Working_triangulation_3 triangulation_;
   bool is_up_to_date_ = false;               // whether that is the triangulation of the snapshot, with its labels
+  bool has_cells_of_input_ = false, is_lost_ = false;
   std::size_t number_of_transfers_ = 0;
   std::set<int> obstacles_;
 };
