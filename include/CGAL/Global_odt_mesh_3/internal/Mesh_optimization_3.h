@@ -79,7 +79,7 @@ public:
   }
 
 private:
-  typedef Mesh_optimization_summary_3 Reason;
+  typedef Mesh_optimization_summary_3 Summary;
 
   // The code, by whether cells are left below the bound.
   struct Outcome
@@ -109,7 +109,7 @@ private:
   {
     Optimization_attempt_3 attempt(mesh, domain_, bounds_, task, parameters_, field_, control_, threads_, boundary_moves);
     const bool is_made = attempt.run(), is_committed = is_made && attempt.commit(task == Odt_task::REMESH_BOUNDARY || may_be_worse());
-    reason_ = !is_made ? Reason::NO_VALID_MESH : control_.is_stopped() ? Reason::OUT_OF_TIME : attempt.reason();
+    reason_ = !is_made ? Summary::NO_VALID_MESH : control_.is_stopped() ? Summary::OUT_OF_TIME : attempt.reason();
     if(!is_made)
     {
       visitor_.obstacles = attempt.obstacles();
@@ -222,7 +222,7 @@ private:
     const bool is_cut_short = parameters_.do_remove_slivers && control_.is_stopped();
     if(!Optimization_attempt_3::is_acceptable(adapted.table(), slivers, parameters_, may_be_worse(), is_cut_short))
     {
-      reason_ = is_cut_short ? Reason::OUT_OF_TIME : Reason::SMALLER_ANGLES;
+      reason_ = is_cut_short ? Summary::OUT_OF_TIME : Summary::SMALLER_ANGLES;
       return incomplete();
     }
     if(adapted.is_changed())
@@ -232,7 +232,7 @@ private:
     return outcome;
   }
 
-  static void count_vertices(const Tabulated_mesh_3& mesh, Mesh_optimization_summary_3& summary)
+  static void count_vertices(const Tabulated_mesh_3& mesh, Summary& summary)
   {
     const std::vector<int>& dimensions = mesh.table().dimensions;
     const auto removed = std::count(dimensions.begin(), dimensions.begin() + mesh.number_of_input_vertices(), int(Mesh_table_3::removed));
@@ -240,9 +240,9 @@ private:
     summary.number_of_inserted_vertices = static_cast<std::size_t>(mesh.number_of_vertices() + removed - mesh.number_of_input_vertices());
   }
 
-  void complete_summary(User_mesh_view_3& mesh, const std::map<int, double>& volumes_before, Mesh_optimization_summary_3& summary) const
+  void complete_summary(User_mesh_view_3& mesh, const std::map<int, double>& volumes_before, Summary& summary) const
   {
-    summary.reason = mesh.is_changed() ? Reason::CHANGED : reason_;
+    summary.reason = mesh.is_changed() ? Summary::CHANGED : reason_;
     summary.sliver_bound = parameters_.sliver_bound > 0 ? parameters_.sliver_bound : Sliver_steps::angles[1];
     summary.number_of_slivers = mesh.number_of_slivers(summary.sliver_bound);
     summary.number_of_iterations = static_cast<std::size_t>(control_.number_of_all_iterations());
@@ -289,7 +289,7 @@ private:
   Thread_policy threads_;
   Iteration_control control_;
   Facet_bounds_3 bounds_;
-  Reason::Reason reason_ = Reason::NOTHING_TO_DO;       // if the mesh is not changed
+  Summary::Reason reason_ = Summary::NOTHING_TO_DO;       // if the mesh is not changed
 };
 
 } // namespace internal
