@@ -210,6 +210,8 @@ void revert_intruders(const Complex_candidate_3& candidate, const Vertices& arou
   const std::vector<int> inside = intruders(candidate, around, center);
   if(inside.empty())
     report.revert(around);
+  else if(candidate.has_way_back)
+    report.revert(inside);
   else
     report.revert_or_retreat(inside, center);
 }

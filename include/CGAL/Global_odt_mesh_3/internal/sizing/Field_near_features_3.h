@@ -45,7 +45,7 @@ public:
 
   double in_volume(int v, const Site& s) override { return field_->in_volume(v, s) * volume_density(factors_.at(v, s)); }
   double on_surface(int v, const Site& s) override { return field_->on_surface(v, s) * surface_density(factors_.at(v, s)); }
-  double in_cell(int v, const Site& s) override { return field_->in_cell(v, s) * volume_density(factors_.near(v, s)); }
+  double in_cell(int v, const Site& s) override { return field_->in_cell(v, s) * volume_density(factors_.beside(v, s)); }
 
 private:
   static constexpr int rings = 6;

@@ -47,7 +47,7 @@ public:
 
   double in_volume(int v, const Site& s) override { return volume_density(size(v, s) / median_size_); }
   double on_surface(int v, const Site& s) override { return surface_density(size(v, s) / median_size_); }
-  double in_cell(int v, const Site& s) override { return volume_density(sizes_.near(v, s) / median_size_); }
+  double in_cell(int v, const Site& s) override { return volume_density(sizes_.beside(v, s) / median_size_); }
 
 private:
   // Also finds the median, and whether sizes are one.

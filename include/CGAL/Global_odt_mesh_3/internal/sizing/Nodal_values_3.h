@@ -46,7 +46,7 @@ public:
   double at(int v, const Site& s) { return v < number_of_movable_vertices_ ? interpolated(last_cell_[v], s) : values_[v]; }
 
   // At a point of a cell around the vertex.
-  double near(int v, const Site& s) const
+  double beside(int v, const Site& s) const
   {
     int c = last_cell_[v];
     return interpolated(c, s);
