@@ -183,6 +183,7 @@ private:
     if(!complete(candidate, mesh))
       return false;
     replace_snapshot(candidate);
+    is_made_regular_ = is_made_regular_ || !has_way_back;
     if(!has_way_back)
       snapshot_.numbering = std::make_shared<Vertex_numbering_3>(snapshot_.numbering->with_input_at(snapshot_.sites));
     return true;
@@ -196,7 +197,7 @@ private:
     Candidate_repair_3 repair(candidate, domain_, [&] { build(candidate, nullptr); });
     for(int attempt = 0; attempt < most_attempts; ++attempt)
     {
-      candidate.may_retreat = attempt < attempts_at_retreat || !candidate.has_way_back;
+      candidate.may_retreat = !candidate.has_way_back || (is_made_regular_ && attempt < attempts_at_retreat);
       const Defect_report_3 report = check(candidate, attempt < attempts_at_good_facets);
       if(report.is_clean())
         return true;
@@ -262,7 +263,7 @@ private:
   Complex_snapshot_3 snapshot_;
   Working_triangulation_3 triangulation_;
   bool is_up_to_date_ = false;               // whether that is the triangulation of the snapshot, with its labels
-  bool has_cells_of_input_ = false, is_lost_ = false;
+  bool has_cells_of_input_ = false, is_lost_ = false, is_made_regular_ = false;
   std::size_t number_of_transfers_ = 0;
   std::set<int> obstacles_;
 };
