@@ -183,7 +183,7 @@ private:
     const auto is_inside = [](const Mesh_table_3::Cell& c) { return c.label != Domain_view_3::outside; };
     if(std::none_of(adapted.table().cells.begin(), adapted.table().cells.end(), is_inside))
       return optimize(mesh, task);
-    const Sliver_census_3 slivers = Optimization_attempt_3::slivers(adapted.table(), threads_);
+    const Sliver_census_3 slivers = Optimization_attempt_3::slivers_of_input(adapted.table(), threads_);
     const std::optional<Size_criteria_3> criteria = size_criteria(adapted.table());
     const auto may_go_on = [this] { return control_.may_go_on(); };
     // There are many edges to ask for.

@@ -71,7 +71,7 @@ public:
     const auto in_stage = during(Stage_clock::READ);
     const double begin = control.time();
     Snapshot_reader_3 reader(input, threads);
-    slivers_of_input_ = slivers(reader.table(), threads);
+    slivers_of_input_ = slivers_of_input(reader.table(), threads);
     complex_.start(reader.read(mesh_, boundary_moves));
     control.has_read(begin);
     plan_ = std::make_unique<Round_plan>(task, parameters, number_of_surface_vertices() > 0);
@@ -119,7 +119,7 @@ public:
     complex_.release_triangulation();
     if(!is_acceptable(table, slivers_of_input_, parameters_, may_be_worse, removes_slivers() && control_.is_stopped()))
     {
-      const bool is_worse = !slivers(table, threads_).is_not_worse_than(slivers_of_input_, true);
+      const bool is_worse = !slivers(table).is_not_worse_than(slivers_of_input_, true);
       reason_ = is_worse ? Mesh_optimization_summary_3::SMALLER_ANGLES : Mesh_optimization_summary_3::LARGER_CELLS;
       return false;
     }
@@ -134,13 +134,19 @@ public:
   std::vector<int> obstacles() const { return std::vector<int>(complex_.obstacles().begin(), complex_.obstacles().end()); }
 
   // Of cells that may change. One that does not has the same angles, in whatever order its vertices are.
-  static Sliver_census_3 slivers(const Mesh_table_3& mesh, const Thread_policy& threads)
+  static Sliver_census_3 slivers(const Mesh_table_3& mesh)
   {
     Sliver_census_3 census;
-    census.is_of_deformed_mesh = is_deformed(mesh, threads);
     for(const Mesh_table_3::Cell& c : mesh.cells)
       if(c.label != Domain_view_3::outside && !c.is_kept)
         census.add(mesh.cell_sites(sorted(c.vertices)), c.label);
+    return census;
+  }
+
+  static Sliver_census_3 slivers_of_input(const Mesh_table_3& mesh, const Thread_policy& threads)
+  {
+    Sliver_census_3 census = slivers(mesh);
+    census.is_of_deformed_mesh = is_deformed(mesh, threads);
     return census;
   }
 
@@ -150,7 +156,7 @@ public:
   {
     if(may_be_worse && !is_cut_short)
       return true;
-    const Sliver_census_3 after = slivers(mesh, Thread_policy());
+    const Sliver_census_3 after = slivers(mesh);
     return may_be_worse ? after.is_not_worse_than(before, false) : after.may_replace(before, parameters.sliver_bound);
   }
 

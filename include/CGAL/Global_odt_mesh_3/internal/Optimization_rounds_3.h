@@ -126,10 +126,12 @@ public:
     const auto in_input = [&field, &numbering](int v, const Site& s) { return field.value(numbering.stratum(v), s); };
     const auto is_on_feature = [](int dimension) { return dimension == 0 || dimension == 1; };
     const std::vector<int>& dimensions = numbering.dimensions;
-    density_ = std::make_unique<Input_density_3>(mesh);
-    if(field)
+    if(!field)
+      density_ = std::make_unique<Input_density_3>(mesh);
+    else
     {
-      const bool gives_way = !density_->is_uniform() && std::any_of(dimensions.begin(), dimensions.end(), is_on_feature);
+      const bool gives_way
+        = std::any_of(dimensions.begin(), dimensions.end(), is_on_feature) && !Input_density_3(mesh).is_uniform();
       density_ = std::make_unique<Field_density_3>(field.meaning, in_input, mesh.sites, field.polynomial);
       if(gives_way)
         density_ = std::make_unique<Field_near_features_3>(std::move(density_), mesh, [&](int v) { return is_on_feature(dimensions[v]); });
