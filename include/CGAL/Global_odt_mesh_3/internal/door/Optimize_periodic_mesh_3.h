@@ -327,7 +327,7 @@ private:
     return true;
   }
 
-  // Where the domain does not fit, vertices go back.
+  // Where the domain does not fit, vertices go back, and where all have gone back, those around them.
   std::optional<Periodic_complex_3> rebuilt(std::vector<Site> sites)
   {
     const double begin = timer_.time();
@@ -336,13 +336,26 @@ private:
     int tries = 0;
     do
     {
-      for(int v : std::exchange(in_doubt, {}))
-        sites[v] = complex_.sites[v];
+      revert(std::exchange(in_doubt, {}), sites);
       result = mesh_.rebuild(complex_, sites, in_doubt);
     }
     while(!result && !in_doubt.empty() && ++tries < most_tries);
     round_costs_ = 1.5 * (timer_.time() - begin);
     return result;
+  }
+
+  void revert(const std::vector<int>& in_doubt, std::vector<Site>& sites) const
+  {
+    std::vector<char> reverts(sites.size(), false);
+    for(int v : in_doubt)
+      reverts[v] = true;
+    for(bool has_moved = false, grows = true; !has_moved && grows; grows = complex_.add_neighbors(reverts))
+      for(std::size_t v = 0; v < sites.size(); ++v)
+        if(reverts[v] && !same_place(sites[v], complex_.sites[v]))
+        {
+          sites[v] = complex_.sites[v];
+          has_moved = true;
+        }
   }
 
   // In topology and volumes.

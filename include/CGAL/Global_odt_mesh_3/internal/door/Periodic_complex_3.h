@@ -118,6 +118,17 @@ struct Periodic_complex_3
     return sorted(std::array<int, 2>{{ c.label, cells[c.neighbors[f.index]].label }});
   }
 
+  // Chooses those, too, that have a cell in common with a chosen one. False if there are none.
+  bool add_neighbors(std::vector<char>& is_chosen) const
+  {
+    const std::vector<char> before = is_chosen;
+    for(const Cell& c : cells)
+      if(std::any_of(c.vertices.begin(), c.vertices.end(), [&](int v) { return before[v]; }))
+        for(int v : c.vertices)
+          is_chosen[v] = true;
+    return is_chosen != before;
+  }
+
   // The length of the shortest edge at vertices that are inside of a subdomain, not on a surface and without a weight; 0 for all others.
   std::vector<double> freedom_of_interior() const
   {

@@ -339,7 +339,7 @@ private:
   bool find_facets(const Triangulation& tr, const std::vector<Cell_handle>& cells, Periodic_complex_3& complex,
                    std::vector<int>& in_doubt) const
   {
-    std::size_t kept = 0;
+    Tuple_table<Triple, char> found;
     for(std::size_t n = 0; n < cells.size(); ++n)
       for(int i = 0; i < 4; ++i)
       {
@@ -349,7 +349,7 @@ private:
         const std::array<int, 2> labels = complex.labels(f);
         if(const Kept_facet* const k = kept_facets_.find(sorted(complex.facet_vertices(f))); k != nullptr && k->labels == labels)
         {
-          ++kept;
+          found.insert(sorted(complex.facet_vertices(f)), true);
           f.patch = k->patch;
           f.center = k->center;
         }
@@ -359,7 +359,10 @@ private:
         if(f.patch != Domain_view_3::other_patch)
           complex.facets.push_back(f);
       }
-    return kept == kept_facets_.entries().size() && in_doubt.empty();
+    for(const auto& k : kept_facets_.entries())
+      if(found.find(k.first) == nullptr)
+        in_doubt.insert(in_doubt.end(), k.first.begin(), k.first.end());
+    return in_doubt.empty();
   }
 
   // Whether the domain has a patch of the mesh on the dual of a facet between two subdomains.
