@@ -130,7 +130,7 @@ static void test_calls()
   CGAL::Random random(0), same_random(0);
   const Domain domain = make_domain(schwarz_p, 1, random), same_domain = make_domain(schwarz_p, 1, same_random);
   C3t3 plain = make_mesh(domain, 0.15);
-  const C3t3 optimized = CGAL::make_periodic_3_mesh_3<C3t3>(same_domain, criteria(0.15), params::odt(params::max_iteration_number = 30),
+  const C3t3 optimized = CGAL::make_periodic_3_mesh_3<C3t3>(same_domain, criteria(0.15), params::odt(params::max_iteration_number = 100),
                                                             params::no_exude(), params::no_perturb());
   const State<C3t3> before(plain), after(optimized);
   check::that(optimized.triangulation().is_valid() && after.points.size() == before.points.size(), "not valid after odt()");

@@ -50,7 +50,7 @@ namespace internal {
 // In each round, the mesh is cut open along the sides of a cube, and optimized as one that is not periodic, with vertices at the cut
 // that stay. The next cut is elsewhere, so that they move then. A round whose result is not a valid periodic mesh is left out.
 //
-// A mesh that is so coarse that it has a triangulation of one sheet only with the points of the lattice with which the mesh generator
+// A mesh that is so coarse that it has a triangulation of one sheet only with points of the lattice with which the mesh generator
 // begins keeps these where they are.
 template <class C3t3, class Mesh_domain>
 class Periodic_mesh_optimizer_3
@@ -83,10 +83,17 @@ public:
     break_ties();
     const double z = random_.uniform(), y = random_.uniform(), x = random_.uniform();
     first_corner_ = Vector_3(x, y, z);
+    const Periodic_complex_3 input = complex_;
     while(goes_on_ && optimizations_ < number_of_optimizations && round_ < most_attempts)
       make_round();
     if(parameters_.do_remove_slivers)
       remove_slivers();
+    // Where energies lead to angles that are smaller, the removal begins with the input.
+    if(parameters_.do_remove_slivers && !result_ && is_changed_)
+    {
+      complex_ = input;
+      remove_slivers();
+    }
     if(result_)
       mesh_.write(*result_);
     return code();
@@ -117,6 +124,7 @@ private:
 
   static constexpr int first_step = 1, common_steps = 4;    // for 20 degrees, and up to 40
   static constexpr int number_of_optimizations = 2, most_attempts = 4, fewest_removals = 3, most_removals = 7;
+  static constexpr int most_choices = 3;                    // of points of the lattice that stay
   static constexpr int most_tries = 5;                      // to rebuild a mesh
   static constexpr double worthwhile = 0.75;                // what a removal that pays leaves of what cells lack of the angle
   static constexpr double volume_tolerance = 0.02;
@@ -204,28 +212,27 @@ private:
     const Vector_3 corner = complex_.cube.corner + complex_.cube.period * (first_corner_ + Vector_3(s, s, s));
     end_of_round_ = done_ + share() * (1 - done_);
     // The removal of slivers moves few vertices, and may succeed where the optimization has not.
-    const bool lattice_moves = lattice_moves_ || removes();
-    if(!try_round(corner, lattice_moves) && lattice_moves && goes_on_)
-    {
-      lattice_moves_ = false;
-      try_round(corner, false);
-    }
+    std::vector<char> stays = removes() || stays_.empty() ? std::vector<char>(complex_.sites.size(), false) : stays_;
+    for(int n = 0; n < most_choices && try_round(corner, stays, n + 2 < most_choices); ++n) {}
+    if(!removes())
+      stays_ = std::move(stays);
     done_ = end_of_round_;
     ++round_;
   }
 
-  // False if there is no triangulation of one sheet where the optimizer has led.
-  bool try_round(const Vector_3& corner, bool lattice_moves)
+  // True if there is no triangulation of one sheet where the optimizer has led: then, points of the lattice stay the next time, if
+  // possible `a_few`.
+  bool try_round(const Vector_3& corner, std::vector<char>& stays, bool a_few)
   {
     const std::optional<Odt_parameters> p = parameters_of_round();
     if(!p)
-      return true;
+      return false;
 
-    Unrolled_mesh_3<Exact_predicates_inexact_constructions_kernel> unrolled(complex_, corner, lattice_moves);
+    Unrolled_mesh_3<Exact_predicates_inexact_constructions_kernel> unrolled(complex_, corner, stays);
     if(!unrolled.is_faithful())
     {
       ++failures_;
-      return true;
+      return false;
     }
     Counter counter;
     const Odt_task task = removes() ? Odt_task::REMOVE_SLIVERS : Odt_task::OPTIMIZE;
@@ -236,11 +243,30 @@ private:
       code_ = TIME_LIMIT_REACHED;
     else if(!removes() && code != CANT_IMPROVE_ANYMORE)
       code_ = code;
+    if(!unrolled.is_changed())
+    {
+      failures_ += code == CANT_IMPROVE_ANYMORE;
+      optimizations_ += !removes() && code != CANT_IMPROVE_ANYMORE;
+      return false;
+    }
+    const std::vector<int>& large = unrolled.vertices_of_large_cells();
     const int failures = failures_;
-    failures_ += unrolled.is_changed() ? !unrolled.may_have_one_sheet() : code == CANT_IMPROVE_ANYMORE;
-    const bool is_one_sheeted = !unrolled.is_changed() || (unrolled.may_have_one_sheet() && adopt(unrolled.periodic_sites()));
+    failures_ += !large.empty();
+    const bool is_one_sheeted = large.empty() && adopt(unrolled.periodic_sites());
     optimizations_ += !removes() && failures_ == failures;
-    return is_one_sheeted;
+    return !is_one_sheeted && goes_on_ && choose_to_stay(large, a_few, stays);
+  }
+
+  // Points of the lattice: those among `vertices`, or else all. False if they have been chosen before.
+  bool choose_to_stay(const std::vector<int>& vertices, bool a_few, std::vector<char>& stays) const
+  {
+    const std::vector<char> before = stays;
+    for(int v : vertices)
+      stays[v] = complex_.dimensions[v] < 0;
+    if(!a_few || stays == before)
+      for(std::size_t v = 0; v < stays.size(); ++v)
+        stays[v] = complex_.dimensions[v] < 0;
+    return stays != before;
   }
 
   // None if there is nothing left to do.
@@ -381,7 +407,8 @@ private:
   Vector_3 first_corner_;
   int round_ = 0, optimizations_ = 0, failures_ = 0;
   int step_ = 0;                            // of the removal of slivers, if that has begun
-  bool lattice_moves_ = true, goes_on_ = true, is_changed_ = false;
+  std::vector<char> stays_;                 // of the lattice, when vertices move to lower energies
+  bool goes_on_ = true, is_changed_ = false;
   std::size_t iterations_ = 0;
   double round_costs_ = 0;                  // in seconds, besides the optimization: to cut the mesh open, and to rebuild it
   double done_ = 0, end_of_round_ = 0, reported_ = 0;       // of the work

@@ -151,7 +151,7 @@ public:
     {
       vertices_.push_back(v);
       complex.sites.push_back(weighted_site(v->point()));
-      complex.dimensions.push_back(v->in_dimension());
+      complex.dimensions.push_back(is_dummy(*v, 0) ? -1 : v->in_dimension());
     }
     read_cells(tr, vertices_, cells, complex);
     for(std::size_t n = 0; n < cells.size(); ++n)
@@ -240,6 +240,13 @@ private:
   };
 
   static Weighted_point weighted_point(const Site& s) { return Weighted_point(Bare_point(s.x, s.y, s.z), s.weight); }
+
+  // A point of the lattice with which the mesh generator begins. CGAL 6 gives it dimension 0, since it cannot know better.
+  template <class Vertex>
+  static auto is_dummy(const Vertex& v, int) -> decltype(bool(v.info().is_dummy_vertex)) { return v.info().is_dummy_vertex; }
+
+  template <class Vertex>
+  static bool is_dummy(const Vertex&, long) { return false; }
 
   // Of a cell: zero or one period.
   static int bits(const Periods& n) { return 4 * n[0] + 2 * n[1] + n[2]; }

@@ -50,11 +50,11 @@ class Unrolled_mesh_3
   : public User_mesh_view_3
 {
 public:
-  // Refers to the complex. Points that were there before the mesh, and have no dimension, may move if `lattice_moves`.
-  Unrolled_mesh_3(const Periodic_complex_3& complex, const Vector_3& corner, bool lattice_moves)
+  // Refers to the complex. Points that were there before the mesh, and have no dimension, move unless they are chosen to stay.
+  Unrolled_mesh_3(const Periodic_complex_3& complex, const Vector_3& corner, const std::vector<char>& stays)
     : complex_(complex)
     , corner_(corner)
-    , lattice_moves_(lattice_moves)
+    , stays_(stays)
     , size_(complex.sites.size())
   {
     place_vertices();
@@ -78,8 +78,8 @@ public:
 
   bool is_changed() const override { return !moved_.empty(); }
 
-  // False if the cells around vertices that have moved take several sheets. CGAL needs seconds to find that out.
-  bool may_have_one_sheet() const { return squared_radius_ < CGAL::square(complex_.cube.period) / 64; }
+  // Those of cells around vertices that have moved that are so large that they take several sheets. CGAL needs seconds to find that out.
+  const std::vector<int>& vertices_of_large_cells() const { return vertices_of_large_cells_; }
 
   Mesh_table_3 read(const Thread_policy&) override { return table_; }
   int patch(int v) const override { return complex_.patches[original_[v]]; }
@@ -92,7 +92,9 @@ public:
     moved_ = table.sites;
     for(const Mesh_table_3::Cell& c : table.cells)
       if(has_movable_vertex(c.vertices) && index_of(c.vertices, Mesh_table_3::infinite) == 4)
-        squared_radius_ = (std::max)(squared_radius_, squared_orthoradius(table.cell_sites(c.vertices)));
+        if(!(squared_orthoradius(table.cell_sites(c.vertices)) < CGAL::square(complex_.cube.period) / 64))
+          for(int v : c.vertices)
+            vertices_of_large_cells_.push_back(original_[v]);
   }
 
   // They are counted in the periodic complex.
@@ -123,7 +125,7 @@ private:
     original_.push_back(static_cast<int>(v));
     periods_.push_back(periods);
     table_.sites.push_back(site_at(complex_.cube.translated(position(s), periods), s.weight));
-    table_.dimensions.push_back(complex_.dimensions[v] < 0 && lattice_moves_ ? int(interior) : complex_.dimensions[v]);
+    table_.dimensions.push_back(complex_.dimensions[v] < 0 && !stays_[v] ? int(interior) : complex_.dimensions[v]);
   }
 
   // Whether the sides of the cube cut a cell.
@@ -297,7 +299,7 @@ private:
 
   const Periodic_complex_3& complex_;
   Vector_3 corner_;
-  bool lattice_moves_;
+  const std::vector<char>& stays_;
   std::size_t size_;                        // number of vertices of the periodic complex
   std::vector<char> is_movable_, is_near_;  // of these
   std::vector<int> original_;               // of which vertices are copies
@@ -305,7 +307,7 @@ private:
   Mesh_table_3 table_;
   Tuple_table<Quadruple, int> cells_;
   std::vector<Site> moved_;
-  double squared_radius_ = 0;               // the largest, of cells around them
+  std::vector<int> vertices_of_large_cells_;
   bool is_faithful_ = false;
 };
 
