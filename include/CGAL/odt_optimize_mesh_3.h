@@ -262,7 +262,7 @@ version of %CGAL in use accepts: `parameters::time_limit = 10, parameters::do_fr
   \cgalParamNBegin{callback}
     \cgalParamDescription{a functor called before every iteration, and while slivers are removed and vertices are inserted or
                           removed, with the fraction done. This fraction never falls, and need not reach 1. When the functor returns `false`, the process stops with
-                          the mesh found so far. When it does so before the first iteration, the mesh is left unchanged; where it has ended iterations or insertion, a first step of the removal of slivers follows.
+                          the mesh found so far. When it does so before the first iteration, the mesh is left unchanged; where it has ended iterations or insertion, the mesh is made valid, and a first step of the removal of slivers follows, for a tenth of the time that has passed or what three valid meshes take.
                           During that removal, it is called before each step only.}
     \cgalParamType{a model of `bool(double)`}
     \cgalParamDefault{none}

@@ -99,8 +99,14 @@ public:
   // The largest fraction reported so far.
   double reported() const { return fraction_; }
 
-  // Besides that for writing.
-  bool has_time() const { return !(parameters_.time_limit > 0) || time() + writing_ <= parameters_.time_limit; }
+  // Besides that for writing. Once the user has said no, there is a tenth of the time that has passed or, so that this has not been in
+  // vain, what a few valid meshes take.
+  bool has_time() const
+  {
+    if(is_canceled_ && time() > canceled_at_ + (std::max)(time_after_end * canceled_at_, rebuildings_after_end * rebuilding_))
+      return false;
+    return !(parameters_.time_limit > 0) || time() + writing_ <= parameters_.time_limit;
+  }
 
   // Whether time and user permit to do more than iterations; changes goes_on() if not.
   bool may_go_on() { return may_go_on(has_time()); }
@@ -130,7 +136,8 @@ public:
   }
 
 private:
-  static constexpr double share_of_slivers = 0.3;
+  static constexpr double share_of_slivers = 0.3, time_after_end = 0.1;
+  static constexpr int rebuildings_after_end = 3;
 
   bool may_go_on(bool is_in_time)
   {
@@ -151,6 +158,7 @@ private:
     const double elapsed = parameters_.time_limit > 0 ? time() / parameters_.time_limit : 0.;
     fraction_ = (std::max)(fraction_, (std::min)(1., (std::max)({ progress, iterations, elapsed })));
     is_canceled_ = !parameters_.callback(fraction_);
+    canceled_at_ = time();
     return !is_canceled_;
   }
 
@@ -160,7 +168,7 @@ private:
   int most_iterations_ = 1, number_of_iterations_ = 0, iterations_before_ = 0;
   bool goes_on_ = true, is_canceled_ = false, has_other_work_ = false;
   double fraction_ = 0, share_of_moves_ = 1 - share_of_slivers;
-  double writing_ = 0, rebuilding_ = 0;     // seconds
+  double writing_ = 0, rebuilding_ = 0, canceled_at_ = 0;   // seconds
   Mesh_optimization_return_code code_ = CANT_IMPROVE_ANYMORE;
 };
 
