@@ -97,8 +97,7 @@ public:
     }
     if(plan_->is_done())
     {
-      if(parameters_.do_insert_vertices)
-        bound_sizes();
+      bound_sizes();
       return remove_slivers();
     }
     rounds_ = std::make_unique<Optimization_rounds_3>(mesh_, *plan_, parameters_, field_, control_, threads_,
