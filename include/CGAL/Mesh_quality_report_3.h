@@ -100,8 +100,7 @@ struct Mesh_quality_report_3
   }
 };
 
-namespace Global_odt_mesh_3 {
-namespace internal {
+namespace Global_odt_mesh_3::internal {
 
 inline std::size_t bin(double value, int number_of_bins)
 {
@@ -192,8 +191,7 @@ inline void add_subdomain(Mesh_quality_report_3& report, const std::string& name
     other = name + " (" + std::to_string(n) + ")";
 }
 
-} // namespace internal
-} // namespace Global_odt_mesh_3
+} // namespace Global_odt_mesh_3::internal
 
 /*!
 \ingroup PkgGlobalOdtMesh3Quality

@@ -35,8 +35,7 @@
 
 namespace CGAL {
 
-namespace Global_odt_mesh_3 {
-namespace internal {
+namespace Global_odt_mesh_3::internal {
 
 // What odt_energy_3() reads.
 typedef Parameter_list<tags::sizing_field, internal_np::density_t, internal_np::quadrature_t> Energy_parameters;
@@ -108,8 +107,7 @@ double odt_energy(const C3t3& c3t3, const User_fields_3<C3t3>& fields, const Rul
   return unit * mesh.energy([&](const Cell_vertices& v) { return quadrature->moments(0, v.data(), mesh.sites.data()); });
 }
 
-} // namespace internal
-} // namespace Global_odt_mesh_3
+} // namespace Global_odt_mesh_3::internal
 
 /*!
 \ingroup PkgGlobalOdtMesh3Functions

@@ -24,8 +24,7 @@
 
 namespace CGAL {
 
-namespace Global_odt_mesh_3 {
-namespace internal {
+namespace Global_odt_mesh_3::internal {
 
 // What remesh_boundary_mesh_3() reads.
 typedef Parameter_list<tags::time_limit, tags::max_iteration_number, tags::sizing_field, internal_np::density_t,
@@ -33,8 +32,7 @@ typedef Parameter_list<tags::time_limit, tags::max_iteration_number, tags::sizin
                        internal_np::cell_selector_t, internal_np::callback_t, internal_np::visitor_t,
                        internal_np::optimization_report_t> Remeshing_parameters;
 
-} // namespace internal
-} // namespace Global_odt_mesh_3
+} // namespace Global_odt_mesh_3::internal
 
 /*!
 \ingroup PkgGlobalOdtMesh3Functions

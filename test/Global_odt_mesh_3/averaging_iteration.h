@@ -8,9 +8,7 @@
 
 #include <Eigen/Core>
 
-namespace CGAL {
-namespace Global_odt_mesh_3 {
-namespace internal {
+namespace CGAL::Global_odt_mesh_3::internal {
 
 // The AVV iteration (2.3) of the paper: every vertex goes to the average of the circumcenters
 // of its cells, weighted by their volumes, which is the step -g/D.
@@ -44,8 +42,6 @@ private:
   Eigen::VectorXd x_, step_, trial_;
 };
 
-} // namespace internal
-} // namespace Global_odt_mesh_3
-} // namespace CGAL
+} // namespace CGAL::Global_odt_mesh_3::internal
 
 #endif // GLOBAL_ODT_MESH_3_TEST_AVERAGING_ITERATION_H

@@ -20,9 +20,7 @@
 #include <limits>
 #include <vector>
 
-namespace CGAL {
-namespace Global_odt_mesh_3 {
-namespace internal {
+namespace CGAL::Global_odt_mesh_3::internal {
 
 // Loads all finite cells of a regular triangulation. Vertices move unless they carry
 // weight or lie on the convex hull, whose facets are constrained facets that repel nothing.
@@ -64,8 +62,6 @@ Moving_triangulation_3 load_triangulation_3(const Triangulation& tr)
   return mesh;
 }
 
-} // namespace internal
-} // namespace Global_odt_mesh_3
-} // namespace CGAL
+} // namespace CGAL::Global_odt_mesh_3::internal
 
 #endif // GLOBAL_ODT_MESH_3_TEST_LOAD_TRIANGULATION_3_H

@@ -14,9 +14,7 @@
 #include <CGAL/Global_odt_mesh_3/internal/door/Mesh_domain_view_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/triangulation/Moving_triangulation_3.h>
 
-namespace CGAL {
-namespace Global_odt_mesh_3 {
-namespace internal {
+namespace CGAL::Global_odt_mesh_3::internal {
 
 // A complex that has been read from a c3t3, a copy of which it is, and the indexed mesh of it.
 template <class C3t3, class Domain>
@@ -47,8 +45,6 @@ struct Opened_complex
   }
 };
 
-} // namespace internal
-} // namespace Global_odt_mesh_3
-} // namespace CGAL
+} // namespace CGAL::Global_odt_mesh_3::internal
 
 #endif // GLOBAL_ODT_MESH_3_TEST_OPENED_COMPLEX_H

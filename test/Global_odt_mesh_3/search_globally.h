@@ -13,9 +13,7 @@
 #include <CGAL/Global_odt_mesh_3/internal/triangulation/Cell_order.h>
 #include <CGAL/Global_odt_mesh_3/internal/triangulation/Moving_triangulation_3.h>
 
-namespace CGAL {
-namespace Global_odt_mesh_3 {
-namespace internal {
+namespace CGAL::Global_odt_mesh_3::internal {
 
 // The rounds of a global search and the iterations of the minimizer after them, as odt_optimize_mesh_3() makes them on
 // meshes whose boundary stays. `f` is the objective of the mesh.
@@ -44,8 +42,6 @@ inline void search_globally(Moving_triangulation_3& mesh, Odt_objective_3& f, co
   search_globally(mesh, f, schedule, seed, Global_search::usual_rounds(schedule));
 }
 
-} // namespace internal
-} // namespace Global_odt_mesh_3
-} // namespace CGAL
+} // namespace CGAL::Global_odt_mesh_3::internal
 
 #endif // GLOBAL_ODT_MESH_3_TEST_SEARCH_GLOBALLY_H

@@ -22,9 +22,7 @@
 #include <cstddef>
 #include <limits>
 
-namespace CGAL {
-namespace Global_odt_mesh_3 {
-namespace internal {
+namespace CGAL::Global_odt_mesh_3::internal {
 
 // What the user says of when to stop, and is told about the iterations.
 class Iteration_control
@@ -172,8 +170,6 @@ private:
   Mesh_optimization_return_code code_ = CANT_IMPROVE_ANYMORE;
 };
 
-} // namespace internal
-} // namespace Global_odt_mesh_3
-} // namespace CGAL
+} // namespace CGAL::Global_odt_mesh_3::internal
 
 #endif // CGAL_GLOBAL_ODT_MESH_3_INTERNAL_ITERATION_CONTROL_H

@@ -39,9 +39,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Global_odt_mesh_3 {
-namespace internal {
+namespace CGAL::Global_odt_mesh_3::internal {
 
 // A mesh that is a table: that of the user between the stages of an optimization which inserts vertices.
 class Tabulated_mesh_3
@@ -283,8 +281,6 @@ private:
   bool is_editable_;                        // whether the complex is regular
 };
 
-} // namespace internal
-} // namespace Global_odt_mesh_3
-} // namespace CGAL
+} // namespace CGAL::Global_odt_mesh_3::internal
 
 #endif // CGAL_GLOBAL_ODT_MESH_3_INTERNAL_MESH_ADAPTATION_3_H

@@ -24,9 +24,7 @@
 #include <cmath>
 #include <map>
 
-namespace CGAL {
-namespace Global_odt_mesh_3 {
-namespace internal {
+namespace CGAL::Global_odt_mesh_3::internal {
 
 // Six times those of the subdomains.
 inline std::map<int, double> volumes(const Mesh_table_3& mesh)
@@ -75,8 +73,6 @@ inline double farthest_facet(const Mesh_table_3& mesh, const Domain_view_3& doma
   return farthest;
 }
 
-} // namespace internal
-} // namespace Global_odt_mesh_3
-} // namespace CGAL
+} // namespace CGAL::Global_odt_mesh_3::internal
 
 #endif // CGAL_GLOBAL_ODT_MESH_3_INTERNAL_MESH_CHANGES_3_H

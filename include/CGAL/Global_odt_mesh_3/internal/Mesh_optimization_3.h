@@ -41,9 +41,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Global_odt_mesh_3 {
-namespace internal {
+namespace CGAL::Global_odt_mesh_3::internal {
 
 // All that one call does to a mesh: an optimization, or several with vertices inserted or removed before each.
 class Mesh_optimization_3
@@ -292,8 +290,6 @@ private:
   Summary::Reason reason_ = Summary::NOTHING_TO_DO;       // if the mesh is not changed
 };
 
-} // namespace internal
-} // namespace Global_odt_mesh_3
-} // namespace CGAL
+} // namespace CGAL::Global_odt_mesh_3::internal
 
 #endif // CGAL_GLOBAL_ODT_MESH_3_INTERNAL_MESH_OPTIMIZATION_3_H

@@ -16,9 +16,7 @@
 
 #include <CGAL/Mesh_optimization_return_code.h>
 
-namespace CGAL {
-namespace Global_odt_mesh_3 {
-namespace internal {
+namespace CGAL::Global_odt_mesh_3::internal {
 
 class Domain_view_3;
 class User_mesh_view_3;
@@ -32,9 +30,7 @@ Mesh_optimization_return_code
 optimize_mesh(User_mesh_view_3& mesh, const Domain_view_3& domain, Odt_task task, const Odt_parameters& parameters,
               const User_field_3& field, Optimization_visitor& visitor, const Thread_policy& threads);
 
-} // namespace internal
-} // namespace Global_odt_mesh_3
-} // namespace CGAL
+} // namespace CGAL::Global_odt_mesh_3::internal
 
 #ifndef CGAL_GLOBAL_ODT_MESH_3_COMPILED_CORE
 #  include <CGAL/Global_odt_mesh_3/internal/Mesh_optimizer_3_impl.h>

@@ -29,9 +29,7 @@
 #  define CGAL_GLOBAL_ODT_MESH_3_INLINE inline
 #endif
 
-namespace CGAL {
-namespace Global_odt_mesh_3 {
-namespace internal {
+namespace CGAL::Global_odt_mesh_3::internal {
 
 CGAL_GLOBAL_ODT_MESH_3_INLINE
 Mesh_optimization_return_code
@@ -41,9 +39,7 @@ optimize_mesh(User_mesh_view_3& mesh, const Domain_view_3& domain, Odt_task task
   return Mesh_optimization_3(domain, parameters, field, visitor, threads).run(mesh, task);
 }
 
-} // namespace internal
-} // namespace Global_odt_mesh_3
-} // namespace CGAL
+} // namespace CGAL::Global_odt_mesh_3::internal
 
 #undef CGAL_GLOBAL_ODT_MESH_3_INLINE
 

@@ -24,9 +24,7 @@
 #include <functional>
 #include <variant>
 
-namespace CGAL {
-namespace Global_odt_mesh_3 {
-namespace internal {
+namespace CGAL::Global_odt_mesh_3::internal {
 
 // What the caller wants: a mesh with better cells, the surfaces spaced by the restricted CVT, or a mesh as it is but for
 // its slivers.
@@ -75,8 +73,6 @@ struct Odt_parameters
   }
 };
 
-} // namespace internal
-} // namespace Global_odt_mesh_3
-} // namespace CGAL
+} // namespace CGAL::Global_odt_mesh_3::internal
 
 #endif // CGAL_GLOBAL_ODT_MESH_3_INTERNAL_ODT_PARAMETERS_H

@@ -42,9 +42,7 @@
 #include <memory>
 #include <utility>
 
-namespace CGAL {
-namespace Global_odt_mesh_3 {
-namespace internal {
+namespace CGAL::Global_odt_mesh_3::internal {
 
 // Algorithms 1 and 2 of the paper on a mesh, with vertices that also move on surfaces.
 //
@@ -282,8 +280,6 @@ private:
   Mesh_optimization_summary_3::Reason reason_ = Mesh_optimization_summary_3::NOTHING_TO_DO;
 };
 
-} // namespace internal
-} // namespace Global_odt_mesh_3
-} // namespace CGAL
+} // namespace CGAL::Global_odt_mesh_3::internal
 
 #endif // CGAL_GLOBAL_ODT_MESH_3_INTERNAL_OPTIMIZATION_ATTEMPT_3_H

@@ -48,9 +48,7 @@
 #include <variant>
 #include <vector>
 
-namespace CGAL {
-namespace Global_odt_mesh_3 {
-namespace internal {
+namespace CGAL::Global_odt_mesh_3::internal {
 
 // Tells from the displacements of the interior vertices how far the minimization has come, as CGAL's
 // optimizers do. The displacement of a vertex is the length of the AVV move (2.3), |g|/D, over its
@@ -368,8 +366,6 @@ private:
   double search_begin_ = 0;                               // in fractions of the time
 };
 
-} // namespace internal
-} // namespace Global_odt_mesh_3
-} // namespace CGAL
+} // namespace CGAL::Global_odt_mesh_3::internal
 
 #endif // CGAL_GLOBAL_ODT_MESH_3_INTERNAL_OPTIMIZATION_ROUNDS_3_H

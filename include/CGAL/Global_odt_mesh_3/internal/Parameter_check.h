@@ -19,14 +19,10 @@
 #define CGAL_GLOBAL_ODT_MESH_3_CHECK_PARAMETER(condition, message) \
   ((condition) ? static_cast<void>(0) : ::CGAL::precondition_fail(#condition, __FILE__, __LINE__, message))
 
-namespace CGAL {
-namespace Global_odt_mesh_3 {
-namespace internal {
+namespace CGAL::Global_odt_mesh_3::internal {
 
 constexpr char wrong_domain[] = "the domain must be that of the mesh: it finds the dual points of most cells in other subdomains than theirs";
 
-} // namespace internal
-} // namespace Global_odt_mesh_3
-} // namespace CGAL
+} // namespace CGAL::Global_odt_mesh_3::internal
 
 #endif // CGAL_GLOBAL_ODT_MESH_3_INTERNAL_PARAMETER_CHECK_H

@@ -20,9 +20,7 @@
 #include <cstddef>
 #include <limits>
 
-namespace CGAL {
-namespace Global_odt_mesh_3 {
-namespace internal {
+namespace CGAL::Global_odt_mesh_3::internal {
 
 // How many rounds of which kind, with how many iterations, lie ahead.
 class Round_plan
@@ -143,8 +141,6 @@ private:
   int search_rounds_ = 0, planned_iterations_ = 200;
 };
 
-} // namespace internal
-} // namespace Global_odt_mesh_3
-} // namespace CGAL
+} // namespace CGAL::Global_odt_mesh_3::internal
 
 #endif // CGAL_GLOBAL_ODT_MESH_3_INTERNAL_ROUND_PLAN_H

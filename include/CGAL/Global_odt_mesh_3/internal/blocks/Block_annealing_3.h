@@ -36,9 +36,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Global_odt_mesh_3 {
-namespace internal {
+namespace CGAL::Global_odt_mesh_3::internal {
 
 // Momentum annealing of a large mesh, a few steps at a time in each of its blocks, which fit the caches and which
 // threads work on at the same time. The next steps are made in other blocks.
@@ -189,8 +187,6 @@ private:
   std::vector<double> edge_length_;
 };
 
-} // namespace internal
-} // namespace Global_odt_mesh_3
-} // namespace CGAL
+} // namespace CGAL::Global_odt_mesh_3::internal
 
 #endif // CGAL_GLOBAL_ODT_MESH_3_INTERNAL_BLOCKS_BLOCK_ANNEALING_3_H

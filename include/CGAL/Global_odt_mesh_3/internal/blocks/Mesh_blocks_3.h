@@ -27,9 +27,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Global_odt_mesh_3 {
-namespace internal {
+namespace CGAL::Global_odt_mesh_3::internal {
 
 // The blocks of a partition as meshes of their own, which threads may load, change and store at the same time, and the mesh
 // that is put together of what they have become.
@@ -287,8 +285,6 @@ private:
   std::vector<Block> blocks_;
 };
 
-} // namespace internal
-} // namespace Global_odt_mesh_3
-} // namespace CGAL
+} // namespace CGAL::Global_odt_mesh_3::internal
 
 #endif // CGAL_GLOBAL_ODT_MESH_3_INTERNAL_BLOCKS_MESH_BLOCKS_3_H

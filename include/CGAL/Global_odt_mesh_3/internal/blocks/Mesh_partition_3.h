@@ -27,9 +27,7 @@
 #include <numeric>
 #include <vector>
 
-namespace CGAL {
-namespace Global_odt_mesh_3 {
-namespace internal {
+namespace CGAL::Global_odt_mesh_3::internal {
 
 // Space in blocks with about as many vertices of a mesh each: a kd-tree in a random frame with random cuts, so that the
 // seams of one partition are not those of another. It depends on the mesh and the random numbers alone.
@@ -197,8 +195,6 @@ private:
   Buckets cells_, vertices_;
 };
 
-} // namespace internal
-} // namespace Global_odt_mesh_3
-} // namespace CGAL
+} // namespace CGAL::Global_odt_mesh_3::internal
 
 #endif // CGAL_GLOBAL_ODT_MESH_3_INTERNAL_BLOCKS_MESH_PARTITION_3_H

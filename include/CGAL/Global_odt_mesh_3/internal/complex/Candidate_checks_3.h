@@ -36,9 +36,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Global_odt_mesh_3 {
-namespace internal {
+namespace CGAL::Global_odt_mesh_3::internal {
 
 // What boundary facets may be in all of a call, by the facets of its input: no centroid is farther from the surface than the
 // worst, where the domain can measure distances, and no angle falls below the smallest, or below 30 degrees if that is less. Later
@@ -276,8 +274,6 @@ inline Defect_report_3 check_kept_cells(const Complex_candidate_3& candidate)
   return report;
 }
 
-} // namespace internal
-} // namespace Global_odt_mesh_3
-} // namespace CGAL
+} // namespace CGAL::Global_odt_mesh_3::internal
 
 #endif // CGAL_GLOBAL_ODT_MESH_3_INTERNAL_COMPLEX_CANDIDATE_CHECKS_3_H

@@ -30,9 +30,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Global_odt_mesh_3 {
-namespace internal {
+namespace CGAL::Global_odt_mesh_3::internal {
 
 // Moves vertices of the interior that are too close to a surface away from it. One that has retreated in vain, as between surfaces
 // that have come close to each other, goes where there is most room in its subdomain.
@@ -216,8 +214,6 @@ private:
   Candidate_retreat_3 retreat_;
 };
 
-} // namespace internal
-} // namespace Global_odt_mesh_3
-} // namespace CGAL
+} // namespace CGAL::Global_odt_mesh_3::internal
 
 #endif // CGAL_GLOBAL_ODT_MESH_3_INTERNAL_COMPLEX_CANDIDATE_REPAIR_3_H

@@ -29,9 +29,7 @@
 #include <cstddef>
 #include <vector>
 
-namespace CGAL {
-namespace Global_odt_mesh_3 {
-namespace internal {
+namespace CGAL::Global_odt_mesh_3::internal {
 
 // Exact tests of a cell.
 class Exact_cell_3
@@ -407,8 +405,6 @@ private:
   std::vector<Cell_handle> inside_;     // the cells that give way
 };
 
-} // namespace internal
-} // namespace Global_odt_mesh_3
-} // namespace CGAL
+} // namespace CGAL::Global_odt_mesh_3::internal
 
 #endif // CGAL_GLOBAL_ODT_MESH_3_INTERNAL_COMPLEX_CELL_TRANSFER_3_H

@@ -36,9 +36,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Global_odt_mesh_3 {
-namespace internal {
+namespace CGAL::Global_odt_mesh_3::internal {
 
 // The next snapshot of a complex while it is made. It owns all that changes on the way; the snapshot
 // from which it starts stays as it is.
@@ -156,8 +154,6 @@ struct Complex_candidate_3
   }
 };
 
-} // namespace internal
-} // namespace Global_odt_mesh_3
-} // namespace CGAL
+} // namespace CGAL::Global_odt_mesh_3::internal
 
 #endif // CGAL_GLOBAL_ODT_MESH_3_INTERNAL_COMPLEX_COMPLEX_CANDIDATE_3_H

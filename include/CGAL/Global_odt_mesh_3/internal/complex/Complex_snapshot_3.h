@@ -31,9 +31,7 @@
 #include <set>
 #include <vector>
 
-namespace CGAL {
-namespace Global_odt_mesh_3 {
-namespace internal {
+namespace CGAL::Global_odt_mesh_3::internal {
 
 // The vertices of a complex, numbered along space filling curves: first those of the interior that
 // move, then those that move on surfaces, then the others. It is the same in all snapshots of the complex.
@@ -208,8 +206,6 @@ struct Complex_snapshot_3
 
 };
 
-} // namespace internal
-} // namespace Global_odt_mesh_3
-} // namespace CGAL
+} // namespace CGAL::Global_odt_mesh_3::internal
 
 #endif // CGAL_GLOBAL_ODT_MESH_3_INTERNAL_COMPLEX_COMPLEX_SNAPSHOT_3_H

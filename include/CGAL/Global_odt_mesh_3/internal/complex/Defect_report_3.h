@@ -33,9 +33,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Global_odt_mesh_3 {
-namespace internal {
+namespace CGAL::Global_odt_mesh_3::internal {
 
 // Some vertices of a triangulation, by their numbers, then their neighbors, and so on, ring by ring.
 class Vertex_rings_3
@@ -230,8 +228,6 @@ inline void put_on_surfaces(Complex_candidate_3& candidate, const Domain_view_3&
   });
 }
 
-} // namespace internal
-} // namespace Global_odt_mesh_3
-} // namespace CGAL
+} // namespace CGAL::Global_odt_mesh_3::internal
 
 #endif // CGAL_GLOBAL_ODT_MESH_3_INTERNAL_COMPLEX_DEFECT_REPORT_3_H

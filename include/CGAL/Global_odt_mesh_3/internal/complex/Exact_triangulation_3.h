@@ -24,9 +24,7 @@
 
 #include <cstddef>
 
-namespace CGAL {
-namespace Global_odt_mesh_3 {
-namespace internal {
+namespace CGAL::Global_odt_mesh_3::internal {
 
 // As Mesh_3 has them: points of doubles, exact predicates, and the same dual points.
 typedef Robust_weighted_circumcenter_filtered_traits_3<Exact_predicates_inexact_constructions_kernel> Exact_traits;
@@ -168,8 +166,6 @@ inline Weighted_point weighted_point(const Site& s)
   return Weighted_point(Exact_triangulation_3::Bare_point(s.x, s.y, s.z), s.weight);
 }
 
-} // namespace internal
-} // namespace Global_odt_mesh_3
-} // namespace CGAL
+} // namespace CGAL::Global_odt_mesh_3::internal
 
 #endif // CGAL_GLOBAL_ODT_MESH_3_INTERNAL_COMPLEX_EXACT_TRIANGULATION_3_H

@@ -32,9 +32,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Global_odt_mesh_3 {
-namespace internal {
+namespace CGAL::Global_odt_mesh_3::internal {
 
 // What a vertex at another place makes of the boundary, and whether that may be so.
 class Facet_exchange_3
@@ -276,8 +274,6 @@ private:
   std::vector<Triple> moved_;         // those that stay, at the vertex
 };
 
-} // namespace internal
-} // namespace Global_odt_mesh_3
-} // namespace CGAL
+} // namespace CGAL::Global_odt_mesh_3::internal
 
 #endif // CGAL_GLOBAL_ODT_MESH_3_INTERNAL_COMPLEX_FACET_EXCHANGE_3_H

@@ -34,9 +34,7 @@
 #include <cstddef>
 #include <vector>
 
-namespace CGAL {
-namespace Global_odt_mesh_3 {
-namespace internal {
+namespace CGAL::Global_odt_mesh_3::internal {
 
 // The label that a snapshot gives a cell with these vertices.
 inline int label_of_cell(const Complex_snapshot_3& snapshot, const Quadruple& q)
@@ -270,8 +268,6 @@ private:
   std::vector<Facet> facets_;                 // on the boundary, on side 0
 };
 
-} // namespace internal
-} // namespace Global_odt_mesh_3
-} // namespace CGAL
+} // namespace CGAL::Global_odt_mesh_3::internal
 
 #endif // CGAL_GLOBAL_ODT_MESH_3_INTERNAL_COMPLEX_SNAPSHOT_TABULATION_3_H

@@ -29,9 +29,7 @@
 #include <cstddef>
 #include <vector>
 
-namespace CGAL {
-namespace Global_odt_mesh_3 {
-namespace internal {
+namespace CGAL::Global_odt_mesh_3::internal {
 
 // Finds where the dual line of a facet meets the surface: on the dual segment if that joins two subdomains.
 class Surface_center_search_3
@@ -171,8 +169,6 @@ private:
   const Domain_view_3& domain_;
 };
 
-} // namespace internal
-} // namespace Global_odt_mesh_3
-} // namespace CGAL
+} // namespace CGAL::Global_odt_mesh_3::internal
 
 #endif // CGAL_GLOBAL_ODT_MESH_3_INTERNAL_COMPLEX_SURFACE_CENTERS_3_H

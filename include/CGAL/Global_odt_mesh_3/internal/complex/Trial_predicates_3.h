@@ -28,9 +28,7 @@
 #include <cstddef>
 #include <vector>
 
-namespace CGAL {
-namespace Global_odt_mesh_3 {
-namespace internal {
+namespace CGAL::Global_odt_mesh_3::internal {
 
 // Predicates of cells of the exact triangulation, and of such as may come, with one vertex somewhere else than there: from
 // floating-point numbers where their signs are sure, or else as the triangulation says, with its perturbation.
@@ -165,8 +163,6 @@ private:
   Weighted_point point_;                        // there
 };
 
-} // namespace internal
-} // namespace Global_odt_mesh_3
-} // namespace CGAL
+} // namespace CGAL::Global_odt_mesh_3::internal
 
 #endif // CGAL_GLOBAL_ODT_MESH_3_INTERNAL_COMPLEX_TRIAL_PREDICATES_3_H

@@ -32,9 +32,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Global_odt_mesh_3 {
-namespace internal {
+namespace CGAL::Global_odt_mesh_3::internal {
 
 // What the regular triangulation exchanges where a vertex moves, comes, or goes: the cells that are then no more, and those in
 // their place. Nothing is changed until replace() is called, so that threads may look at several vertices at once.
@@ -438,8 +436,6 @@ private:
   std::vector<Cell*> old_cells_, new_cells_;
 };
 
-} // namespace internal
-} // namespace Global_odt_mesh_3
-} // namespace CGAL
+} // namespace CGAL::Global_odt_mesh_3::internal
 
 #endif // CGAL_GLOBAL_ODT_MESH_3_INTERNAL_COMPLEX_VERTEX_CAVITY_3_H

@@ -44,9 +44,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Global_odt_mesh_3 {
-namespace internal {
+namespace CGAL::Global_odt_mesh_3::internal {
 
 // A vertex that is to be inserted, and where it belongs.
 struct New_vertex_3
@@ -359,8 +357,6 @@ private:
   std::map<int, double> volume_, change_of_volume_;         // of subdomains, when a removal is first tried, and by removals
 };
 
-} // namespace internal
-} // namespace Global_odt_mesh_3
-} // namespace CGAL
+} // namespace CGAL::Global_odt_mesh_3::internal
 
 #endif // CGAL_GLOBAL_ODT_MESH_3_INTERNAL_COMPLEX_VERTEX_EDITS_3_H

@@ -34,9 +34,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Global_odt_mesh_3 {
-namespace internal {
+namespace CGAL::Global_odt_mesh_3::internal {
 
 // A place for a vertex, and by how much the deficits of the angles around it change if its cells stay the same.
 struct Promising_step
@@ -445,8 +443,6 @@ private:
   Sliver_count before_, after_;
 };
 
-} // namespace internal
-} // namespace Global_odt_mesh_3
-} // namespace CGAL
+} // namespace CGAL::Global_odt_mesh_3::internal
 
 #endif // CGAL_GLOBAL_ODT_MESH_3_INTERNAL_COMPLEX_VERTEX_TRIAL_3_H

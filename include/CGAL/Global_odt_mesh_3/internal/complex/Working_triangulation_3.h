@@ -33,9 +33,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Global_odt_mesh_3 {
-namespace internal {
+namespace CGAL::Global_odt_mesh_3::internal {
 
 // The exact regular triangulation of the vertices of a complex, and its vertices by their numbers.
 class Working_triangulation_3
@@ -418,8 +416,6 @@ inline void mark_facet(const Boundary_facet& of_boundary, const Facet& facet, co
       f.first->set_facet_in_complex(f.second);
 }
 
-} // namespace internal
-} // namespace Global_odt_mesh_3
-} // namespace CGAL
+} // namespace CGAL::Global_odt_mesh_3::internal
 
 #endif // CGAL_GLOBAL_ODT_MESH_3_INTERNAL_COMPLEX_WORKING_TRIANGULATION_3_H

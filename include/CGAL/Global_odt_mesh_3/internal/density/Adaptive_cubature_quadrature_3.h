@@ -24,9 +24,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Global_odt_mesh_3 {
-namespace internal {
+namespace CGAL::Global_odt_mesh_3::internal {
 
 // The moments to a tolerance, in the way of Genz and Cools (An adaptive numerical cubature algorithm for
 // simplices, ACM TOMS 29, 2003): the rules of Grundmann and Moeller of degree 7, 5 and 3, which share their points,
@@ -221,8 +219,6 @@ private:
   std::vector<Region> regions_;
 };
 
-} // namespace internal
-} // namespace Global_odt_mesh_3
-} // namespace CGAL
+} // namespace CGAL::Global_odt_mesh_3::internal
 
 #endif // CGAL_GLOBAL_ODT_MESH_3_INTERNAL_DENSITY_ADAPTIVE_CUBATURE_QUADRATURE_3_H

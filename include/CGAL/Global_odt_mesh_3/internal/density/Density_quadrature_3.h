@@ -20,9 +20,7 @@
 #include <memory>
 #include <vector>
 
-namespace CGAL {
-namespace Global_odt_mesh_3 {
-namespace internal {
+namespace CGAL::Global_odt_mesh_3::internal {
 
 // All that energy and gradient of a cell t know of the density: its integrals against the
 // barycentric coordinates and their products, over the volume,
@@ -114,8 +112,6 @@ protected:
   static constexpr double tolerance_of_rough_moments = 1e-3;
 };
 
-} // namespace internal
-} // namespace Global_odt_mesh_3
-} // namespace CGAL
+} // namespace CGAL::Global_odt_mesh_3::internal
 
 #endif // CGAL_GLOBAL_ODT_MESH_3_INTERNAL_DENSITY_DENSITY_QUADRATURE_3_H

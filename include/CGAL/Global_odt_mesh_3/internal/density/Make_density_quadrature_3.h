@@ -29,9 +29,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Global_odt_mesh_3 {
-namespace internal {
+namespace CGAL::Global_odt_mesh_3::internal {
 
 // Keeps the moments of cells whose vertices have not moved since they were last asked for.
 class Density_moment_cache_3
@@ -138,8 +136,6 @@ inline Quadrature_maker quadrature_maker(const Adaptive_cubature_3& cubature)
   { return std::make_unique<Adaptive_cubature_quadrature_3>(density, cubature.tolerance, cubature.most_regions); });
 }
 
-} // namespace internal
-} // namespace Global_odt_mesh_3
-} // namespace CGAL
+} // namespace CGAL::Global_odt_mesh_3::internal
 
 #endif // CGAL_GLOBAL_ODT_MESH_3_INTERNAL_DENSITY_MAKE_DENSITY_QUADRATURE_3_H

@@ -28,9 +28,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Global_odt_mesh_3 {
-namespace internal {
+namespace CGAL::Global_odt_mesh_3::internal {
 
 // The moments of the density that is interpolated linearly between the vertices, where it is asked once for
 // each position.
@@ -158,8 +156,6 @@ private:
   Quadratic_polynomial_3 density_;
 };
 
-} // namespace internal
-} // namespace Global_odt_mesh_3
-} // namespace CGAL
+} // namespace CGAL::Global_odt_mesh_3::internal
 
 #endif // CGAL_GLOBAL_ODT_MESH_3_INTERNAL_DENSITY_POLYNOMIAL_DENSITY_QUADRATURE_3_H

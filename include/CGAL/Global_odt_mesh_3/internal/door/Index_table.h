@@ -20,9 +20,7 @@
 #include <variant>
 #include <vector>
 
-namespace CGAL {
-namespace Global_odt_mesh_3 {
-namespace internal {
+namespace CGAL::Global_odt_mesh_3::internal {
 
 // The index types of which it is known that they have an order.
 template <class T>
@@ -70,8 +68,6 @@ private:
   std::conditional_t<Is_ordered_index<T>::value, std::map<T, int>, std::monostate> numbers_;
 };
 
-} // namespace internal
-} // namespace Global_odt_mesh_3
-} // namespace CGAL
+} // namespace CGAL::Global_odt_mesh_3::internal
 
 #endif // CGAL_GLOBAL_ODT_MESH_3_INTERNAL_DOOR_INDEX_TABLE_H

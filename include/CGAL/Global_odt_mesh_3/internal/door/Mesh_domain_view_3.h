@@ -29,9 +29,7 @@
 #include <utility>
 #include <variant>
 
-namespace CGAL {
-namespace Global_odt_mesh_3 {
-namespace internal {
+namespace CGAL::Global_odt_mesh_3::internal {
 
 // Polyhedral domains offer the AABB tree of their facets.
 template <class Mesh_domain, class = void>
@@ -182,8 +180,6 @@ private:
   Index_table<Surface_patch_index> patches_;
 };
 
-} // namespace internal
-} // namespace Global_odt_mesh_3
-} // namespace CGAL
+} // namespace CGAL::Global_odt_mesh_3::internal
 
 #endif // CGAL_GLOBAL_ODT_MESH_3_INTERNAL_DOOR_MESH_DOMAIN_VIEW_3_H

@@ -151,8 +151,7 @@ inline constexpr Global_odt_parameter<internal_np::sizing_field_t> sizing_field{
 
 #endif // CGAL_NAMED_PARAMETERS_OF_GLOBAL_ODT_MESH_3
 
-namespace Global_odt_mesh_3 {
-namespace internal {
+namespace Global_odt_mesh_3::internal {
 
 // The parameters that CGAL spells differently in its versions.
 namespace tags {
@@ -341,8 +340,7 @@ private:
   Tuple arguments_;
 };
 
-} // namespace internal
-} // namespace Global_odt_mesh_3
+} // namespace Global_odt_mesh_3::internal
 } // namespace CGAL
 
 #endif // CGAL_GLOBAL_ODT_MESH_3_INTERNAL_DOOR_NAMED_PARAMETERS_H

@@ -42,9 +42,7 @@
 #include <type_traits>
 #include <utility>
 
-namespace CGAL {
-namespace Global_odt_mesh_3 {
-namespace internal {
+namespace CGAL::Global_odt_mesh_3::internal {
 
 template <class Visitor, class = void>
 struct Wants_slivers : std::false_type {};
@@ -242,8 +240,6 @@ optimize(C3T3& c3t3, const MeshDomain& domain, Odt_task task, const Odt_paramete
   }
 }
 
-} // namespace internal
-} // namespace Global_odt_mesh_3
-} // namespace CGAL
+} // namespace CGAL::Global_odt_mesh_3::internal
 
 #endif // CGAL_GLOBAL_ODT_MESH_3_INTERNAL_DOOR_OPTIMIZE_MESH_3_H

@@ -41,9 +41,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Global_odt_mesh_3 {
-namespace internal {
+namespace CGAL::Global_odt_mesh_3::internal {
 
 // Optimizes a c3t3 in a periodic triangulation.
 //
@@ -415,8 +413,6 @@ private:
   Mesh_optimization_return_code code_ = CONVERGENCE_REACHED;
 };
 
-} // namespace internal
-} // namespace Global_odt_mesh_3
-} // namespace CGAL
+} // namespace CGAL::Global_odt_mesh_3::internal
 
 #endif // CGAL_GLOBAL_ODT_MESH_3_INTERNAL_DOOR_OPTIMIZE_PERIODIC_MESH_3_H

@@ -37,9 +37,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Global_odt_mesh_3 {
-namespace internal {
+namespace CGAL::Global_odt_mesh_3::internal {
 
 // A domain that is known in a cube, repeated in all directions. Segments are asked about where the mesh generator asks: with their
 // lowest coordinates in the cube.
@@ -421,8 +419,6 @@ private:
   Tuple_table<Triple, Kept_facet> kept_facets_;
 };
 
-} // namespace internal
-} // namespace Global_odt_mesh_3
-} // namespace CGAL
+} // namespace CGAL::Global_odt_mesh_3::internal
 
 #endif // CGAL_GLOBAL_ODT_MESH_3_INTERNAL_DOOR_PERIODIC_MESH_3_H

@@ -23,9 +23,7 @@
 #include <limits>
 #include <type_traits>
 
-namespace CGAL {
-namespace Global_odt_mesh_3 {
-namespace internal {
+namespace CGAL::Global_odt_mesh_3::internal {
 
 // Negative numbers would become large ones.
 template <class Tag, class Arguments>
@@ -81,8 +79,6 @@ Odt_parameters read_parameters(const Arguments& arguments)
   return p;
 }
 
-} // namespace internal
-} // namespace Global_odt_mesh_3
-} // namespace CGAL
+} // namespace CGAL::Global_odt_mesh_3::internal
 
 #endif // CGAL_GLOBAL_ODT_MESH_3_INTERNAL_DOOR_READ_PARAMETERS_H

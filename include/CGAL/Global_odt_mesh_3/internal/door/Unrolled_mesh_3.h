@@ -35,9 +35,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Global_odt_mesh_3 {
-namespace internal {
+namespace CGAL::Global_odt_mesh_3::internal {
 
 // A periodic complex, cut open along the sides of a cube anywhere and surrounded by copies, as one that is not periodic.
 //
@@ -311,8 +309,6 @@ private:
   bool is_faithful_ = false;
 };
 
-} // namespace internal
-} // namespace Global_odt_mesh_3
-} // namespace CGAL
+} // namespace CGAL::Global_odt_mesh_3::internal
 
 #endif // CGAL_GLOBAL_ODT_MESH_3_INTERNAL_DOOR_UNROLLED_MESH_3_H

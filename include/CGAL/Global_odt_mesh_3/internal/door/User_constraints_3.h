@@ -21,9 +21,7 @@
 #include <vector>
 #include <utility>
 
-namespace CGAL {
-namespace Global_odt_mesh_3 {
-namespace internal {
+namespace CGAL::Global_odt_mesh_3::internal {
 
 // A property map of truth values.
 template <class Map, class Key, class = void>
@@ -98,8 +96,6 @@ private:
   std::unordered_set<Cell_handle, Hash> cells_;
 };
 
-} // namespace internal
-} // namespace Global_odt_mesh_3
-} // namespace CGAL
+} // namespace CGAL::Global_odt_mesh_3::internal
 
 #endif // CGAL_GLOBAL_ODT_MESH_3_INTERNAL_DOOR_USER_CONSTRAINTS_3_H

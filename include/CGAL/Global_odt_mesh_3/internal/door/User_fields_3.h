@@ -26,9 +26,7 @@
 #include <type_traits>
 #include <utility>
 
-namespace CGAL {
-namespace Global_odt_mesh_3 {
-namespace internal {
+namespace CGAL::Global_odt_mesh_3::internal {
 
 // What gives a number when it is called with these arguments.
 template <class Void, class Field, class... Arguments>
@@ -119,8 +117,6 @@ private:
   }
 };
 
-} // namespace internal
-} // namespace Global_odt_mesh_3
-} // namespace CGAL
+} // namespace CGAL::Global_odt_mesh_3::internal
 
 #endif // CGAL_GLOBAL_ODT_MESH_3_INTERNAL_DOOR_USER_FIELDS_3_H

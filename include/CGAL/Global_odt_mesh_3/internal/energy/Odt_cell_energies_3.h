@@ -22,9 +22,7 @@
 #include <array>
 #include <vector>
 
-namespace CGAL {
-namespace Global_odt_mesh_3 {
-namespace internal {
+namespace CGAL::Global_odt_mesh_3::internal {
 
 // What the cells around a vertex add up to: the gradient of the energy and the
 // diagonal D of equation (4.6), for which x - g/D is the AVV update (2.3).
@@ -241,8 +239,6 @@ private:
   bool is_voronoi_ = false;
 };
 
-} // namespace internal
-} // namespace Global_odt_mesh_3
-} // namespace CGAL
+} // namespace CGAL::Global_odt_mesh_3::internal
 
 #endif // CGAL_GLOBAL_ODT_MESH_3_INTERNAL_ENERGY_ODT_CELL_ENERGIES_3_H

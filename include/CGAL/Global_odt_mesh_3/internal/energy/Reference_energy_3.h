@@ -27,9 +27,7 @@
 #include <cstddef>
 #include <vector>
 
-namespace CGAL {
-namespace Global_odt_mesh_3 {
-namespace internal {
+namespace CGAL::Global_odt_mesh_3::internal {
 
 typedef std::array<int, 4> Cell_vertices;
 
@@ -64,8 +62,6 @@ inline double reference_energy(const std::vector<Site>& sites, const std::vector
   return energy;
 }
 
-} // namespace internal
-} // namespace Global_odt_mesh_3
-} // namespace CGAL
+} // namespace CGAL::Global_odt_mesh_3::internal
 
 #endif // CGAL_GLOBAL_ODT_MESH_3_INTERNAL_ENERGY_REFERENCE_ENERGY_3_H

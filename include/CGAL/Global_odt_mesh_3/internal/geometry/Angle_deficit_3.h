@@ -25,9 +25,7 @@
 #include <map>
 #include <utility>
 
-namespace CGAL {
-namespace Global_odt_mesh_3 {
-namespace internal {
+namespace CGAL::Global_odt_mesh_3::internal {
 
 // How much the dihedral angles of a cell fall short of a bound: the sum of the squares
 // of what is missing, in degrees. Only cosines are computed for cells that lack nothing.
@@ -302,8 +300,6 @@ private:
   Angle_deficit_3 wanted_, highest_;
 };
 
-} // namespace internal
-} // namespace Global_odt_mesh_3
-} // namespace CGAL
+} // namespace CGAL::Global_odt_mesh_3::internal
 
 #endif // CGAL_GLOBAL_ODT_MESH_3_INTERNAL_GEOMETRY_ANGLE_DEFICIT_3_H

@@ -24,9 +24,7 @@
 #include <cstddef>
 #include <vector>
 
-namespace CGAL {
-namespace Global_odt_mesh_3 {
-namespace internal {
+namespace CGAL::Global_odt_mesh_3::internal {
 
 // The sphere orthogonal to the sites of a cell, relative to the first one.
 struct Cell_sphere
@@ -190,8 +188,6 @@ inline double squared_circumradius(const std::array<Site, 4>& s)
   return center.squared_length() / (twice_determinant * twice_determinant);
 }
 
-} // namespace internal
-} // namespace Global_odt_mesh_3
-} // namespace CGAL
+} // namespace CGAL::Global_odt_mesh_3::internal
 
 #endif // CGAL_GLOBAL_ODT_MESH_3_INTERNAL_GEOMETRY_CELL_GEOMETRY_3_H

@@ -17,9 +17,7 @@
 
 #include <array>
 
-namespace CGAL {
-namespace Global_odt_mesh_3 {
-namespace internal {
+namespace CGAL::Global_odt_mesh_3::internal {
 
 // A polynomial of degree two about a center, so that the distance to the origin does not matter.
 struct Quadratic_polynomial_3
@@ -52,8 +50,6 @@ struct Quadratic_polynomial_3
   }
 };
 
-} // namespace internal
-} // namespace Global_odt_mesh_3
-} // namespace CGAL
+} // namespace CGAL::Global_odt_mesh_3::internal
 
 #endif // CGAL_GLOBAL_ODT_MESH_3_INTERNAL_GEOMETRY_QUADRATIC_POLYNOMIAL_3_H

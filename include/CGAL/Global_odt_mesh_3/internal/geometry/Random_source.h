@@ -18,9 +18,7 @@
 #include <cstdint>
 #include <random>
 
-namespace CGAL {
-namespace Global_odt_mesh_3 {
-namespace internal {
+namespace CGAL::Global_odt_mesh_3::internal {
 
 // Random bits from a counter (Steele, Lea and Flood, Fast Splittable Pseudorandom Number Generators, 2014). Any
 // number is as good a seed as any other, so that each of many things can have its own numbers, in whatever
@@ -95,8 +93,6 @@ public:
   explicit Random_source(unsigned int seed) : Random_numbers(std::mt19937_64(seed)) {}
 };
 
-} // namespace internal
-} // namespace Global_odt_mesh_3
-} // namespace CGAL
+} // namespace CGAL::Global_odt_mesh_3::internal
 
 #endif // CGAL_GLOBAL_ODT_MESH_3_INTERNAL_GEOMETRY_RANDOM_SOURCE_H

@@ -16,9 +16,7 @@
 
 #include <CGAL/number_utils.h>
 
-namespace CGAL {
-namespace Global_odt_mesh_3 {
-namespace internal {
+namespace CGAL::Global_odt_mesh_3::internal {
 
 // A vertex as the energy sees it: a point lifted to height |p|^2 - weight.
 // The weight is zero except for the protecting balls of features.
@@ -47,8 +45,6 @@ Site weighted_site(const Weighted_point& p)
   return { CGAL::to_double(p.x()), CGAL::to_double(p.y()), CGAL::to_double(p.z()), CGAL::to_double(p.weight()) };
 }
 
-} // namespace internal
-} // namespace Global_odt_mesh_3
-} // namespace CGAL
+} // namespace CGAL::Global_odt_mesh_3::internal
 
 #endif // CGAL_GLOBAL_ODT_MESH_3_INTERNAL_GEOMETRY_SITE_H

@@ -24,9 +24,7 @@
 #include <numeric>
 #include <vector>
 
-namespace CGAL {
-namespace Global_odt_mesh_3 {
-namespace internal {
+namespace CGAL::Global_odt_mesh_3::internal {
 
 template <class Sort>
 std::vector<std::size_t> sorted_sites(const std::vector<Site>& sites, const Sort& sort)
@@ -57,8 +55,6 @@ inline std::vector<std::size_t> insertion_order(const std::vector<Site>& sites)
                       { CGAL::spatial_sort(order.begin(), order.end(), traits); });
 }
 
-} // namespace internal
-} // namespace Global_odt_mesh_3
-} // namespace CGAL
+} // namespace CGAL::Global_odt_mesh_3::internal
 
 #endif // CGAL_GLOBAL_ODT_MESH_3_INTERNAL_GEOMETRY_SPATIAL_ORDER_H

@@ -15,9 +15,7 @@
 #include <cmath>
 #include <cstddef>
 
-namespace CGAL {
-namespace Global_odt_mesh_3 {
-namespace internal {
+namespace CGAL::Global_odt_mesh_3::internal {
 
 // Three coordinates. What the expression templates of Eigen make of vectors this short takes twice the time to compile.
 class Vector_3
@@ -70,8 +68,6 @@ void set_vector(Long_vector& x, std::ptrdiff_t v, const Vector_3& y)
     x[3 * v + i] = y[i];
 }
 
-} // namespace internal
-} // namespace Global_odt_mesh_3
-} // namespace CGAL
+} // namespace CGAL::Global_odt_mesh_3::internal
 
 #endif // CGAL_GLOBAL_ODT_MESH_3_INTERNAL_GEOMETRY_VECTOR_3_H

@@ -21,9 +21,7 @@
 #include <limits>
 #include <vector>
 
-namespace CGAL {
-namespace Global_odt_mesh_3 {
-namespace internal {
+namespace CGAL::Global_odt_mesh_3::internal {
 
 // How often the domain was asked, by any thread.
 struct Oracle_statistics
@@ -157,8 +155,6 @@ private:
   mutable Oracle_statistics statistics_;
 };
 
-} // namespace internal
-} // namespace Global_odt_mesh_3
-} // namespace CGAL
+} // namespace CGAL::Global_odt_mesh_3::internal
 
 #endif // CGAL_GLOBAL_ODT_MESH_3_INTERNAL_INTERFACE_DOMAIN_VIEW_3_H

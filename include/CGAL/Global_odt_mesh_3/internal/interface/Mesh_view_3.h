@@ -27,9 +27,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Global_odt_mesh_3 {
-namespace internal {
+namespace CGAL::Global_odt_mesh_3::internal {
 
 // A complex in numbers: what is between the c3t3 of the user and the optimizer, both ways.
 struct Mesh_table_3
@@ -169,8 +167,6 @@ public:
   virtual void release(const std::vector<Quadruple>&) {}
 };
 
-} // namespace internal
-} // namespace Global_odt_mesh_3
-} // namespace CGAL
+} // namespace CGAL::Global_odt_mesh_3::internal
 
 #endif // CGAL_GLOBAL_ODT_MESH_3_INTERNAL_INTERFACE_MESH_VIEW_3_H

@@ -17,9 +17,7 @@
 #include <cstddef>
 #include <vector>
 
-namespace CGAL {
-namespace Global_odt_mesh_3 {
-namespace internal {
+namespace CGAL::Global_odt_mesh_3::internal {
 
 // What is told to the visitor of the user, whatever its type, and in the report.
 class Optimization_visitor
@@ -37,8 +35,6 @@ public:
   virtual void after_rebuild_restricted_delaunay() {}
 };
 
-} // namespace internal
-} // namespace Global_odt_mesh_3
-} // namespace CGAL
+} // namespace CGAL::Global_odt_mesh_3::internal
 
 #endif // CGAL_GLOBAL_ODT_MESH_3_INTERNAL_INTERFACE_OPTIMIZATION_VISITOR_H

@@ -18,9 +18,7 @@
 #include <functional>
 #include <optional>
 
-namespace CGAL {
-namespace Global_odt_mesh_3 {
-namespace internal {
+namespace CGAL::Global_odt_mesh_3::internal {
 
 // What a vertex is on, which does not change while it moves.
 struct Vertex_stratum
@@ -47,8 +45,6 @@ struct User_field_3
   explicit operator bool() const { return static_cast<bool>(value); }
 };
 
-} // namespace internal
-} // namespace Global_odt_mesh_3
-} // namespace CGAL
+} // namespace CGAL::Global_odt_mesh_3::internal
 
 #endif // CGAL_GLOBAL_ODT_MESH_3_INTERNAL_INTERFACE_USER_FIELD_3_H

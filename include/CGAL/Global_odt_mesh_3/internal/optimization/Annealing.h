@@ -29,9 +29,7 @@
 #include <variant>
 #include <vector>
 
-namespace CGAL {
-namespace Global_odt_mesh_3 {
-namespace internal {
+namespace CGAL::Global_odt_mesh_3::internal {
 
 // Which way the global search goes, with its constants.
 typedef std::variant<Momentum_annealing_schedule, Metropolis_annealing_schedule> Annealing_schedule;
@@ -237,8 +235,6 @@ private:
   Eigen::VectorXd start_, perturbation_;
 };
 
-} // namespace internal
-} // namespace Global_odt_mesh_3
-} // namespace CGAL
+} // namespace CGAL::Global_odt_mesh_3::internal
 
 #endif // CGAL_GLOBAL_ODT_MESH_3_INTERNAL_OPTIMIZATION_ANNEALING_H

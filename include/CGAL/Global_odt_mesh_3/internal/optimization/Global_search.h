@@ -21,9 +21,7 @@
 #include <utility>
 #include <variant>
 
-namespace CGAL {
-namespace Global_odt_mesh_3 {
-namespace internal {
+namespace CGAL::Global_odt_mesh_3::internal {
 
 // Either of the global searches in rounds, between which the triangulation may become another.
 class Global_search
@@ -120,8 +118,6 @@ private:
   std::optional<Odt_objective_3::State> before_;    // the round, if it may be in vain
 };
 
-} // namespace internal
-} // namespace Global_odt_mesh_3
-} // namespace CGAL
+} // namespace CGAL::Global_odt_mesh_3::internal
 
 #endif // CGAL_GLOBAL_ODT_MESH_3_INTERNAL_OPTIMIZATION_GLOBAL_SEARCH_H

@@ -22,9 +22,7 @@
 #include <cmath>
 #include <vector>
 
-namespace CGAL {
-namespace Global_odt_mesh_3 {
-namespace internal {
+namespace CGAL::Global_odt_mesh_3::internal {
 
 // What the last steps of L-BFGS tell about curvature, and the direction that follows: the two-loop recursion (Nocedal
 // and Wright, Numerical Optimization, Algorithm 7.4) with the initial matrix gamma D^{-1}.
@@ -282,8 +280,6 @@ inline Limited_memory_bfgs_parameters minimizer_parameters(const Density_quadrat
   return p;
 }
 
-} // namespace internal
-} // namespace Global_odt_mesh_3
-} // namespace CGAL
+} // namespace CGAL::Global_odt_mesh_3::internal
 
 #endif // CGAL_GLOBAL_ODT_MESH_3_INTERNAL_OPTIMIZATION_LIMITED_MEMORY_BFGS_H

@@ -26,9 +26,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Global_odt_mesh_3 {
-namespace internal {
+namespace CGAL::Global_odt_mesh_3::internal {
 
 // Of an energy, which is negative where weights are large.
 inline double relative_rise(double before, double after) { return (after - before) / std::abs(before); }
@@ -285,8 +283,6 @@ inline void Odt_objective_3::go_back(const State& s)
   keep();
 }
 
-} // namespace internal
-} // namespace Global_odt_mesh_3
-} // namespace CGAL
+} // namespace CGAL::Global_odt_mesh_3::internal
 
 #endif // CGAL_GLOBAL_ODT_MESH_3_INTERNAL_OPTIMIZATION_ODT_OBJECTIVE_3_H

@@ -19,9 +19,7 @@
 
 #include <algorithm>
 
-namespace CGAL {
-namespace Global_odt_mesh_3 {
-namespace internal {
+namespace CGAL::Global_odt_mesh_3::internal {
 
 // A loop over the entries of long vectors, on threads, in blocks short enough that those of several vectors stay in the
 // fastest cache. Sums do not depend on the number of threads.
@@ -71,8 +69,6 @@ private:
   Chunks chunks_;
 };
 
-} // namespace internal
-} // namespace Global_odt_mesh_3
-} // namespace CGAL
+} // namespace CGAL::Global_odt_mesh_3::internal
 
 #endif // CGAL_GLOBAL_ODT_MESH_3_INTERNAL_OPTIMIZATION_VECTOR_LOOP_H

@@ -18,9 +18,7 @@
 #include <algorithm>
 #include <vector>
 
-namespace CGAL {
-namespace Global_odt_mesh_3 {
-namespace internal {
+namespace CGAL::Global_odt_mesh_3::internal {
 
 // The numbers below a size, distributed to buckets, in each of which they are in their order.
 class Buckets
@@ -78,8 +76,6 @@ private:
   std::vector<int> first_, numbers_;
 };
 
-} // namespace internal
-} // namespace Global_odt_mesh_3
-} // namespace CGAL
+} // namespace CGAL::Global_odt_mesh_3::internal
 
 #endif // CGAL_GLOBAL_ODT_MESH_3_INTERNAL_PARALLEL_BUCKETS_H

@@ -28,9 +28,7 @@
 #include <type_traits>
 #include <vector>
 
-namespace CGAL {
-namespace Global_odt_mesh_3 {
-namespace internal {
+namespace CGAL::Global_odt_mesh_3::internal {
 
 // The numbers below `size` in chunks of about equal length. Which ones never depends on the number of threads, so
 // that sums over chunks, added up in their order, do not depend on it either.
@@ -224,8 +222,6 @@ private:
   Memory<bool> is_used_;
 };
 
-} // namespace internal
-} // namespace Global_odt_mesh_3
-} // namespace CGAL
+} // namespace CGAL::Global_odt_mesh_3::internal
 
 #endif // CGAL_GLOBAL_ODT_MESH_3_INTERNAL_PARALLEL_CHUNKED_LOOPS_H

@@ -31,9 +31,7 @@
 #include <type_traits>
 #include <utility>
 
-namespace CGAL {
-namespace Global_odt_mesh_3 {
-namespace internal {
+namespace CGAL::Global_odt_mesh_3::internal {
 
 // Where the time of a call goes: the seconds that each stage takes, those of stages within it left out, and how many of
 // them are spent in loops that threads share.
@@ -233,8 +231,6 @@ private:
   Stage_clock* clock_ = nullptr;
 };
 
-} // namespace internal
-} // namespace Global_odt_mesh_3
-} // namespace CGAL
+} // namespace CGAL::Global_odt_mesh_3::internal
 
 #endif // CGAL_GLOBAL_ODT_MESH_3_INTERNAL_PARALLEL_THREAD_POLICY_H

@@ -37,9 +37,7 @@
 #include <set>
 #include <vector>
 
-namespace CGAL {
-namespace Global_odt_mesh_3 {
-namespace internal {
+namespace CGAL::Global_odt_mesh_3::internal {
 
 typedef CGAL::Exact_predicates_inexact_constructions_kernel::Point_3 Boundary_sample;
 
@@ -207,8 +205,6 @@ private:
   std::vector<Point_3> poles_;
 };
 
-} // namespace internal
-} // namespace Global_odt_mesh_3
-} // namespace CGAL
+} // namespace CGAL::Global_odt_mesh_3::internal
 
 #endif // CGAL_GLOBAL_ODT_MESH_3_INTERNAL_SIZING_BOUNDARY_POLES_3_H

@@ -24,9 +24,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Global_odt_mesh_3 {
-namespace internal {
+namespace CGAL::Global_odt_mesh_3::internal {
 
 // The density of a field that gives way near features, whose vertices are as close to each other as they are: there, sizes are
 // those of the input, up to a common factor; that matters less with each ring of vertices around.
@@ -100,8 +98,6 @@ private:
   Nodal_values_3 factors_;
 };
 
-} // namespace internal
-} // namespace Global_odt_mesh_3
-} // namespace CGAL
+} // namespace CGAL::Global_odt_mesh_3::internal
 
 #endif // CGAL_GLOBAL_ODT_MESH_3_INTERNAL_SIZING_FIELD_NEAR_FEATURES_3_H

@@ -21,9 +21,7 @@
 #include <cstddef>
 #include <vector>
 
-namespace CGAL {
-namespace Global_odt_mesh_3 {
-namespace internal {
+namespace CGAL::Global_odt_mesh_3::internal {
 
 // The density that the input mesh stands for, so that a graded mesh stays
 // graded: that of the mean lengths of edges at the vertices.
@@ -72,8 +70,6 @@ private:
   Nodal_values_3 sizes_;                      // made with the two
 };
 
-} // namespace internal
-} // namespace Global_odt_mesh_3
-} // namespace CGAL
+} // namespace CGAL::Global_odt_mesh_3::internal
 
 #endif // CGAL_GLOBAL_ODT_MESH_3_INTERNAL_SIZING_INPUT_DENSITY_3_H

@@ -22,9 +22,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Global_odt_mesh_3 {
-namespace internal {
+namespace CGAL::Global_odt_mesh_3::internal {
 
 // Values at the vertices of a mesh, interpolated linearly on a copy of it, in which each vertex is found by walking from the cell where
 // it was last.
@@ -125,8 +123,6 @@ private:
   std::vector<int> last_cell_;
 };
 
-} // namespace internal
-} // namespace Global_odt_mesh_3
-} // namespace CGAL
+} // namespace CGAL::Global_odt_mesh_3::internal
 
 #endif // CGAL_GLOBAL_ODT_MESH_3_INTERNAL_SIZING_NODAL_VALUES_3_H

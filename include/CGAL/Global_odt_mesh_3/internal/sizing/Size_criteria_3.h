@@ -30,9 +30,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Global_odt_mesh_3 {
-namespace internal {
+namespace CGAL::Global_odt_mesh_3::internal {
 
 // How large cells may be around each vertex, if there is a bound at all. A cell has the least bound of its vertices.
 class Circumradius_bound_3
@@ -240,8 +238,6 @@ private:
   double facet_radius_ = 0;                               // the largest
 };
 
-} // namespace internal
-} // namespace Global_odt_mesh_3
-} // namespace CGAL
+} // namespace CGAL::Global_odt_mesh_3::internal
 
 #endif // CGAL_GLOBAL_ODT_MESH_3_INTERNAL_SIZING_SIZE_CRITERIA_3_H

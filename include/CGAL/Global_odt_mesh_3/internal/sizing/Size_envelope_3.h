@@ -27,9 +27,7 @@
 #include <cstddef>
 #include <vector>
 
-namespace CGAL {
-namespace Global_odt_mesh_3 {
-namespace internal {
+namespace CGAL::Global_odt_mesh_3::internal {
 
 // The lower envelope of the sizes sqrt(h^2 + K^2 |x - s|^2) that samples s with sizes h ask for, and of a largest one.
 //
@@ -98,8 +96,6 @@ private:
   Tree tree_{Splitter(leaf_size)};
 };
 
-} // namespace internal
-} // namespace Global_odt_mesh_3
-} // namespace CGAL
+} // namespace CGAL::Global_odt_mesh_3::internal
 
 #endif // CGAL_GLOBAL_ODT_MESH_3_INTERNAL_SIZING_SIZE_ENVELOPE_3_H

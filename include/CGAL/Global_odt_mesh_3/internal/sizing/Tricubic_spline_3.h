@@ -26,9 +26,7 @@
 #include <cstddef>
 #include <vector>
 
-namespace CGAL {
-namespace Global_odt_mesh_3 {
-namespace internal {
+namespace CGAL::Global_odt_mesh_3::internal {
 
 // The tensor product of C2 cubic splines that interpolates values on a grid.
 //
@@ -232,8 +230,6 @@ private:
   std::vector<Derivatives> data_;
 };
 
-} // namespace internal
-} // namespace Global_odt_mesh_3
-} // namespace CGAL
+} // namespace CGAL::Global_odt_mesh_3::internal
 
 #endif // CGAL_GLOBAL_ODT_MESH_3_INTERNAL_SIZING_TRICUBIC_SPLINE_3_H

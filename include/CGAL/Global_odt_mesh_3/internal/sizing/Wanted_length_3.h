@@ -27,9 +27,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Global_odt_mesh_3 {
-namespace internal {
+namespace CGAL::Global_odt_mesh_3::internal {
 
 // The lengths that edges of a mesh should have: in proportion to those around, or to a size that is wanted; or less near short
 // feature edges, with which they grow as sqrt(h^2 + K^2 d^2) where d is the distance from an end of a feature edge of length h.
@@ -167,8 +165,6 @@ private:
   std::vector<double> feature_length_;    // at vertices on features, the shortest
 };
 
-} // namespace internal
-} // namespace Global_odt_mesh_3
-} // namespace CGAL
+} // namespace CGAL::Global_odt_mesh_3::internal
 
 #endif // CGAL_GLOBAL_ODT_MESH_3_INTERNAL_SIZING_WANTED_LENGTH_3_H

@@ -36,9 +36,7 @@
 #include <unordered_map>
 #include <vector>
 
-namespace CGAL {
-namespace Global_odt_mesh_3 {
-namespace internal {
+namespace CGAL::Global_odt_mesh_3::internal {
 
 struct Sliver_removal_parameters
 {
@@ -422,8 +420,6 @@ private:
   std::size_t most_tries_ = 0, number_of_tries_ = 0;
 };
 
-} // namespace internal
-} // namespace Global_odt_mesh_3
-} // namespace CGAL
+} // namespace CGAL::Global_odt_mesh_3::internal
 
 #endif // CGAL_GLOBAL_ODT_MESH_3_INTERNAL_SLIVERS_SLIVER_REMOVAL_3_H

@@ -28,9 +28,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Global_odt_mesh_3 {
-namespace internal {
+namespace CGAL::Global_odt_mesh_3::internal {
 
 // A facet of the boundary between two subdomains, or of a surface patch. Labels
 // and patches are numbers.
@@ -330,8 +328,6 @@ inline std::set<int> topology_changes(const Boundary_complex_3& before, const Bo
   return result;
 }
 
-} // namespace internal
-} // namespace Global_odt_mesh_3
-} // namespace CGAL
+} // namespace CGAL::Global_odt_mesh_3::internal
 
 #endif // CGAL_GLOBAL_ODT_MESH_3_INTERNAL_SURFACE_BOUNDARY_COMPLEX_3_H

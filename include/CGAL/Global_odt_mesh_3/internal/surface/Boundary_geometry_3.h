@@ -26,9 +26,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Global_odt_mesh_3 {
-namespace internal {
+namespace CGAL::Global_odt_mesh_3::internal {
 
 // The shape of an umbrella.
 struct Umbrella_shape
@@ -165,8 +163,6 @@ inline Vector_3 estimated_surface_center(const std::array<int, 3>& t, const Boun
   return dual.point_at((std::max)(-dual.radius, (std::min)(dual.radius, height)));
 }
 
-} // namespace internal
-} // namespace Global_odt_mesh_3
-} // namespace CGAL
+} // namespace CGAL::Global_odt_mesh_3::internal
 
 #endif // CGAL_GLOBAL_ODT_MESH_3_INTERNAL_SURFACE_BOUNDARY_GEOMETRY_3_H

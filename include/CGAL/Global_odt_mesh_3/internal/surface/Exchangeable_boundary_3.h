@@ -22,9 +22,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Global_odt_mesh_3 {
-namespace internal {
+namespace CGAL::Global_odt_mesh_3::internal {
 
 // The facets of a boundary complex, of which some may be exchanged for others as long as that
 // keeps the topology.
@@ -239,8 +237,6 @@ private:
   std::vector<std::vector<int> > around_;     // vertices
 };
 
-} // namespace internal
-} // namespace Global_odt_mesh_3
-} // namespace CGAL
+} // namespace CGAL::Global_odt_mesh_3::internal
 
 #endif // CGAL_GLOBAL_ODT_MESH_3_INTERNAL_SURFACE_EXCHANGEABLE_BOUNDARY_3_H

@@ -33,9 +33,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Global_odt_mesh_3 {
-namespace internal {
+namespace CGAL::Global_odt_mesh_3::internal {
 
 // What one facet adds to the energy of the centroidal Voronoi tessellation
 //
@@ -421,8 +419,6 @@ private:
   Evaluation current_, other_;    // that of the current point is the other one on trial
 };
 
-} // namespace internal
-} // namespace Global_odt_mesh_3
-} // namespace CGAL
+} // namespace CGAL::Global_odt_mesh_3::internal
 
 #endif // CGAL_GLOBAL_ODT_MESH_3_INTERNAL_SURFACE_SURFACE_CVT_OBJECTIVE_3_H

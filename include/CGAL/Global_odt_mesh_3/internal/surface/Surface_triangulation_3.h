@@ -27,9 +27,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Global_odt_mesh_3 {
-namespace internal {
+namespace CGAL::Global_odt_mesh_3::internal {
 
 // The surfaces of a complex as a triangulation whose edges can be flipped, except
 // junctions. Corner 3 f + k is vertex k of facet f, and opposite to an edge of it.
@@ -291,8 +289,6 @@ inline std::vector<Tangential_motion> tangential_motions(const Constrained_trian
   return motions;
 }
 
-} // namespace internal
-} // namespace Global_odt_mesh_3
-} // namespace CGAL
+} // namespace CGAL::Global_odt_mesh_3::internal
 
 #endif // CGAL_GLOBAL_ODT_MESH_3_INTERNAL_SURFACE_SURFACE_TRIANGULATION_3_H

@@ -27,9 +27,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Global_odt_mesh_3 {
-namespace internal {
+namespace CGAL::Global_odt_mesh_3::internal {
 
 // Lays cells out by the numbers of their vertices: rounding errors of sums then do not depend on where cells have come from.
 class Canonical_order
@@ -157,8 +155,6 @@ private:
   std::size_t flips_;   // when the order was last good
 };
 
-} // namespace internal
-} // namespace Global_odt_mesh_3
-} // namespace CGAL
+} // namespace CGAL::Global_odt_mesh_3::internal
 
 #endif // CGAL_GLOBAL_ODT_MESH_3_INTERNAL_TRIANGULATION_CELL_ORDER_H

@@ -25,9 +25,7 @@
 #include <limits>
 #include <vector>
 
-namespace CGAL {
-namespace Global_odt_mesh_3 {
-namespace internal {
+namespace CGAL::Global_odt_mesh_3::internal {
 
 // A triangulation of weighted sites whose constrained facets stay.
 //
@@ -158,8 +156,6 @@ struct Constrained_triangulation_3
   }
 };
 
-} // namespace internal
-} // namespace Global_odt_mesh_3
-} // namespace CGAL
+} // namespace CGAL::Global_odt_mesh_3::internal
 
 #endif // CGAL_GLOBAL_ODT_MESH_3_INTERNAL_TRIANGULATION_CONSTRAINED_TRIANGULATION_3_H

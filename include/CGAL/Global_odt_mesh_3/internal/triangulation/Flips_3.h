@@ -24,9 +24,7 @@
 #include <optional>
 #include <vector>
 
-namespace CGAL {
-namespace Global_odt_mesh_3 {
-namespace internal {
+namespace CGAL::Global_odt_mesh_3::internal {
 
 // The cells around an edge of degree three: cell after cell, the slot of the vertex that the next cell does not have.
 typedef std::array<Half_facet, 3> Edge_ring_3;
@@ -332,8 +330,6 @@ private:
   std::optional<Edge_ring_3> best_ring_;
 };
 
-} // namespace internal
-} // namespace Global_odt_mesh_3
-} // namespace CGAL
+} // namespace CGAL::Global_odt_mesh_3::internal
 
 #endif // CGAL_GLOBAL_ODT_MESH_3_INTERNAL_TRIANGULATION_FLIPS_3_H

@@ -24,9 +24,7 @@
 #include <array>
 #include <vector>
 
-namespace CGAL {
-namespace Global_odt_mesh_3 {
-namespace internal {
+namespace CGAL::Global_odt_mesh_3::internal {
 
 // Energy, gradient, orientation of the cells and regularity of the facets of a whole mesh in one pass. To test facets in every
 // second or third pass of a search only saves nothing: more has to be repaired then. Four cells at once, with AVX, take 8 %
@@ -173,8 +171,6 @@ private:
   std::vector<Part> parts_;
 };
 
-} // namespace internal
-} // namespace Global_odt_mesh_3
-} // namespace CGAL
+} // namespace CGAL::Global_odt_mesh_3::internal
 
 #endif // CGAL_GLOBAL_ODT_MESH_3_INTERNAL_TRIANGULATION_FUSED_PASS_3_H

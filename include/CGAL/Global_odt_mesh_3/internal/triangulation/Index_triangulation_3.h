@@ -25,9 +25,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Global_odt_mesh_3 {
-namespace internal {
+namespace CGAL::Global_odt_mesh_3::internal {
 
 // A facet that must stay, as it was found in the triangulation.
 struct Constrained_facet
@@ -244,8 +242,6 @@ Constrained_facets index_triangulation_3(const Triangulation& tr, const std::vec
   return index_cells(numbered, cells.size(), tr.number_of_vertices(), threads, flat);
 }
 
-} // namespace internal
-} // namespace Global_odt_mesh_3
-} // namespace CGAL
+} // namespace CGAL::Global_odt_mesh_3::internal
 
 #endif // CGAL_GLOBAL_ODT_MESH_3_INTERNAL_TRIANGULATION_INDEX_TRIANGULATION_3_H

@@ -26,9 +26,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Global_odt_mesh_3 {
-namespace internal {
+namespace CGAL::Global_odt_mesh_3::internal {
 
 // Vertex i of a cell and the facet opposite to it. Where the slot beyond a facet is asked for and the facet is
 // constrained, the answer is the side of the facet from which it is looked at instead.
@@ -450,8 +448,6 @@ private:
   Undoable_arrays<NUMBER_OF_ARRAYS> arrays_;
 };
 
-} // namespace internal
-} // namespace Global_odt_mesh_3
-} // namespace CGAL
+} // namespace CGAL::Global_odt_mesh_3::internal
 
 #endif // CGAL_GLOBAL_ODT_MESH_3_INTERNAL_TRIANGULATION_INDEXED_TRIANGULATION_3_H

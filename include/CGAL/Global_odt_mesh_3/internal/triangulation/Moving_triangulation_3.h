@@ -32,9 +32,7 @@
 #include <set>
 #include <vector>
 
-namespace CGAL {
-namespace Global_odt_mesh_3 {
-namespace internal {
+namespace CGAL::Global_odt_mesh_3::internal {
 
 struct Position_parameters_3
 {
@@ -388,8 +386,6 @@ private:
   Statistics statistics_;
 };
 
-} // namespace internal
-} // namespace Global_odt_mesh_3
-} // namespace CGAL
+} // namespace CGAL::Global_odt_mesh_3::internal
 
 #endif // CGAL_GLOBAL_ODT_MESH_3_INTERNAL_TRIANGULATION_MOVING_TRIANGULATION_3_H
