@@ -20,7 +20,7 @@
 #include <CGAL/Global_odt_mesh_3/internal/complex/Candidate_checks_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/complex/Complex_updater_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/complex/Snapshot_reader_3.h>
-#include <CGAL/Global_odt_mesh_3/internal/complex/Working_triangulation_3.h>
+#include <CGAL/Global_odt_mesh_3/internal/complex/Labelled_triangulation_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/geometry/Angle_deficit_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/interface/Domain_view_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/interface/Mesh_view_3.h>
@@ -138,7 +138,7 @@ private:
     std::vector<Quadruple> kept = kept_cells(table);
     if(kept.empty() || !is_deformed(table, threads_))
       return;
-    Working_triangulation_3 regular;
+    Labelled_triangulation_3 regular;
     regular.build(table.sites);
     const auto release = [&](const auto& stays)
     {
@@ -146,7 +146,7 @@ private:
       mesh.release(kept);
       return !kept.empty();
     };
-    release([&](const Quadruple& q) { return regular.is_cell(q); });
+    release([&](const Quadruple& q) { return regular.find_cell(q) >= 0; });
     bool has_released = true;
     for(int n = 0; n < most_releases && has_released; ++n)
     {

@@ -77,8 +77,9 @@ public:
     candidate_.old_facets.clear();
     for(const Found_facet& f : found)
     {
-      const std::array<int, 2> labels = {{ f.facet.first->label(), f.facet.first->neighbor(f.facet.second)->label() }};
-      facets.push_back({ candidate_.working.vertices(f.facet), labels, f.old >= 0 ? old_facets[f.old].patch : unknown_patch });
+      const Labelled_triangulation_3& tr = candidate_.triangulation;
+      const std::array<int, 2> labels = {{ tr.label(f.facet.cell()), tr.label(tr.mirror(f.facet).cell()) }};
+      facets.push_back({ tr.facet_vertices(f.facet), labels, f.old >= 0 ? old_facets[f.old].patch : unknown_patch });
       if(f.old < 0)
         facets.back().patch = patch_of_new_facet(facets.back());
       candidate_.facets.push_back(f.facet);
@@ -93,35 +94,36 @@ private:
   {
     Triple key;                 // its vertices, sorted
     int old;                    // its number in the snapshot, or -1
-    Facet facet;
+    Half_facet facet;
   };
 
   std::vector<Found_facet> find_facets() const
   {
     const Complex_snapshot_3& snapshot = candidate_.snapshot;
     const std::vector<Boundary_facet>& old_facets = snapshot.boundary.complex().facets();
-    const std::vector<Cell_handle>& cells = candidate_.cells_at_boundary;
+    const std::vector<int>& cells = candidate_.cells_at_boundary;
+    const Labelled_triangulation_3& tr = candidate_.triangulation;
     return collect_in_chunks<Found_facet>(static_cast<int>(cells.size()), candidate_.threads,
                                           [&](int n, std::vector<Found_facet>& found)
     {
       // Separating facets are found from the side of a subdomain, if there is one on one side only.
-      const int label = cells[n]->label();
+      const int label = tr.label(cells[n]);
       if(label == Domain_view_3::outside && !snapshot.has_unseparating_facets)
         return;
       for(int i = 0; i < 4; ++i)
       {
-        const int label_beyond = cells[n]->neighbor(i)->label();
+        const int label_beyond = tr.label(tr.neighbor(cells[n], i));
         const bool is_separating = label != label_beyond;
         if(!is_separating && !snapshot.has_unseparating_facets)
           continue;
-        Facet f(cells[n], i);
-        if(!candidate_.working.is_first_side(f))
+        Half_facet f(cells[n], i);
+        if(!tr.is_first_side(f))
         {
           if(label_beyond != Domain_view_3::outside || snapshot.has_unseparating_facets)
             continue;
-          f = candidate_.triangulation().mirror_facet(f);
+          f = tr.mirror(f);
         }
-        const Triple t = sorted(candidate_.working.vertices(f));
+        const Triple t = sorted(tr.facet_vertices(f));
         // What such a cell has as its label says nothing of facets.
         if(!std::all_of(t.begin(), t.end(), [this](int v) { return candidate_.numbering.is_on_boundary(v); }))
           continue;

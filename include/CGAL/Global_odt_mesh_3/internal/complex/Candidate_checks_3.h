@@ -16,7 +16,7 @@
 #include <CGAL/Global_odt_mesh_3/internal/complex/Complex_candidate_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/complex/Complex_snapshot_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/complex/Defect_report_3.h>
-#include <CGAL/Global_odt_mesh_3/internal/complex/Working_triangulation_3.h>
+#include <CGAL/Global_odt_mesh_3/internal/complex/Labelled_triangulation_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/geometry/Angle_deficit_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/geometry/Cell_geometry_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/geometry/Site.h>
@@ -191,7 +191,7 @@ std::vector<int> intruders(const Complex_candidate_3& candidate, const Vertices&
 {
   const Site& s = candidate.snapshot.sites[around[0]];
   const double radius = squared_distance(s, center) - s.weight;
-  Vertex_rings_3 region(candidate.working, around);
+  Vertex_rings_3 region(candidate.triangulation, around);
   for(int ring = 0; ring < 2; ++ring)
     region.grow();
   std::vector<int> result;
@@ -215,13 +215,13 @@ void revert_intruders(const Complex_candidate_3& candidate, const Vertices& arou
 }
 
 // The label that is on the other side of a facet of a cell in the snapshot.
-inline int label_beyond(const Complex_snapshot_3& snapshot, Cell_handle c, int i)
+inline int label_beyond(const Complex_snapshot_3& snapshot, const Labelled_triangulation_3& triangulation, Half_facet f)
 {
-  const int n = snapshot.facet_number(Working_triangulation_3::vertices(Facet(c, i)));
+  const int n = snapshot.facet_number(triangulation.facet_vertices(f)), label = triangulation.label(f.cell());
   if(n < 0)
-    return c->label();
+    return label;
   const std::array<int, 2>& labels = snapshot.boundary.complex().facets()[n].labels;
-  return labels[0] == c->label() ? labels[1] : labels[0];
+  return labels[0] == label ? labels[1] : labels[0];
 }
 
 // Whether a boundary at rest has the facets of the snapshot. One that is missing has a vertex in its surface
@@ -254,15 +254,17 @@ inline Defect_report_3 check_kept_cells(const Complex_candidate_3& candidate)
   if(kept.entries().empty())
     return report;
   std::vector<char> is_found(kept.entries().size(), false);
-  for(Cell_handle c : candidate.working.cells())
+  const Labelled_triangulation_3& triangulation = candidate.triangulation;
+  for(int c : triangulation.cells())
   {
-    const int* const n = kept.find(sorted(candidate.numbers(c)));
+    const int* const n = kept.find(sorted(triangulation.vertices(c)));
     if(n == nullptr)
       continue;
     is_found[*n] = true;
     for(int i = 0; i < 4; ++i)
-      if(c->neighbor(i)->label() != label_beyond(candidate.snapshot, c, i))
-        report.revert(candidate.numbers(c->neighbor(i)));
+      if(const int d = triangulation.neighbor(c, i);
+         triangulation.label(d) != label_beyond(candidate.snapshot, triangulation, Half_facet(c, i)))
+        report.revert(triangulation.vertices(d));
   }
   for(std::size_t n = 0; n < is_found.size(); ++n)
     if(const Quadruple& q = kept.entries()[n].first; !is_found[n])

@@ -15,6 +15,7 @@
 #include <CGAL/Global_odt_mesh_3/internal/complex/Complex_candidate_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/complex/Defect_report_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/complex/Exact_triangulation_3.h>
+#include <CGAL/Global_odt_mesh_3/internal/complex/Vertex_moves_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/geometry/Cell_geometry_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/geometry/Site.h>
 #include <CGAL/Global_odt_mesh_3/internal/geometry/Vector_3.h>
@@ -60,7 +61,7 @@ public:
     for(const auto& c : crowded)
       if(around.count(c.second) == 0)
       {
-        const std::vector<int> neighbors = candidate_.working.neighbors(c.second);
+        const std::vector<int> neighbors = candidate_.triangulation.neighbors(c.second);
         around.insert(neighbors.begin(), neighbors.end());
         leave(c.second);
       }
@@ -101,13 +102,14 @@ private:
   std::vector<Place> places_in(int label) const
   {
     std::vector<Place> result;
-    for(Cell_handle c : candidate_.working.cells())
+    const Labelled_triangulation_3& triangulation = candidate_.triangulation;
+    for(int c : triangulation.cells())
     {
-      const Quadruple q = sorted(candidate_.numbers(c));
-      if(c->label() != label || q[0] < 0)
+      const Quadruple q = sorted(triangulation.vertices(c));
+      if(triangulation.label(c) != label || q[0] < 0)
         continue;
-      // The sites have moved already.
-      const auto site = [&](int i) { return weighted_site(candidate_.working.vertex(q[i])->point()); };
+      // The sites of the candidate have moved already.
+      const auto site = [&](int i) { return triangulation.sites()[q[i]]; };
       const Vector_3 to_dual = Cell_products(site(0), site(1), site(2), site(3)).to_dual(), dual = position(site(0)) + to_dual;
       const double squared_radius = to_dual.squared_length();
       if(has_room(dual, label, share_of_room * std::sqrt(squared_radius)))
@@ -160,20 +162,11 @@ public:
       if(candidate_.is_reverted(v))
         candidate_.revert_to_input(v);
     const std::set<int> offending = offending_vertices(report, attempt);
-    const bool rebuilds = !candidate_.working.is_worth_moving(offending.size() + retreats.size());
     retreat_.move(retreats);
-    for(const auto& r : retreats)
-      if(!rebuilds)
-        candidate_.move(r.first);
     for(int v : offending)
-    {
-      if(!candidate_.numbering.is_movable(v) || candidate_.is_reverted(v) || retreats.count(v) > 0)
-        continue;
-      revert(v, attempt);
-      if(!rebuilds)
-        candidate_.move(v);
-    }
-    if(rebuilds)
+      if(candidate_.numbering.is_movable(v) && !candidate_.is_reverted(v) && retreats.count(v) == 0)
+        revert(v, attempt);
+    if(!move_vertices(candidate_.sites, candidate_.triangulation))
       rebuild_();
     const auto has_moved = [&](int v) { return offending.count(v) > 0 || retreats.count(v) > 0; };
     for(auto it = candidate_.known_distances.begin(); it != candidate_.known_distances.end(); )
@@ -190,7 +183,7 @@ private:
   // Those of the report, and around them.
   std::set<int> offending_vertices(const Defect_report_3& report, int attempt) const
   {
-    Vertex_rings_3 region(candidate_.working, report.offending_vertices());
+    Vertex_rings_3 region(candidate_.triangulation, report.offending_vertices());
     for(int ring = patient_attempts; ring <= attempt; ring += attempts_per_ring)
       region.grow();
     return std::set<int>(region.vertices().begin(), region.vertices().end());

@@ -38,26 +38,27 @@ class Cell_labels_3
 public:
   Cell_labels_3(Complex_candidate_3& candidate, const Domain_view_3& domain)
     : candidate_(candidate)
+    , triangulation_(candidate.triangulation)
     , domain_(domain)
   {}
 
   Defect_report_3 label_cells()
   {
     Defect_report_3 report(candidate_);
-    const std::vector<Cell_handle>& cells = candidate_.working.cells();
+    const std::vector<int>& cells = triangulation_.cells();
     const auto find_cells_in_question = [&](int n, std::vector<int>& found)
     {
-      const bool is_labelled = cells[n]->has_flag(IS_LABELLED) || label_by_vertices(cells[n]);
-      if(!is_labelled || cells[n]->has_flag(MAY_HAVE_BOUNDARY_FACETS))
+      const bool is_labelled = triangulation_.has_flag(cells[n], IS_LABELLED) || label_by_vertices(cells[n]);
+      if(!is_labelled || triangulation_.has_flag(cells[n], MAY_HAVE_BOUNDARY_FACETS))
         found.push_back(n);
     };
     const std::vector<int> in_question
       = collect_in_chunks(static_cast<int>(cells.size()), candidate_.threads, find_cells_in_question);
-    typedef std::pair<Cell_handle, Findings> Unlabelled_cell;
+    typedef std::pair<int, Findings> Unlabelled_cell;
     const auto label_where_clear = [&](int n, std::vector<Unlabelled_cell>& found)
     {
-      const Cell_handle c = cells[in_question[n]];
-      if(c->has_flag(IS_LABELLED))
+      const int c = cells[in_question[n]];
+      if(triangulation_.has_flag(c, IS_LABELLED))
         return;
       const Findings findings = examine(c);
       if(!label_if_domain_agrees(c, findings))
@@ -86,28 +87,28 @@ private:
   bool is_on_boundary(int v) const { return candidate_.numbering.is_on_boundary(v); }
 
   // Begins anew with a cell, and labels it if its vertices are enough for that; whether it has done so.
-  bool label_by_vertices(Cell_handle c) const
+  bool label_by_vertices(int c) const
   {
-    c->clear_flags();
-    const Quadruple q = candidate_.numbers(c);
+    triangulation_.clear_flags(c);
+    const Quadruple& q = triangulation_.vertices(c);
     const bool is_infinite = std::find(q.begin(), q.end(), -1) != q.end();
     const auto on_boundary
       = is_infinite ? 0 : std::count_if(q.begin(), q.end(), [this](int v) { return is_on_boundary(v); });
     if(on_boundary >= 3)
-      c->set_flag(MAY_HAVE_BOUNDARY_FACETS);
+      triangulation_.set_flag(c, MAY_HAVE_BOUNDARY_FACETS);
     const bool is_in_question = on_boundary > 0 || (!is_infinite && candidate_.is_final);
     int label;
     if(is_in_question || !candidate_.numbering.find_label(q, label))
       return false;
-    c->set_label(label);
-    c->set_flag(IS_LABELLED);
+    triangulation_.set_label(c, label);
+    triangulation_.set_flag(c, IS_LABELLED);
     return true;
   }
 
-  Findings examine(Cell_handle c) const
+  Findings examine(int c) const
   {
     Findings found;
-    const Quadruple q = candidate_.numbers(c);
+    const Quadruple& q = triangulation_.vertices(c);
     found.has_several_labels = !candidate_.numbering.find_label(q, found.label);
     if(found.has_several_labels)
       return found;
@@ -115,31 +116,31 @@ private:
     if(is_boundary_cell)
       found.label_of_dual = known_label_of_dual(q);
     if(found.label_of_dual == no_subdomain)
-      found.label_of_dual = domain_.label(coordinates(candidate_.triangulation().dual(c)));
+      found.label_of_dual = domain_.label(triangulation_.dual_point(c));
     return found;
   }
 
   // Labels a cell that the domain agrees about; or else it is left alone.
-  bool label_if_domain_agrees(Cell_handle c, const Findings& found) const
+  bool label_if_domain_agrees(int c, const Findings& found) const
   {
     const bool is_boundary_cell = found.label == no_subdomain;
     if(found.has_several_labels || (!is_boundary_cell && found.label != found.label_of_dual))
       return false;
-    c->set_label(found.label_of_dual);
+    triangulation_.set_label(c, found.label_of_dual);
     if(is_boundary_cell)
-      c->set_flag(IS_BOUNDARY_CELL);
-    c->set_flag(IS_LABELLED);
+      triangulation_.set_flag(c, IS_BOUNDARY_CELL);
+    triangulation_.set_flag(c, IS_LABELLED);
     return true;
   }
 
   // Its vertices have come too close to the boundary.
-  void label_or_report(Cell_handle c, const Findings& found, Defect_report_3& report)
+  void label_or_report(int c, const Findings& found, Defect_report_3& report)
   {
-    const Quadruple q = candidate_.numbers(c);
-    c->set_label(found.label);
+    const Quadruple& q = triangulation_.vertices(c);
+    triangulation_.set_label(c, found.label);
     // What was wrong in the input may stay so.
     if(!found.has_several_labels && candidate_.has_way_back && candidate_.numbering.is_input_cell(q, candidate_.sites))
-      c->set_flag(IS_LABELLED);
+      triangulation_.set_flag(c, IS_LABELLED);
     else
       report.revert_or_retreat(q, found.has_several_labels ? centroid(sorted(q)) : dual_point(sorted(q)));
   }
@@ -161,17 +162,14 @@ private:
   // Those among the cells with these numbers.
   void collect_cells_at_boundary(const std::vector<int>& numbers)
   {
-    const std::vector<Cell_handle>& cells = candidate_.working.cells();
-    candidate_.cells_at_boundary = collect_in_chunks<Cell_handle>(static_cast<int>(numbers.size()), candidate_.threads,
-                                                                  [&](int n, std::vector<Cell_handle>& found)
-    {
-      if(cells[numbers[n]]->has_flag(MAY_HAVE_BOUNDARY_FACETS))
-        found.push_back(cells[numbers[n]]);
-    });
+    candidate_.cells_at_boundary.clear();
+    for(int n : numbers)
+      if(const int c = triangulation_.cells()[n]; triangulation_.has_flag(c, MAY_HAVE_BOUNDARY_FACETS))
+        candidate_.cells_at_boundary.push_back(c);
     candidate_.boundary_cells.clear();
-    for(Cell_handle c : candidate_.cells_at_boundary)
-      if(c->has_flag(IS_BOUNDARY_CELL))
-        candidate_.boundary_cells.emplace_back(c, c->label());
+    for(int c : candidate_.cells_at_boundary)
+      if(triangulation_.has_flag(c, IS_BOUNDARY_CELL))
+        candidate_.boundary_cells.push_back(c);
   }
 
   // The label of the dual point of a cell with all vertices on the boundary, or no_subdomain if it takes the domain to know.
@@ -203,6 +201,7 @@ private:
   }
 
   Complex_candidate_3& candidate_;
+  Labelled_triangulation_3& triangulation_;
   const Domain_view_3& domain_;
 };
 

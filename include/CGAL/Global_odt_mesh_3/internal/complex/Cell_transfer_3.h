@@ -13,7 +13,7 @@
 #include <CGAL/license/Global_odt_mesh_3.h>
 
 #include <CGAL/Global_odt_mesh_3/internal/complex/Exact_triangulation_3.h>
-#include <CGAL/Global_odt_mesh_3/internal/complex/Working_triangulation_3.h>
+#include <CGAL/Global_odt_mesh_3/internal/complex/Labelled_triangulation_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/geometry/Site.h>
 #include <CGAL/Global_odt_mesh_3/internal/geometry/Vertex_tuples.h>
 #include <CGAL/Global_odt_mesh_3/internal/parallel/Chunked_loops.h>
@@ -198,28 +198,20 @@ class Cell_transfer_3
 {
 public:
   // The indexed mesh may be at other positions.
-  Cell_transfer_3(const Constrained_triangulation_3& mesh, const std::vector<Site>& sites,
-                  const Thread_policy& threads, Working_triangulation_3& working)
+  Cell_transfer_3(const Constrained_triangulation_3& mesh, const std::vector<Site>& sites, const Thread_policy& threads)
     : sites_(sites)
     , threads_(threads)
-    , working_(working)
-    , tr_(working.triangulation())
     , transferred_(mesh.topology, mesh.number_of_interior_vertices, static_cast<int>(sites.size()), threads)
   {}
 
-  // False if that does not pay or cannot be done, and then nothing is built that is of any use.
-  bool run()
+  // False if that does not pay or cannot be done.
+  bool run(Labelled_triangulation_3& result)
   {
     if(!pays())
       return false;
     // As certification leaves these to be inserted anyway.
     const std::vector<int> first = transferred_.take_news();
-    const auto insert_first = [&]
-    {
-      working_.clear(sites_.size());
-      working_.insert(first, sites_);
-    };
-    threads_.run_both(insert_first, [this] { certify_cells(transferred_, sites_, threads_); });
+    threads_.run_both([&] { tr_.insert_sites(first, sites_); }, [this] { certify_cells(transferred_, sites_, threads_); });
     for(int round = 0; round < most_rounds && pays(); ++round)
     {
       if(!insert_news())
@@ -228,7 +220,7 @@ public:
         continue;
       if(!find_inside() || !all_vertices_stay())
         return false;
-      transplant();
+      transplant(result);
       return true;
     }
     return false;
@@ -237,6 +229,8 @@ public:
   int number_of_inserted_vertices() const { return transferred_.number_of_inserted_vertices(); }
 
 private:
+  typedef Labelled_triangulation_3::Cell Cell;
+
   static constexpr int most_rounds = 5;
   static constexpr double most_inserted = 0.7;    // of the vertices
 
@@ -248,9 +242,11 @@ private:
   // False if vertices get hidden.
   bool insert_news()
   {
-    working_.insert(transferred_.take_news(), sites_);
-    return tr_.dimension() == 3
-           && tr_.number_of_vertices() == static_cast<std::size_t>(transferred_.number_of_inserted_vertices());
+    tr_.insert_sites(transferred_.take_news(), sites_);
+    if(tr_.dimension() < 3 || tr_.number_of_vertices() != static_cast<std::size_t>(transferred_.number_of_inserted_vertices()))
+      return false;
+    cells_ = Labelled_triangulation_3::numbered_cells(tr_);
+    return true;
   }
 
   // Finds the border of the cells that are transferred among the facets of the triangulation, as seen from those cells.
@@ -258,18 +254,16 @@ private:
   bool match_border()
   {
     border_ = transferred_.border();
-    inner_.assign(border_.size(), Facet());
+    inner_.assign(border_.size(), Half_facet());
     Tuple_table<std::array<int, 3>, int> numbers;
     numbers.reserve(border_.size());
     for(std::size_t n = 0; n < border_.size(); ++n)
       numbers.insert(rotated(transferred_.indexed().facet(border_[n])), static_cast<int>(n));
-    const std::vector<Cell_handle>& cells = working_.cells();
-    for_each_in_chunks(static_cast<int>(cells.size()), threads_, [&](int c)
+    for_each_in_chunks(static_cast<int>(cells_.size()), threads_, [&](int c)
     {
-      const std::array<int, 4> v = working_.numbers(cells[c]);
       for(int i = 0; i < 4; ++i)
-        if(const int* const n = numbers.find(rotated(facet_vertices(v, i))))
-          inner_[*n] = Facet(cells[c], i);
+        if(const int* const n = numbers.find(rotated(facet_vertices(cells_[c].vertices, i))))
+          inner_[*n] = Half_facet(c, i);
     });
     const auto find_wrong_facets = [this](int n, std::vector<int>& wrong)
     {
@@ -283,45 +277,42 @@ private:
     return wrong.empty();
   }
 
+  Half_facet mirror(Half_facet f) const { return Half_facet(cells_[f.cell()].neighbors[f.index()]); }
+
   bool is_border_regular(int n) const
   {
-    if(inner_[n].first == Cell_handle())
+    if(inner_[n].is_none())
       return false;
-    const Facet outer = tr_.mirror_facet(inner_[n]);
-    const Vertex_handle beyond = outer.first->vertex(outer.second);
-    return tr_.is_infinite(beyond)
-           || Exact_cell_3(sites_, transferred_.indexed().vertices(border_[n].cell())).is_outside(sites_[working_.number(beyond)]);
+    const Half_facet outer = mirror(inner_[n]);
+    const int beyond = cells_[outer.cell()].vertices[outer.index()];
+    return beyond < 0 || Exact_cell_3(sites_, transferred_.indexed().vertices(border_[n].cell())).is_outside(sites_[beyond]);
   }
 
-  // Finds the cells that give way, and marks them; false if the border does not bound them.
+  // Finds the cells that give way; false if the border does not bound them.
   bool find_inside()
   {
-    for(const Facet& f : inner_)
-    {
-      if(f.first->has_flag(BORDERS_TRANSFER + f.second))
+    std::vector<char> is_border(4 * cells_.size(), false);
+    gives_way_.assign(cells_.size(), false);
+    for(Half_facet f : inner_)
+      if(std::exchange(is_border[f.id()], true))
         return false;
-      f.first->set_flag(BORDERS_TRANSFER + f.second);
-    }
-    for(const Facet& f : inner_)
-      add_inside(f.first);
-    for(std::size_t n = 0; n < inside_.size(); ++n)
+    std::vector<int> inside;
+    const auto add = [&](int c)
     {
-      if(tr_.is_infinite(inside_[n]))
-        return false;
+      if(!std::exchange(gives_way_[c], true))
+        inside.push_back(c);
+    };
+    for(Half_facet f : inner_)
+      add(f.cell());
+    for(std::size_t n = 0; n < inside.size(); ++n)
       for(int i = 0; i < 4; ++i)
-        if(!inside_[n]->has_flag(BORDERS_TRANSFER + i))
-          add_inside(inside_[n]->neighbor(i));
-    }
-    return std::none_of(inner_.begin(), inner_.end(), [](const Facet& f)
-                        { return f.first->neighbor(f.second)->tds_data().is_in_conflict(); });
-  }
-
-  void add_inside(Cell_handle c)
-  {
-    if(c->tds_data().is_in_conflict())
-      return;
-    c->tds_data().mark_in_conflict();
-    inside_.push_back(c);
+      {
+        if(cells_[inside[n]].vertices[i] < 0)
+          return false;
+        if(const Half_facet f(inside[n], i); !is_border[f.id()])
+          add(mirror(f).cell());
+      }
+    return std::none_of(inner_.begin(), inner_.end(), [this](Half_facet f) { return gives_way_[mirror(f).cell()]; });
   }
 
   // Whether all vertices of cells that give way are vertices of cells that are transferred.
@@ -331,78 +322,63 @@ private:
     for(int c : transferred_.cells())
       for(int v : transferred_.indexed().cell(c))
         stays[v] = true;
-    return std::all_of(inside_.begin(), inside_.end(), [&](Cell_handle c)
-    {
-      const std::array<int, 4> v = working_.numbers(c);
-      return std::all_of(v.begin(), v.end(), [&stays](int w) { return stays[w]; });
-    });
+    for(std::size_t c = 0; c < cells_.size(); ++c)
+      for(int v : cells_[c].vertices)
+        if(gives_way_[c] && !stays[v])
+          return false;
+    return true;
   }
 
   // Puts the cells that are transferred in the place of those that give way.
-  void transplant()
+  void transplant(Labelled_triangulation_3& result) const
   {
-    std::vector<Cell_handle> all = working_.cells();
-    all.erase(std::remove_if(all.begin(), all.end(), [](Cell_handle c) { return c->tds_data().is_in_conflict(); }), all.end());
-    for(std::size_t v = 0; v < sites_.size(); ++v)
-      if(transferred_.is_left_out(static_cast<int>(v)))
-        working_.create_vertex(static_cast<int>(v), sites_[v]);
-    const std::vector<Cell_handle> cells = create_cells();
-    for(std::size_t n = 0; n < border_.size(); ++n)
-    {
-      const Facet outer = tr_.mirror_facet(inner_[n]);
-      set_neighbors(Facet(cells[border_[n].cell()], border_[n].index()), outer);
-    }
-    for(Cell_handle c : inside_)
-      tr_.tds().delete_cell(c);
+    std::vector<int> place(cells_.size(), -1), place_of_transferred(transferred_.indexed().number_of_cell_slots(), -1);
+    int number = 0;
+    for(std::size_t c = 0; c < cells_.size(); ++c)
+      if(!gives_way_[c])
+        place[c] = number++;
+    const int first = number;
     for(int c : transferred_.cells())
-      all.push_back(cells[c]);
-    working_.set_cells(std::move(all));
-    CGAL_expensive_assertion(tr_.is_valid());
-  }
-
-  // Those that are transferred, by their numbers in the indexed mesh, without the neighbors of the border.
-  std::vector<Cell_handle> create_cells()
-  {
-    std::vector<Cell_handle> cells(transferred_.indexed().number_of_cell_slots());
-    std::vector<int> cell_of_vertex(sites_.size(), -1);
-    for(int c : transferred_.cells())
+      place_of_transferred[c] = number++;
+    std::vector<Cell> cells(number);
+    for_each_in_chunks(static_cast<int>(cells_.size()), threads_, [&](int c)
     {
-      cells[c] = tr_.tds().create_cell();
-      for(int v : transferred_.indexed().cell(c))
-        cell_of_vertex[v] = c;
-    }
-    for_each_in_chunks(static_cast<int>(transferred_.cells().size()), threads_, [&](int n)
-    {
-      const int c = transferred_.cells()[n];
-      for(int i = 0; i < 4; ++i)
+      for(int i = 0; place[c] >= 0 && i < 4; ++i)
       {
-        const Half_facet across = transferred_.mate(Half_facet(c, i));
-        cells[c]->set_vertex(i, working_.vertex(transferred_.indexed().vertices(c)[i]));
-        cells[c]->set_neighbor(i, across.is_none() ? Cell_handle() : cells[across.cell()]);
+        const Half_facet across = mirror(Half_facet(c, i));
+        cells[place[c]].vertices[i] = cells_[c].vertices[i];
+        if(place[across.cell()] >= 0)
+          cells[place[c]].neighbors[i] = Half_facet(place[across.cell()], across.index()).id();
       }
     });
-    for_each_in_chunks(static_cast<int>(sites_.size()), threads_, [&](int v)
+    for_each_in_chunks(static_cast<int>(transferred_.cells().size()), threads_, [&](int n)
     {
-      if(cell_of_vertex[v] >= 0)
-        working_.vertex(v)->set_cell(cells[cell_of_vertex[v]]);
+      for(int i = 0; i < 4; ++i)
+      {
+        const Half_facet s(transferred_.cells()[n], i), across = transferred_.mate(s);
+        cells[first + n].vertices[i] = transferred_.indexed().vertex(s);
+        if(!transferred_.is_border(s))
+          cells[first + n].neighbors[i] = Half_facet(place_of_transferred[across.cell()], across.index()).id();
+      }
     });
-    return cells;
-  }
-
-  static void set_neighbors(const Facet& f, const Facet& g)
-  {
-    f.first->set_neighbor(f.second, g.first);
-    g.first->set_neighbor(g.second, f.first);
+    for(std::size_t n = 0; n < border_.size(); ++n)
+    {
+      const Half_facet outer = mirror(inner_[n]), here(place_of_transferred[border_[n].cell()], border_[n].index()),
+                       there(place[outer.cell()], outer.index());
+      cells[here.cell()].neighbors[here.index()] = there.id();
+      cells[there.cell()].neighbors[there.index()] = here.id();
+    }
+    result.assign(std::move(cells), sites_);
   }
 
   const std::vector<Site>& sites_;
   const Thread_policy threads_;
-  Working_triangulation_3& working_;
-  Exact_triangulation_3& tr_;
+  Exact_triangulation_3 tr_;
   Transferred_cells_3 transferred_;
-  std::vector<Half_facet> border_;            // facets of cells that are transferred,
-  std::vector<Facet> inner_;            // and where they are in the triangulation, on the side that gives way
-  std::vector<Cell_handle> inside_;     // the cells that give way
+  std::vector<Cell> cells_;             // of the triangulation,
+  std::vector<char> gives_way_;         // some of which give way
+  std::vector<Half_facet> border_;      // facets of cells that are transferred,
+  std::vector<Half_facet> inner_;       // and where they are in the triangulation, on the side that gives way
 };
 
 } // namespace CGAL::Global_odt_mesh_3::internal

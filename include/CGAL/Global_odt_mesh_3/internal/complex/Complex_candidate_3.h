@@ -14,8 +14,7 @@
 
 #include <CGAL/Global_odt_mesh_3/internal/complex/Cell_transfer_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/complex/Complex_snapshot_3.h>
-#include <CGAL/Global_odt_mesh_3/internal/complex/Exact_triangulation_3.h>
-#include <CGAL/Global_odt_mesh_3/internal/complex/Working_triangulation_3.h>
+#include <CGAL/Global_odt_mesh_3/internal/complex/Labelled_triangulation_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/geometry/Site.h>
 #include <CGAL/Global_odt_mesh_3/internal/geometry/Vertex_tuples.h>
 #include <CGAL/Global_odt_mesh_3/internal/parallel/Chunked_loops.h>
@@ -51,17 +50,17 @@ struct Complex_candidate_3
   bool may_retreat = true;                    // whether vertices may go elsewhere instead of back
   const Thread_policy threads;
 
-  Working_triangulation_3& working;         // of the candidate's vertices once it has been built
+  Labelled_triangulation_3& triangulation;  // of the candidate's vertices once it has been built
   std::vector<Site> sites;
   // Where vertices go back to: as in the snapshot, or as in the input.
   std::vector<Site> revert_sites;
   Boundary_geometry_3 measured_boundary;      // that of the snapshot, at the positions of the candidate
 
-  std::vector<Cell_handle> cells_at_boundary;                 // finite, with three vertices or more on the boundary
-  std::vector<std::pair<Cell_handle, int> > boundary_cells;   // with all vertices on the boundary, and labels
+  std::vector<int> cells_at_boundary;         // finite, with three vertices or more on the boundary
+  std::vector<int> boundary_cells;            // with all vertices on the boundary
   std::shared_ptr<const Boundary_complex_3> boundary_complex;
   Boundary_geometry_3 boundary;
-  std::vector<Facet> facets;
+  std::vector<Half_facet> facets;
   std::vector<int> old_facets;                // the numbers that facets have in the snapshot, or -1
   std::vector<Surface_center> centers;
   std::map<Triple, Surface_center> found_centers;   // of facets where trials have led, by sorted vertices
@@ -70,14 +69,14 @@ struct Complex_candidate_3
   std::unordered_map<Triple, double, boost::hash<Triple> > known_distances;
   std::map<int, int> times_reverted;     // and how often
 
-  Complex_candidate_3(const Complex_snapshot_3& from, Working_triangulation_3& triangulation, const std::vector<Site>& target,
+  Complex_candidate_3(const Complex_snapshot_3& from, Labelled_triangulation_3& cells, const std::vector<Site>& target,
                       bool is_last, bool is_snapshot_valid, const Thread_policy& policy)
     : snapshot(from)
     , numbering(*from.numbering)
     , is_final(is_last)
     , has_way_back(is_snapshot_valid)
     , threads(policy)
-    , working(triangulation)
+    , triangulation(cells)
     , sites(target)
     , revert_sites(from.sites)
   {
@@ -98,19 +97,11 @@ struct Complex_candidate_3
   // From the cells of a mesh that has been at about the positions, if there is one and that can be done; whether it was.
   bool build(const Moving_triangulation_3* mesh)
   {
-    if(mesh != nullptr && Cell_transfer_3(*mesh, sites, threads, working).run())
+    if(mesh != nullptr && Cell_transfer_3(*mesh, sites, threads).run(triangulation))
       return true;
-    working.build(sites);
+    triangulation.build(sites);
     return false;
   }
-
-  // Moves the vertex in the triangulation to where its site is.
-  void move(int v) { working.move(v, sites[v]); }
-
-  const Exact_triangulation_3& triangulation() const { return working.triangulation(); }
-
-  // Of the vertices of a cell, -1 for the infinite one.
-  Quadruple numbers(Cell_handle c) const { return working.numbers(c); }
 
   bool is_at_input(int v) const { return numbering.is_input_site(v, sites[v]); }
   bool is_reverted(int v) const { return same_place(sites[v], revert_sites[v]); }
@@ -135,21 +126,21 @@ struct Complex_candidate_3
   Complex_snapshot_3 finish()
   {
     CGAL_assertion(centers.size() == facets.size() && boundary.complex().facets().size() == facets.size());
-    CGAL_expensive_assertion(triangulation().is_valid());
     Complex_snapshot_3 next;
     next.numbering = snapshot.numbering;
     next.has_labels_of_domain = is_final;
     next.sites = std::move(sites);
     next.boundary_cells.reserve(boundary_cells.size());
-    for(const auto& c : boundary_cells)
-      next.boundary_cells.insert(sorted(numbers(c.first)), c.second);
-    const std::vector<Cell_handle>& cells = working.cells();
-    for_each_in_chunks(static_cast<int>(cells.size()), threads, [&cells](int n) { cells[n]->clear_flags(); });
+    for(int c : boundary_cells)
+      next.boundary_cells.insert(sorted(triangulation.vertices(c)), triangulation.label(c));
+    for(int c : triangulation.cells())
+      triangulation.clear_flags(c);
     next.boundary = std::move(boundary);
     next.centers = std::move(centers);
     next.number_facets();
     for(std::size_t n = 0; n < facets.size(); ++n)
-      mark_facet(next.boundary.complex().facets()[n], facets[n], working);
+      if(next.boundary.complex().facets()[n].patch != Boundary_facet::no_patch)
+        triangulation.put_in_complex(facets[n]);
     return next;
   }
 };

@@ -22,7 +22,7 @@
 #include <CGAL/Global_odt_mesh_3/internal/complex/Editable_complex_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/complex/Snapshot_tabulation_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/complex/Surface_centers_3.h>
-#include <CGAL/Global_odt_mesh_3/internal/complex/Working_triangulation_3.h>
+#include <CGAL/Global_odt_mesh_3/internal/complex/Labelled_triangulation_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/geometry/Site.h>
 #include <CGAL/Global_odt_mesh_3/internal/interface/Domain_view_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/parallel/Thread_policy.h>
@@ -68,7 +68,7 @@ public:
   const Domain_view_3& domain() const { return domain_; }
 
   // That of the snapshot, which is made if there is none.
-  Working_triangulation_3& triangulation()
+  Labelled_triangulation_3& triangulation()
   {
     if(!is_up_to_date_)
       restore_triangulation(snapshot_, threads_, triangulation_);
@@ -86,9 +86,9 @@ public:
   // Loads the snapshot into a mesh.
   void load_into(Moving_triangulation_3& mesh)
   {
-    const Working_triangulation_3& working = triangulation();
+    const Labelled_triangulation_3& cells = triangulation();
     const Stage_clock::In_stage in_stage(threads_.clock(), Stage_clock::INDEX);
-    index_snapshot(snapshot_, working, threads_, mesh);
+    index_snapshot(snapshot_, cells, threads_, mesh);
   }
 
   // So that vertices can be tried, inserted, and removed, and have a way back: an input from elsewhere, such as a file with rounded
@@ -97,7 +97,7 @@ public:
   {
     if(!snapshot_.is_input)
       return true;
-    has_cells_of_input_ = triangulation().is_regular(threads_);
+    has_cells_of_input_ = is_regular(triangulation(), threads_);
     return has_cells_of_input_ || advance(snapshot_.sites, nullptr, true, false) || advance(snapshot_.sites, true);
   }
 
@@ -227,7 +227,7 @@ private:
   // Completes the candidate, and reports all that is wrong with it. Facets that are too thin may be found good enough.
   Defect_report_3 check(Complex_candidate_3& candidate, bool wants_good_facets)
   {
-    if(!candidate.working.is_complete())
+    if(!candidate.triangulation.is_complete())
       return hidden_vertices(candidate);
     Defect_report_3 report = Cell_labels_3(candidate, domain_).label_cells();
     Boundary_extraction_3 extraction(candidate, domain_);
@@ -247,7 +247,7 @@ private:
   {
     Defect_report_3 report(candidate);
     for(int v = 0; v < candidate.numbering.number_of_vertices(); ++v)
-      if(!candidate.working.is_visible(v))
+      if(!candidate.triangulation.is_visible(v))
         report.revert(std::vector<int>(1, v));
     if(report.offending_vertices().empty())
       report.give_up();
@@ -259,7 +259,7 @@ private:
   Thread_policy threads_;
   Facet_bounds_3& bounds_;
   Complex_snapshot_3 snapshot_;
-  Working_triangulation_3 triangulation_;
+  Labelled_triangulation_3 triangulation_;
   bool is_up_to_date_ = false;               // whether that is the triangulation of the snapshot, with its labels
   bool has_cells_of_input_ = false, is_lost_ = false, is_made_regular_ = false;
   std::size_t number_of_transfers_ = 0;

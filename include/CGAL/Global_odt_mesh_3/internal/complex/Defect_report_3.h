@@ -14,7 +14,7 @@
 
 #include <CGAL/Global_odt_mesh_3/internal/complex/Complex_candidate_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/complex/Complex_snapshot_3.h>
-#include <CGAL/Global_odt_mesh_3/internal/complex/Working_triangulation_3.h>
+#include <CGAL/Global_odt_mesh_3/internal/complex/Labelled_triangulation_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/geometry/Cell_geometry_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/geometry/Site.h>
 #include <CGAL/Global_odt_mesh_3/internal/geometry/Vector_3.h>
@@ -41,7 +41,7 @@ class Vertex_rings_3
 public:
   // Numbers below zero, of the infinite vertex, do not matter.
   template <class Vertices>
-  Vertex_rings_3(const Working_triangulation_3& triangulation, const Vertices& vertices)
+  Vertex_rings_3(const Labelled_triangulation_3& triangulation, const Vertices& vertices)
     : triangulation_(triangulation)
   {
     for(int v : vertices)
@@ -69,7 +69,7 @@ private:
       vertices_.push_back(v);
   }
 
-  const Working_triangulation_3& triangulation_;
+  const Labelled_triangulation_3& triangulation_;
   std::vector<int> vertices_;
   std::size_t begin_ = 0;               // of the last ring
   std::unordered_set<int> known_;
@@ -179,7 +179,7 @@ private:
   template <class Vertices, class Predicate>
   bool revert_nearest(const Vertices& vertices, int rings, const Predicate& goes_back)
   {
-    Vertex_rings_3 region(candidate_.working, vertices);
+    Vertex_rings_3 region(candidate_.triangulation, vertices);
     for(int ring = 0; ring < rings; ++ring, region.grow())
     {
       bool found = false;

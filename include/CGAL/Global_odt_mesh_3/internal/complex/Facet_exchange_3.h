@@ -75,7 +75,7 @@ public:
   // if the domain does not find all.
   bool find_centers(std::map<Triple, Complex_snapshot_3::Surface_center>& centers) const
   {
-    const Surface_center_search_3 search(complex_.sites, complex_.triangulation(), complex_.domain);
+    const Surface_center_search_3 search(complex_.triangulation, complex_.domain);
     std::map<Triple, Complex_snapshot_3::Surface_center> found;
     for(const Triple& t : new_facets())
     {
@@ -203,10 +203,10 @@ private:
       to = cells[other->cell]->dual;
     else
     {
-      const Cell_handle c = cavity_.beyond(s.facet);
-      if(complex_.triangulation().is_infinite(c))
+      const int c = cavity_.beyond(s.facet);
+      if(complex_.triangulation.is_infinite(c))
         return false;
-      to = coordinates(complex_.triangulation().dual(c));
+      to = complex_.triangulation.dual_point(c);
     }
     const double length = (to - from).length();
     Vector_3 middle = (from + to) / 2;
@@ -245,8 +245,8 @@ private:
   // Whether it is one of a cell that is kept.
   bool is_kept(const Triple& t) const
   {
-    const Cell_handle c = cavity_.beyond(t);
-    return c != Cell_handle() && complex_.numbering.is_kept(complex_.numbers(c));
+    const int c = cavity_.beyond(t);
+    return c >= 0 && complex_.numbering.is_kept(complex_.triangulation.vertices(c));
   }
 
   bool exchanges_kept_facet() const

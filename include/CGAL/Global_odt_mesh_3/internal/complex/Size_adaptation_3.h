@@ -13,7 +13,7 @@
 #include <CGAL/license/Global_odt_mesh_3.h>
 
 #include <CGAL/Global_odt_mesh_3/internal/complex/Vertex_edits_3.h>
-#include <CGAL/Global_odt_mesh_3/internal/complex/Working_triangulation_3.h>
+#include <CGAL/Global_odt_mesh_3/internal/complex/Labelled_triangulation_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/geometry/Site.h>
 #include <CGAL/Global_odt_mesh_3/internal/geometry/Vertex_tuples.h>
 #include <CGAL/Global_odt_mesh_3/internal/interface/Domain_view_3.h>
@@ -60,7 +60,7 @@ public:
       edges.pop();
       if(!(-e.rank < tolerance_.shortest) && !(tolerance_.wants_number && edits_.has_too_many_vertices()))
         return;
-      if(!complex_.working.is_visible(e.u) || !complex_.working.is_visible(e.v))
+      if(!complex_.triangulation.is_visible(e.u) || !complex_.triangulation.is_visible(e.v))
         continue;
       for(int v : edits_.trial().movable_vertices(std::array<int, 2>{{ e.u, e.v }}))
         if(edits_.remove(v))
@@ -88,7 +88,7 @@ public:
       if(!split(e))
         continue;
       wanted_.add(edits_.stratum_of_last(), complex_.sites[v], e.u, e.v);
-      for(int w : complex_.working.neighbors(v))
+      for(int w : complex_.triangulation.neighbors(v))
         push(v, w, 1, edges);
     }
   }
@@ -111,9 +111,9 @@ private:
   std::vector<std::array<int, 2> > edges_of_complex() const
   {
     std::vector<Quadruple> cells;
-    for(Cell_handle c : complex_.working.cells())
-      if(c->label() != Domain_view_3::outside)
-        cells.push_back(complex_.numbers(c));
+    for(int c : complex_.triangulation.cells())
+      if(complex_.is_inside(c))
+        cells.push_back(complex_.triangulation.vertices(c));
     return edges_of(cells);
   }
 
@@ -125,11 +125,8 @@ private:
 
   bool split(const Edge& e)
   {
-    const Working_triangulation_3& working = complex_.working;
-    Cell_handle c;
-    int i, j;
-    if(!working.is_visible(e.u) || !working.is_visible(e.v)
-       || !complex_.triangulation().is_edge(working.vertex(e.u), working.vertex(e.v), c, i, j))
+    const int c = complex_.triangulation.find_cell(std::array<int, 2>{{ e.u, e.v }});
+    if(c < 0)
       return false;
     const std::optional<New_vertex_3> v = middle_of_edge(complex_, e.u, e.v, c);
     return v && edits_.insert(*v, (std::min)(nearest * e.length / e.rank, nearest_over_edge * e.length), c);

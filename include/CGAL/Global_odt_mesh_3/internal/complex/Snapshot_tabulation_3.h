@@ -14,7 +14,9 @@
 
 #include <CGAL/Global_odt_mesh_3/internal/complex/Complex_snapshot_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/complex/Exact_triangulation_3.h>
-#include <CGAL/Global_odt_mesh_3/internal/complex/Working_triangulation_3.h>
+#include <CGAL/Global_odt_mesh_3/internal/complex/Labelled_triangulation_3.h>
+#include <CGAL/Global_odt_mesh_3/internal/complex/Trial_predicates_3.h>
+#include <CGAL/Global_odt_mesh_3/internal/complex/Vertex_moves_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/geometry/Site.h>
 #include <CGAL/Global_odt_mesh_3/internal/geometry/Vector_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/geometry/Vertex_tuples.h>
@@ -50,20 +52,20 @@ inline int label_of_cell(const Complex_snapshot_3& snapshot, const Quadruple& q)
 }
 
 // The boundary facets of a snapshot, by their numbers and on side 0, in its triangulation.
-inline std::vector<Facet> find_boundary_facets(const Complex_snapshot_3& snapshot, const Working_triangulation_3& working,
-                                               const Thread_policy& threads)
+inline std::vector<Half_facet> find_boundary_facets(const Complex_snapshot_3& snapshot, const Labelled_triangulation_3& triangulation,
+                                                    const Thread_policy& threads)
 {
   const std::vector<Boundary_facet>& boundary = snapshot.boundary.complex().facets();
-  std::vector<Facet> facets(boundary.size());
-  const std::vector<Cell_handle>& cells = working.cells();
+  std::vector<Half_facet> facets(boundary.size());
+  const std::vector<int>& cells = triangulation.cells();
   for_each_in_chunks(static_cast<int>(cells.size()), threads, [&](int c)
   {
-    snapshot.numbering->for_each_facet_on_boundary(Working_triangulation_3::numbers(cells[c]), [&](int i)
+    snapshot.numbering->for_each_facet_on_boundary(triangulation.vertices(cells[c]), [&](int i)
     {
-      const Triple t = working.vertices(Facet(cells[c], i));
+      const Triple t = triangulation.facet_vertices(Half_facet(cells[c], i));
       const int n = snapshot.facet_number(t);
       if(n >= 0 && rotated(boundary[n].vertices) == t)
-        facets[n] = Facet(cells[c], i);
+        facets[n] = Half_facet(cells[c], i);
     });
   });
   return facets;
@@ -72,25 +74,26 @@ inline std::vector<Facet> find_boundary_facets(const Complex_snapshot_3& snapsho
 // Makes the triangulation that of a snapshot, whatever has become of it. Symbolic perturbation makes
 // the regular triangulation of weighted points unique; its cells are labelled, and boundary facets found, by their vertices.
 inline void restore_triangulation(const Complex_snapshot_3& snapshot, const Thread_policy& threads,
-                                  Working_triangulation_3& working)
+                                  Labelled_triangulation_3& triangulation)
 {
   // The input is what it is, be it regular or not, so that its positions do not tell its cells.
   const Vertex_numbering_3& numbering = *snapshot.numbering;
   if(snapshot.is_input)
-    working.copy(numbering.input->read(threads), numbering.input_numbers, threads);
-  else if(!working.go_to(snapshot.sites))
-    working.build(snapshot.sites);
-  CGAL_assertion(working.is_complete());
-  const std::vector<Cell_handle>& cells = working.cells();
+    triangulation.copy(numbering.input->read(threads), numbering.input_numbers);
+  else if(!move_vertices(snapshot.sites, triangulation))
+    triangulation.build(snapshot.sites);
+  CGAL_assertion(triangulation.is_complete());
+  const std::vector<int>& cells = triangulation.cells();
   for_each_in_chunks(static_cast<int>(cells.size()), threads, [&](int n)
   {
-    cells[n]->clear_flags();
-    cells[n]->clear_facets();
-    cells[n]->set_label(label_of_cell(snapshot, Working_triangulation_3::numbers(cells[n])));
+    triangulation.clear_flags(cells[n]);
+    triangulation.clear_facets(cells[n]);
+    triangulation.set_label(cells[n], label_of_cell(snapshot, triangulation.vertices(cells[n])));
   });
-  const std::vector<Facet> facets = find_boundary_facets(snapshot, working, threads);
+  const std::vector<Half_facet> facets = find_boundary_facets(snapshot, triangulation, threads);
   for(std::size_t n = 0; n < facets.size(); ++n)
-    mark_facet(snapshot.boundary.complex().facets()[n], facets[n], working);
+    if(snapshot.boundary.complex().facets()[n].patch != Boundary_facet::no_patch)
+      triangulation.put_in_complex(facets[n]);
 }
 
 // Completes a mesh whose topology is that of the snapshot.
@@ -103,14 +106,32 @@ inline void load_positions(const Complex_snapshot_3& snapshot, Moving_triangulat
 
 // Loads the snapshot, whose triangulation is given, into a mesh: all cells that are in the complex, in canonical order; the
 // boundary facets, and those of cells that are kept, are constrained.
-inline void index_snapshot(const Complex_snapshot_3& snapshot, const Working_triangulation_3& working,
+// Its cells, for those who index them.
+struct Cells_of_snapshot_3
+{
+  const Labelled_triangulation_3& triangulation;
+  const Vertex_numbering_3& numbering;
+
+  int cell(int n) const { return triangulation.cells()[n]; }
+  bool is_infinite(int n) const { return triangulation.is_infinite(cell(n)); }
+  bool is_inside(int n) const { return label(n) != Domain_view_3::outside; }
+  int label(int n) const { return triangulation.label(cell(n)); }
+  bool is_marked(int n, int i) const
+  { return triangulation.is_in_complex(Half_facet(cell(n), i)) || numbering.is_kept(triangulation.vertices(cell(n))); }
+  Quadruple vertices(int n) const { return triangulation.vertices(cell(n)); }
+
+  Cell_across across(int n, int i) const
+  {
+    const Half_facet f = triangulation.mirror(Half_facet(cell(n), i));
+    return { triangulation.label(f.cell()) != Domain_view_3::outside, triangulation.vertex(f) };
+  }
+};
+
+inline void index_snapshot(const Complex_snapshot_3& snapshot, const Labelled_triangulation_3& triangulation,
                            const Thread_policy& threads, Moving_triangulation_3& mesh)
 {
-  const auto number = [](Vertex_handle v) { return Working_triangulation_3::number(v); };
-  const auto label = [](Cell_handle c) { return c->label(); };
-  const auto stays = [&](Cell_handle c, int i)
-  { return c->is_facet_in_complex(i) || snapshot.numbering->is_kept(Working_triangulation_3::numbers(c)); };
-  index_triangulation_3(working.triangulation(), working.cells(), number, label, stays, threads, mesh.topology);
+  const Cells_of_snapshot_3 cells{ triangulation, *snapshot.numbering };
+  index_cells(cells, triangulation.cells().size(), triangulation.sites().size(), threads, mesh.topology);
   load_positions(snapshot, mesh);
 }
 
@@ -119,19 +140,19 @@ class Snapshot_tabulation_3
 {
 public:
   // The triangulation is that of the snapshot.
-  Snapshot_tabulation_3(const Complex_snapshot_3& snapshot, Working_triangulation_3& working, const Thread_policy& threads)
+  Snapshot_tabulation_3(const Complex_snapshot_3& snapshot, Labelled_triangulation_3& triangulation, const Thread_policy& threads)
     : snapshot_(snapshot)
     , numbering_(*snapshot.numbering)
-    , working_(working)
+    , triangulation_(triangulation)
     , threads_(threads)
-    , cells_(working.cells())
-    , facets_(find_boundary_facets(snapshot, working, threads))
+    , cells_(triangulation.cells())
   {}
 
-  // Afterwards, cells have numbers in the place of their labels.
+  // Afterwards, flat cells have the order of the input.
   Mesh_table_3 operator()()
   {
     restore_orders();
+    facets_ = find_boundary_facets(snapshot_, triangulation_, threads_);
     Mesh_table_3 table;
     table.sites.resize(numbering_.number_in_table);
     table.dimensions.assign(numbering_.number_in_table, int(Mesh_table_3::removed));
@@ -165,36 +186,16 @@ private:
   // point of a flat cell, and hence whether the domain finds it in that subdomain.
   void restore_orders()
   {
-    std::vector<Vertex_handle> opposite;
-    for(const Facet& f : facets_)
-      opposite.push_back(f.first->vertex(f.second));
+    const Trial_predicates_3 predicates(triangulation_.sites());
     for(const auto& b : snapshot_.boundary_cells.entries())
     {
       const Vertex_numbering_3::Input_cell* const from = numbering_.input_cell(b.first, snapshot_.sites);
       if(from == nullptr)
         continue;
-      std::array<Vertex_handle, 4> v;
-      for(int i = 0; i < 4; ++i)
-        v[i] = working_.vertex(from->vertices[i]);
       // An input from elsewhere may have inverted cells.
-      Cell_handle to;
-      if(working_.triangulation().is_cell(v[0], v[1], v[2], v[3], to) && to->label() == from->label
-         && Working_triangulation_3::is_positive(v))
-        reorder(to, v);
-    }
-    for(std::size_t n = 0; n < opposite.size(); ++n)
-      facets_[n].second = facets_[n].first->index(opposite[n]);
-  }
-
-  static void reorder(Cell_handle c, const std::array<Vertex_handle, 4>& v)
-  {
-    std::array<Cell_handle, 4> neighbors;
-    for(int i = 0; i < 4; ++i)
-      neighbors[i] = c->neighbor(c->index(v[i]));
-    for(int i = 0; i < 4; ++i)
-    {
-      c->set_vertex(i, v[i]);
-      c->set_neighbor(i, neighbors[i]);
+      const int to = triangulation_.find_cell(from->vertices);
+      if(to >= 0 && triangulation_.label(to) == from->label && predicates.is_positive(from->vertices))
+        triangulation_.reorder(to, from->vertices);
     }
   }
 
@@ -208,7 +209,7 @@ private:
     threads_.for_each_chunk(chunks.number(), [&](int k)
     {
       for(int n = chunks.begin(k); n < chunks.end(k); ++n)
-        if(cells_[n]->label() != Domain_view_3::outside)
+        if(triangulation_.label(cells_[n]) != Domain_view_3::outside)
           add_circumradius(cells_[n], circumradii.part(k));
     });
     table.mean_circumradii.assign(numbering_.number_in_table, 0);
@@ -219,30 +220,29 @@ private:
     });
   }
 
-  void add_circumradius(Cell_handle c, const Chunked_sums<Circumradii>::Part& sums) const
+  void add_circumradius(int c, const Chunked_sums<Circumradii>::Part& sums) const
   {
-    const Vector_3 p = coordinates(working_.triangulation().dual(c));
-    for(int v : Working_triangulation_3::numbers(c))
+    const Vector_3 p = triangulation_.dual_point(c);
+    for(int v : triangulation_.vertices(c))
       sums.add(v, { std::sqrt(squared_distance(snapshot_.sites[v], p)), 1 });
   }
 
-  // All that is asked for of cells afterwards is their places, which they have instead of labels.
-  void tabulate_cells(Mesh_table_3& table) const
+  // There are no gaps between them in the table.
+  void tabulate_cells(Mesh_table_3& table)
   {
+    places_.assign(cells_.empty() ? 0 : cells_.back() + 1, -1);
+    for(std::size_t n = 0; n < cells_.size(); ++n)
+      places_[cells_[n]] = static_cast<int>(n);
     table.cells.resize(cells_.size());
     for_each_in_chunks(static_cast<int>(cells_.size()), threads_, [&](int n)
     {
-      table.cells[n].label = cells_[n]->label();
-      cells_[n]->set_label(n);
-    });
-    for_each_in_chunks(static_cast<int>(cells_.size()), threads_, [&](int n)
-    {
-      const Quadruple v = Working_triangulation_3::numbers(cells_[n]);
+      const Quadruple& v = triangulation_.vertices(cells_[n]);
+      table.cells[n].label = triangulation_.label(cells_[n]);
       table.cells[n].is_kept = numbering_.is_kept(v);
       for(int i = 0; i < 4; ++i)
       {
         table.cells[n].vertices[i] = input_number(v[i]);
-        table.cells[n].neighbors[i] = cells_[n]->neighbor(i)->label();
+        table.cells[n].neighbors[i] = places_[triangulation_.neighbor(cells_[n], i)];
       }
     });
   }
@@ -256,16 +256,17 @@ private:
         continue;
       const Complex_snapshot_3::Surface_center& c = snapshot_.centers[n];
       const int patch_of_center = c.patch < 0 || c.patch == Domain_view_3::other_patch ? patch : c.patch;
-      table.facets.push_back({ facets_[n].first->label(), facets_[n].second, patch, c.source, c.point, patch_of_center });
+      table.facets.push_back({ places_[facets_[n].cell()], facets_[n].index(), patch, c.source, c.point, patch_of_center });
     }
   }
 
   const Complex_snapshot_3& snapshot_;
   const Vertex_numbering_3& numbering_;
-  Working_triangulation_3& working_;
+  Labelled_triangulation_3& triangulation_;
   const Thread_policy threads_;
-  const std::vector<Cell_handle>& cells_;
-  std::vector<Facet> facets_;                 // on the boundary, on side 0
+  const std::vector<int>& cells_;
+  std::vector<int> places_;                   // of cells, in the table
+  std::vector<Half_facet> facets_;            // on the boundary, on side 0
 };
 
 } // namespace CGAL::Global_odt_mesh_3::internal

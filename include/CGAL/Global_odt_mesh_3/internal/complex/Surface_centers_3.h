@@ -15,7 +15,7 @@
 #include <CGAL/Global_odt_mesh_3/internal/complex/Complex_candidate_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/complex/Complex_snapshot_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/complex/Defect_report_3.h>
-#include <CGAL/Global_odt_mesh_3/internal/complex/Exact_triangulation_3.h>
+#include <CGAL/Global_odt_mesh_3/internal/complex/Labelled_triangulation_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/geometry/Cell_geometry_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/geometry/Site.h>
 #include <CGAL/Global_odt_mesh_3/internal/geometry/Vector_3.h>
@@ -37,18 +37,18 @@ class Surface_center_search_3
 public:
   typedef Complex_snapshot_3::Surface_center Surface_center;
 
-  // The triangulation is that of the sites.
-  Surface_center_search_3(const std::vector<Site>& sites, const Exact_triangulation_3& triangulation, const Domain_view_3& domain)
-    : sites_(sites)
-    , triangulation_(triangulation)
+  // Refers to its arguments.
+  Surface_center_search_3(const Labelled_triangulation_3& triangulation, const Domain_view_3& domain)
+    : triangulation_(triangulation)
     , domain_(domain)
   {}
 
   // Puts the center of a facet with these vertices, which is expected where it is, onto the surface, or finds it not exact.
-  void search(const Facet& facet, const Triple& t, Surface_center& center) const
+  void search(Half_facet facet, const Triple& t, Surface_center& center) const
   {
-    if(!search_near(Facet_dual_3(t, sites_), center) || !is_between_subdomains(facet, t, center))
-      put_on_dual_segment(facet, Facet_dual_3(t, sites_), center);
+    const Facet_dual_3 dual(t, triangulation_.sites());
+    if(!search_near(dual, center) || !is_between_subdomains(facet, t, center))
+      put_on_dual_segment(facet, dual, center);
   }
 
   // The same, whatever the cells beside the facet are; whether it is found.
@@ -61,13 +61,13 @@ public:
   }
 
   // Whether a center is on the dual segment, unless that is infinite or joins no two subdomains.
-  bool is_between_subdomains(const Facet& facet, const Triple& t, const Surface_center& center) const
+  bool is_between_subdomains(Half_facet facet, const Triple& t, const Surface_center& center) const
   {
-    const Cell_handle c = facet.first, d = c->neighbor(facet.second);
-    if(is_infinite(c) || is_infinite(d) || c->label() == d->label())
+    const int c = facet.cell(), d = triangulation_.mirror(facet).cell();
+    if(triangulation_.is_infinite(c) || triangulation_.is_infinite(d) || triangulation_.label(c) == triangulation_.label(d))
       return true;
-    const Facet_dual_3 dual(t, sites_);
-    const auto ends = std::minmax({ dual.height(dual_point(c)), dual.height(dual_point(d)) });
+    const Facet_dual_3 dual(t, triangulation_.sites());
+    const auto ends = std::minmax({ dual.height(triangulation_.dual_point(c)), dual.height(triangulation_.dual_point(d)) });
     const double height = dual.height(center.point);
     return ends.first <= height && height <= ends.second;
   }
@@ -91,21 +91,16 @@ private:
   }
 
   // Where the surface is far from the facet, it is crossed between the dual points of its cells.
-  void put_on_dual_segment(const Facet& facet, const Facet_dual_3& dual, Surface_center& center) const
+  void put_on_dual_segment(Half_facet facet, const Facet_dual_3& dual, Surface_center& center) const
   {
-    const Cell_handle c = facet.first, d = c->neighbor(facet.second);
-    if(is_infinite(c) || is_infinite(d))
+    const int c = facet.cell(), d = triangulation_.mirror(facet).cell();
+    if(triangulation_.is_infinite(c) || triangulation_.is_infinite(d))
       return;
-    const double from = dual.height(dual_point(c)), to = dual.height(dual_point(d));
+    const double from = dual.height(triangulation_.dual_point(c)), to = dual.height(triangulation_.dual_point(d));
     put_on_segment(dual.point_at((from + to) / 2), dual.normal, std::abs(to - from) / 2, center);
   }
 
-  bool is_infinite(Cell_handle c) const { return triangulation_.is_infinite(c); }
-
-  Vector_3 dual_point(Cell_handle c) const { return coordinates(triangulation_.dual(c)); }
-
-  const std::vector<Site>& sites_;
-  const Exact_triangulation_3& triangulation_;
+  const Labelled_triangulation_3& triangulation_;
   const Domain_view_3& domain_;
 };
 
@@ -124,7 +119,7 @@ public:
     Defect_report_3 report(candidate_);
     candidate_.boundary = Boundary_geometry_3(candidate_.boundary_complex, candidate_.sites);
     candidate_.centers.resize(candidate_.facets.size());
-    const Surface_center_search_3 search(candidate_.sites, candidate_.triangulation(), domain_);
+    const Surface_center_search_3 search(candidate_.triangulation, domain_);
     std::vector<char> is_lost(candidate_.facets.size(), false);
     domain_.for_each(candidate_.facets.size(), [&](int n)
     {

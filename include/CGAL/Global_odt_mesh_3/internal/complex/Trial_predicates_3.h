@@ -35,9 +35,9 @@ namespace CGAL::Global_odt_mesh_3::internal {
 class Trial_predicates_3
 {
 public:
-  Trial_predicates_3(const std::vector<Site>& sites, const Exact_triangulation_3& triangulation)
+  // Refers to the sites.
+  explicit Trial_predicates_3(const std::vector<Site>& sites)
     : sites_(sites)
-    , triangulation_(triangulation)
   {}
 
   int vertex() const { return vertex_; }
@@ -54,7 +54,6 @@ public:
     return result;
   }
 
-protected:
   // The sphere of a positive cell or, if that is infinite, the plane of its finite facet.
   struct Sphere
   {
@@ -101,7 +100,8 @@ protected:
   // Whether the vertex, or another one, would destroy the cell.
   bool is_in_conflict(const Sphere& s) const { return is_in_conflict(s, vertex_); }
 
-  bool is_in_conflict(const Sphere& s, int v) const
+  // Without perturbation, a site on the sphere is not.
+  bool is_in_conflict(const Sphere& s, int v, bool perturbs = true) const
   {
     const Site& q = site(v);
     double value, bound;
@@ -119,7 +119,7 @@ protected:
       value = way.dot(Vector_3(s.products.nx, s.products.ny, s.products.nz));
       bound = filter * s.squared_length * way.length();
     }
-    return value > bound || (!(value < -bound) && is_exactly_in_conflict(s, point(v)));
+    return value > bound || (!(value < -bound) && is_exactly_in_conflict(s, point(v), perturbs));
   }
 
   // Whether it is oriented as cells are; an infinite one is.
@@ -140,24 +140,23 @@ private:
 
   Weighted_point point(int v) const { return v == vertex_ ? point_ : weighted_point(sites_[v]); }
 
-  bool is_exactly_in_conflict(const Sphere& s, const Weighted_point& p) const
+  bool is_exactly_in_conflict(const Sphere& s, const Weighted_point& p, bool perturbs) const
   {
     const Quadruple& v = s.vertices;
     // Perturbation knows no order of points at one place. That no cell with both is positive is seen later.
     if(std::any_of(v.begin(), v.end(), [&](int w) { return w >= 0 && point(w).point() == p.point(); }))
       return false;
     if(s.infinite == 4)
-      return triangulation_.side_of_oriented_power_sphere(point(v[0]), point(v[1]), point(v[2]), point(v[3]), p, true)
-             == ON_POSITIVE_SIDE;
+      return exact_.side_of_oriented_power_sphere(point(v[0]), point(v[1]), point(v[2]), point(v[3]), p, perturbs) == ON_POSITIVE_SIDE;
     const Triple t = facet_vertices(v, s.infinite);
     const Weighted_point a = point(t[0]), b = point(t[1]), c = point(t[2]);
     const Orientation side = CGAL::orientation(p.point(), a.point(), b.point(), c.point());
     return side == POSITIVE
-           || (side == COPLANAR && triangulation_.side_of_bounded_power_circle(a, b, c, p, true) == ON_BOUNDED_SIDE);
+           || (side == COPLANAR && exact_.side_of_bounded_power_circle(a, b, c, p, perturbs) == ON_BOUNDED_SIDE);
   }
 
   const std::vector<Site>& sites_;
-  const Exact_triangulation_3& triangulation_;
+  Exact_triangulation_3 exact_;                 // empty
   int vertex_ = -1;
   Site site_ = { 0, 0, 0, 0 };
   Weighted_point point_;                        // there

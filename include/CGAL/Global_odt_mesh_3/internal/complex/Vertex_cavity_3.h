@@ -12,10 +12,9 @@
 
 #include <CGAL/license/Global_odt_mesh_3.h>
 
-#include <CGAL/Global_odt_mesh_3/internal/complex/Editable_complex_3.h>
+#include <CGAL/Global_odt_mesh_3/internal/complex/Labelled_triangulation_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/complex/Exact_triangulation_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/complex/Trial_predicates_3.h>
-#include <CGAL/Global_odt_mesh_3/internal/complex/Working_triangulation_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/geometry/Angle_deficit_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/geometry/Site.h>
 #include <CGAL/Global_odt_mesh_3/internal/geometry/Vector_3.h>
@@ -44,20 +43,22 @@ class Vertex_cavity_3
   : private Trial_predicates_3
 {
 public:
+  static constexpr int unlabelled = -4;         // the label of a cell that has not got one yet
+
   struct Cell
   {
     Quadruple vertices;                         // -1 for the infinite one
-    int label;
-    Cell_handle handle = Cell_handle();         // none if there is no such cell yet
+    int label = unlabelled;
+    int number = Labelled_triangulation_3::no_cell;     // in the triangulation, if it is there
     bool is_asked = false, fits = true;         // whether the domain has been asked, and agrees about the label
     Vector_3 dual;       // once it has been asked
     Cell_lack lack = Cell_lack();
     bool is_measured = false;
   };
 
-  explicit Vertex_cavity_3(const Editable_complex_3& complex)
-    : Trial_predicates_3(complex.sites, complex.triangulation())
-    , complex_(complex)
+  explicit Vertex_cavity_3(const Labelled_triangulation_3& triangulation)
+    : Trial_predicates_3(triangulation.sites())
+    , triangulation_(triangulation)
   {}
 
   using Trial_predicates_3::vertex;
@@ -82,7 +83,7 @@ public:
   }
 
   // Begins with one that is not there, near a cell.
-  void start_new(int v, Cell_handle nearby)
+  void start_new(int v, int nearby)
   {
     set_vertex(v);
     is_new_ = is_filled_ = true;
@@ -93,7 +94,7 @@ public:
     outer_.push_back({ known_cell(nearby), Sphere() });
   }
 
-  // Finds the cells for another place; false if the vertex would be hidden there or not be near, or if a cell would go that is kept.
+  // Finds the cells for another place; false if the vertex would be hidden there or not be near.
   bool find_cells(const Site& s)
   {
     move_vertex(s);
@@ -113,7 +114,6 @@ public:
       visit_neighbors(queue_[n]);
     list_cells();
     return !created_.empty() && outer_.size() < most_cells
-           && std::none_of(queue_.begin(), queue_.end(), [this](int n) { return complex_.numbering.is_kept(outer_[n].cell.vertices); })
            && std::all_of(created_.begin(), created_.end(), [this](const Cell& c) { return is_positive(c.vertices); });
   }
 
@@ -135,27 +135,28 @@ public:
   const std::vector<Cell*>& new_cells() const { return new_cells_; }
 
   // The cell beyond a facet, with sorted vertices, of the hull of the cells that go.
-  Cell_handle beyond(const Triple& facet) const
+  int beyond(const Triple& facet) const
   {
     for(const Cell* c : old_cells_)
       for(int i = 0; i < 4; ++i)
-        if(sorted(facet_vertices(c->vertices, i)) == facet && !goes(c->handle->neighbor(i)))
-          return c->handle->neighbor(i);
-    return Cell_handle();
+        if(const int n = triangulation_.neighbor(c->number, i); sorted(facet_vertices(c->vertices, i)) == facet && !goes(n))
+          return n;
+    return Labelled_triangulation_3::no_cell;
   }
 
-  // Makes the cells that come those of the triangulation.
-  void replace(Working_triangulation_3& working)
+  // Makes the cells that come those of the triangulation, and the site that of the vertex.
+  void replace(Labelled_triangulation_3& triangulation)
   {
-    std::vector<Working_triangulation_3::New_cell> cells;
+    triangulation.set_site(vertex(), site(vertex()));
+    std::vector<std::pair<Quadruple, int> > cells;
     for(const Cell* c : new_cells_)
-      cells.push_back({ c->vertices, c->label });
-    std::vector<Cell_handle> old;
+      cells.emplace_back(c->vertices, c->label);
+    std::vector<int> old;
     for(const Cell* c : old_cells_)
-      old.push_back(c->handle);
-    const std::vector<Cell_handle> created = working.replace(old, cells);
+      old.push_back(c->number);
+    const std::vector<int> created = triangulation.replace(old, cells);
     for(std::size_t n = 0; n < created.size(); ++n)
-      new_cells_[n]->handle = created[n];
+      new_cells_[n]->number = created[n];
   }
 
 private:
@@ -187,33 +188,23 @@ private:
 
   static constexpr int unknown = (std::numeric_limits<int>::max)();
 
-  Cell known_cell(Cell_handle c) const
+  Cell known_cell(int c) const
   {
     Cell cell;
-    cell.vertices = complex_.numbers(c);
-    cell.label = c->label();
-    cell.handle = c;
+    cell.vertices = triangulation_.vertices(c);
+    cell.label = triangulation_.label(c);
+    cell.number = c;
     return cell;
   }
 
   bool find_star()
   {
-    const Vertex_handle v = complex_.working.vertex(vertex());
-    std::vector<Cell_handle>& cells = handles_;
-    cells.assign(1, v->cell());
-    for(std::size_t n = 0; n < cells.size(); ++n)
-      for(int i = 0; i < 4; ++i)
-      {
-        const Cell_handle c = cells[n]->neighbor(i);
-        if(cells[n]->vertex(i) != v && std::find(cells.begin(), cells.end(), c) == cells.end())
-          cells.push_back(c);
-        if(cells.size() > most_cells)
-          return false;
-      }
+    if(!triangulation_.star(vertex(), most_cells, numbers_) || numbers_.empty())
+      return false;
     keys_.clear();
-    for(Cell_handle c : cells)
-      keys_.emplace_back(sorted(complex_.numbers(c)), c);
-    std::sort(keys_.begin(), keys_.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
+    for(int c : numbers_)
+      keys_.emplace_back(sorted(triangulation_.vertices(c)), c);
+    std::sort(keys_.begin(), keys_.end());
     star_.clear();
     link_.clear();
     for(const auto& k : keys_)
@@ -265,7 +256,6 @@ private:
       return false;
     const Quadruple q = hole_.back().sphere.vertices;
     hole_.back().cell.vertices = q;
-    hole_.back().cell.label = complex_.label_of_vertices(q);
     glue(n, 0, f.owner, f.index);
     for(int i = 1; i < 4; ++i)
     {
@@ -323,19 +313,19 @@ private:
   {
     const bool is_of_star = open.owner < 0;
     const Quadruple q = {{ open.key[1], open.key[2], is_of_star ? vertex() : hole_[open.owner].cell.vertices[open.index], d }};
-    const auto p = [&](int i) { return complex_.point(q[i]).point(); };
+    const auto p = [&](int i) { return weighted_point(triangulation_.sites()[q[i]]).point(); };
     // What is known lies beyond the edge, as seen from the vertex in the hole, or is a cell of the hole.
     return CGAL::orientation(p(0), p(1), p(2), p(3)) != COPLANAR
            || CGAL::coplanar_orientation(p(0), p(1), p(2), p(3)) == (is_of_star ? POSITIVE : NEGATIVE);
   }
 
   // The number of a cell of the triangulation, or ~n if it is number n of the star.
-  int local(Cell_handle c)
+  int local(int c)
   {
-    if(!is_new_ && c->has_vertex(complex_.working.vertex(vertex())))
-      return ~static_cast<int>(std::find_if(star_.begin(), star_.end(), [c](const Cell& s) { return s.handle == c; }) - star_.begin());
+    if(!is_new_ && index_of(triangulation_.vertices(c), vertex()) < 4)
+      return ~static_cast<int>(std::find_if(star_.begin(), star_.end(), [c](const Cell& s) { return s.number == c; }) - star_.begin());
     for(std::size_t n = 0; n < outer_.size(); ++n)
-      if(outer_[n].cell.handle == c)
+      if(outer_[n].cell.number == c)
         return static_cast<int>(n);
     const Cell cell = known_cell(c);
     outer_.push_back({ cell, sphere(cell.vertices) });
@@ -371,7 +361,7 @@ private:
     {
       if(outer_[n].beyond[i] == unknown)
       {
-        const int b = local(outer_[n].cell.handle->neighbor(i));
+        const int b = local(triangulation_.neighbor(outer_[n].cell.number, i));
         outer_[n].beyond[i] = b;
       }
       const int b = outer_[n].beyond[i];
@@ -384,7 +374,7 @@ private:
   int beyond_star(int n)
   {
     const Cell& c = star_[n];
-    return local(c.handle->neighbor(index_of(c.vertices, vertex())));
+    return local(triangulation_.neighbor(c.number, index_of(c.vertices, vertex())));
   }
 
   // The cell that is near a new vertex, or one beside it, is to be in conflict.
@@ -393,7 +383,7 @@ private:
     outer_[0].sphere = sphere(outer_[0].cell.vertices);
     if(!visit(0))
       for(int i = 0; i < 4 && queue_.empty(); ++i)
-        visit(local(outer_[0].cell.handle->neighbor(i)));
+        visit(local(triangulation_.neighbor(outer_[0].cell.number, i)));
   }
 
   void create(Quadruple q, int i)
@@ -401,7 +391,6 @@ private:
     q[i] = vertex();
     created_.emplace_back();
     created_.back().vertices = q;
-    created_.back().label = complex_.label_of_vertices(q);
   }
 
   void list_cells()
@@ -419,13 +408,13 @@ private:
       new_cells_.push_back(&c);
   }
 
-  bool goes(Cell_handle c) const
-  { return std::any_of(old_cells_.begin(), old_cells_.end(), [c](const Cell* o) { return o->handle == c; }); }
+  bool goes(int c) const
+  { return std::any_of(old_cells_.begin(), old_cells_.end(), [c](const Cell* o) { return o->number == c; }); }
 
-  const Editable_complex_3& complex_;
+  const Labelled_triangulation_3& triangulation_;
   bool is_new_ = false, is_filled_ = false, has_infinite_ = false;
-  std::vector<Cell_handle> handles_;
-  std::vector<std::pair<Quadruple, Cell_handle> > keys_;
+  std::vector<int> numbers_;
+  std::vector<std::pair<Quadruple, int> > keys_;
   std::vector<Cell> star_, created_;
   std::vector<int> link_, hole_of_star_;        // finite neighbors; of the star, which cells of the hole are at its outer facets
   std::vector<Hole_cell> hole_;

@@ -20,7 +20,7 @@
 #include <CGAL/Global_odt_mesh_3/internal/complex/Surface_centers_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/complex/Vertex_cavity_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/complex/Vertex_trial_3.h>
-#include <CGAL/Global_odt_mesh_3/internal/complex/Working_triangulation_3.h>
+#include <CGAL/Global_odt_mesh_3/internal/complex/Labelled_triangulation_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/geometry/Cell_geometry_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/geometry/Site.h>
 #include <CGAL/Global_odt_mesh_3/internal/geometry/Vector_3.h>
@@ -56,7 +56,7 @@ struct New_vertex_3
 };
 
 // The middle of an edge of a cell, on the surface if it is on one; none if several surfaces meet there.
-inline std::optional<New_vertex_3> middle_of_edge(const Editable_complex_3& complex, int u, int v, Cell_handle c)
+inline std::optional<New_vertex_3> middle_of_edge(const Editable_complex_3& complex, int u, int v, int c)
 {
   constexpr double farthest_projection = 0.25;              // over the edge
   const std::vector<Site>& sites = complex.sites;
@@ -67,8 +67,8 @@ inline std::optional<New_vertex_3> middle_of_edge(const Editable_complex_3& comp
     if(const auto& t = complex.boundary.facet(n).vertices; std::find(t.begin(), t.end(), v) != t.end())
       facets.push_back(complex.boundary.facet(n));
   // Off the boundary, all cells around are in one subdomain.
-  if(facets.empty() && c->label() != Domain_view_3::outside)
-    return New_vertex_3{ p, 3, c->label() };
+  if(facets.empty() && complex.is_inside(c))
+    return New_vertex_3{ p, 3, complex.triangulation.label(c) };
   if(facets.size() != 2 || facets[0].patch != facets[1].patch || facets[0].labels != facets[1].labels
      || facets[0].patch == Boundary_facet::no_patch)
     return std::nullopt;
@@ -112,7 +112,7 @@ public:
 
   // Whether the vertex, which is near a cell, may be inserted so far from all others, whatever that does to angles, and has
   // been, as the last one.
-  bool insert(const New_vertex_3& vertex, double least_distance, Cell_handle start)
+  bool insert(const New_vertex_3& vertex, double least_distance, int start)
   {
     begin(vertex, start);
     return end(trial_.fits(least_distance));
@@ -127,7 +127,7 @@ public:
 
   // The change of the sum of the deficits if the vertex were there, or infinity if it may not be inserted there, if an angle
   // gets smaller than all before, or if the change is not less than `most`. It stays there if it is less, and `stays`.
-  double insert_for_angles(const New_vertex_3& vertex, double most, Cell_handle start, bool stays)
+  double insert_for_angles(const New_vertex_3& vertex, double most, int start, bool stays)
   {
     begin(vertex, start);
     const double change = trial_.move(complex().sites.back(), most);
@@ -191,8 +191,8 @@ public:
         return std::nullopt;
     }
     refined.number_facets();
-    complex_.working.renumber(numbers);
-    Mesh_table_3 table = Snapshot_tabulation_3(refined, complex().working, complex().threads)();
+    complex_.triangulation.renumber(numbers, refined.sites);
+    Mesh_table_3 table = Snapshot_tabulation_3(refined, complex_.triangulation, complex().threads)();
     table.inserted = places_;
     return table;
   }
@@ -206,9 +206,9 @@ private:
   void measure_volumes()
   {
     if(volume_.empty())
-      for(Cell_handle c : complex().working.cells())
-        if(c->label() != Domain_view_3::outside)
-          volume_[c->label()] += volume(complex().numbers(c));
+      for(int c : complex().triangulation.cells())
+        if(complex().is_inside(c))
+          volume_[complex().triangulation.label(c)] += volume(complex().triangulation.vertices(c));
   }
 
   // Whether volumes change so little if the vertex leaves.
@@ -247,7 +247,7 @@ private:
     return changes;
   }
 
-  void begin(const New_vertex_3& vertex, Cell_handle start)
+  void begin(const New_vertex_3& vertex, int start)
   {
     const int v = add(vertex);
     trial_.start_new(v, vertex.dimension == 2 ? vertex.place : int(Boundary_facet::no_patch), start);
@@ -302,7 +302,7 @@ private:
     kept->number_in_table = numbering_->number_in_table + static_cast<int>(places_.size());
     for(int v = 0; v < number_of_vertices(); ++v)
     {
-      const bool is_visible = complex().working.is_visible(v);
+      const bool is_visible = complex().triangulation.is_visible(v);
       numbers.push_back(is_visible ? static_cast<int>(sites.size()) : -1);
       if(!is_visible)
         continue;
@@ -332,7 +332,7 @@ private:
   // facet was accepted.
   Complex_snapshot_3::Surface_center center(const Editable_complex_3::Found_facet& f, const Vector_3& expected) const
   {
-    const Surface_center_search_3 search(complex().sites, complex().triangulation(), complex().domain);
+    const Surface_center_search_3 search(complex().triangulation, complex().domain);
     const Triple& t = f.of_boundary.vertices;
     const int n = complex().snapshot.facet_number(f.key);
     Complex_snapshot_3::Surface_center known, found;

@@ -15,7 +15,6 @@
 #include <CGAL/Global_odt_mesh_3/internal/complex/Editable_complex_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/complex/Facet_exchange_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/complex/Vertex_cavity_3.h>
-#include <CGAL/Global_odt_mesh_3/internal/complex/Working_triangulation_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/geometry/Angle_deficit_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/geometry/Cell_geometry_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/geometry/Site.h>
@@ -57,7 +56,7 @@ public:
 
   explicit Vertex_trial_3(Editable_complex_3& complex)
     : complex_(complex)
-    , cavity_(complex)
+    , cavity_(complex.triangulation)
     , exchange_(complex, cavity_)
     , goal_(Sliver_steps::angles[0], 0)
   {}
@@ -81,11 +80,11 @@ public:
   }
 
   // Those opposite to a cell in its neighbors that may move.
-  std::vector<int> movable_vertices_beyond(Cell_handle c) const
+  std::vector<int> movable_vertices_beyond(int c) const
   {
     std::array<int, 4> beyond;
     for(int i = 0; i < 4; ++i)
-      beyond[i] = Working_triangulation_3::number(complex_.triangulation().mirror_vertex(c, i));
+      beyond[i] = complex_.triangulation.vertex(complex_.triangulation.mirror(Half_facet(c, i)));
     return movable_vertices(beyond);
   }
 
@@ -105,7 +104,7 @@ public:
   }
 
   // Begins with a vertex that has been added to the complex, on a patch or inside, near a cell.
-  void start_new(int v, int patch, Cell_handle nearby)
+  void start_new(int v, int patch, int nearby)
   {
     leaves_ = false;
     change_ = Vertex_change{ v, true, patch };
@@ -157,7 +156,7 @@ public:
   // The change of the sum of the deficits with the vertex there, or infinity if it may not be there, if a cell is worse than all
   // that go, or if the change would not be less than `most`. Of cells off the boundary, the domain is not asked.
   double move(const Site& s, double most)
-  { return cavity_.find_cells(s) && (!cavity_.is_new() || has_room(0)) ? change(most) : infinity; }
+  { return find_cells(s) && (!cavity_.is_new() || has_room(0)) ? change(most) : infinity; }
 
   // The same near a site, which becomes the one that is meant: on a surface, it becomes tangential and, where that promises less,
   // is projected.
@@ -171,7 +170,7 @@ public:
       return infinity;
     Vector_3 p = position(s) - normal_.dot(position(s) - position(from_)) * normal_;
     s = site_at(p, s.weight);
-    if(!cavity_.find_cells(s) || !promises(most)
+    if(!find_cells(s) || !promises(most)
        || !complex_.domain.project(p, normal_, farthest_projection * shortest_edge_, own_patch(v)))
       return infinity;
     s = site_at(p, s.weight);
@@ -181,7 +180,7 @@ public:
   // Whether a new vertex may be where its site is, so far from others, whatever becomes of angles.
   bool fits(double least_distance)
   {
-    return cavity_.find_cells(complex_.sites[cavity_.vertex()]) && has_room(least_distance) && is_permitted();
+    return find_cells(complex_.sites[cavity_.vertex()]) && has_room(least_distance) && is_permitted();
   }
 
   // The change if the vertex were removed.
@@ -208,18 +207,10 @@ public:
   // False if the domain does not agree, or finds no surface center for a facet.
   bool accept()
   {
-    const int v = cavity_.vertex();
     if(!ask_all() || !exchange_.find_centers(complex_.centers))
       return false;
     exchange_.apply(complex_);
-    if(cavity_.is_new())
-      complex_.working.create_vertex(v, cavity_.site(v));
-    else if(!leaves_)
-      complex_.working.set_site(v, cavity_.site(v));
-    complex_.sites[v] = cavity_.site(v);
-    cavity_.replace(complex_.working);
-    if(leaves_)
-      complex_.working.remove_without_cells(v);
+    cavity_.replace(complex_.triangulation);
     return true;
   }
 
@@ -230,6 +221,13 @@ private:
 
   // Labels that are not known yet count for outside.
   static bool is_inside(int label) { return label >= 0 && label != Domain_view_3::outside; }
+
+  // Those that are kept do not go.
+  bool find_cells(const Site& s)
+  {
+    return cavity_.find_cells(s) && std::none_of(cavity_.old_cells().begin(), cavity_.old_cells().end(),
+                                                 [this](const Cell* c) { return complex_.numbering.is_kept(c->vertices); });
+  }
 
   // Whatever becomes of angles.
   bool is_permitted() { return promises(infinity) && ask_all() && exchange_.is_permitted(change_); }
@@ -243,7 +241,7 @@ private:
   // Not one that has been inserted, nor one without which there are no cells.
   bool is_movable(int v) const
   {
-    if(v < 0 || complex_.is_inserted(v) || !complex_.working.keeps_dimension_without(v))
+    if(v < 0 || complex_.is_inserted(v) || !complex_.triangulation.keeps_dimension_without(v))
       return false;
     if(!complex_.numbering.is_on_boundary(v) || !complex_.boundary_moves)
       return complex_.numbering.is_interior(v);
@@ -334,6 +332,8 @@ private:
     for(std::size_t n = 0; n < cells.size(); ++n)
     {
       Cell& c = *cells[n];
+      if(c.label == Vertex_cavity_3::unlabelled)
+        c.label = complex_.label_of_vertices(c.vertices);
       if(c.label == Editable_complex_3::mixed)
         return false;
       if(c.label == Editable_complex_3::unknown)
@@ -401,9 +401,7 @@ private:
   {
     if(c.is_asked || *std::min_element(c.vertices.begin(), c.vertices.end()) < 0)
       return c.fits;
-    const auto point = [&](int i) { return weighted_point(cavity_.site(c.vertices[i])); };
-    c.dual = coordinates(complex_.triangulation().geom_traits().construct_weighted_circumcenter_3_object()(point(0), point(1), point(2),
-                                                                                                            point(3)));
+    c.dual = exact_dual_point(cavity_.sites(c.vertices));
     const int label = complex_.domain.label(c.dual);
     c.fits = c.label == Editable_complex_3::unknown || c.label == label;
     c.label = label;

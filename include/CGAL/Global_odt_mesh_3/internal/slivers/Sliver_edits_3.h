@@ -51,7 +51,7 @@ public:
     edits_.trial().set_goal(Sliver_goal(Sliver_steps::angles[step], step));
     const std::vector<Sliver_3> slivers = complex_.slivers(Sliver_steps::angles[step]);
     number_of_tries_ = 0;
-    const std::size_t most_tries = fewest_tries + tries_for_a_cell * complex_.working.cells().size();
+    const std::size_t most_tries = fewest_tries + tries_for_a_cell * complex_.triangulation.cells().size();
     const std::size_t places = places_in_cell * (std::max)(slivers.size(), std::size_t(1));
     tries_ = (std::min)((std::max)(int(fewest_tries_around), int(most_tries / places)), int(most_tries_around));
     for(const Sliver_3& s : slivers)
@@ -67,8 +67,8 @@ public:
   // them come below the angles of the steps before.
   void split(const Quadruple& q, int facet, int step)
   {
-    const Cell_handle c = complex_.find_cell(q);
-    if(c == Cell_handle() || complex_.numbering.is_kept(q))
+    const int c = complex_.find_cell(q);
+    if(c < 0 || complex_.numbering.is_kept(q))
       return;
     edits_.trial().set_goal(Sliver_goal(Sliver_steps::angles[step], step));
     Best best;
@@ -76,7 +76,7 @@ public:
     const double length = edges(q).front().length;
     if(facet < 0)
     {
-      try_around(New_vertex_3{ coordinates(complex_.triangulation().dual(c)), 3, c->label() }, farthest * length, c, best);
+      try_around(New_vertex_3{ complex_.triangulation.dual_point(c), 3, complex_.triangulation.label(c) }, farthest * length, c, best);
       try_insertions(q, c, best);
     }
     else
@@ -132,7 +132,7 @@ private:
     return best >= 0 && edits_.remove_for_angles(best, 0, true) < 0;
   }
 
-  void try_insertions(const Quadruple& q, Cell_handle c, Best& best)
+  void try_insertions(const Quadruple& q, int c, Best& best)
   {
     const std::vector<Edge> longest = edges(q);
     const double length = farthest * longest.front().length;
@@ -155,10 +155,10 @@ private:
     return result;
   }
 
-  New_vertex_3 middle_of_cell(const Quadruple& q, Cell_handle c) const
+  New_vertex_3 middle_of_cell(const Quadruple& q, int c) const
   {
     const std::vector<Site>& s = complex_.sites;
-    return { (position(s[q[0]]) + position(s[q[1]]) + position(s[q[2]]) + position(s[q[3]])) / 4, 3, c->label() };
+    return { (position(s[q[0]]) + position(s[q[1]]) + position(s[q[2]]) + position(s[q[3]])) / 4, 3, complex_.triangulation.label(c) };
   }
 
   // On the surface.
@@ -172,7 +172,7 @@ private:
     return complex_.domain.project(v.point, v.normal, dual.radius, v.place) ? std::make_optional(v) : std::nullopt;
   }
 
-  void try_around(const std::optional<New_vertex_3>& base, double length, Cell_handle c, Best& best)
+  void try_around(const std::optional<New_vertex_3>& base, double length, int c, Best& best)
   {
     for(int n = 0; n < tries_ && base; ++n)
     {

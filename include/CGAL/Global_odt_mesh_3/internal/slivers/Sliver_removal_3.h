@@ -187,7 +187,7 @@ private:
     const auto end = std::find_if(slivers_.begin(), slivers_.end(), [step](const Sliver_3& s) { return s.angle >= Sliver_steps::angles[step]; });
     std::vector<Sliver_3> result(slivers_.begin(), end);
     const int most_failures = failures_for_each(result.size(), tries);
-    result.erase(std::remove_if(result.begin(), result.end(), [=](const Sliver_3& s) { return s.cell->failures() >= most_failures; }),
+    result.erase(std::remove_if(result.begin(), result.end(), [=](const Sliver_3& s) { return complex_.triangulation.failures(s.cell) >= most_failures; }),
                  result.end());
     return result;
   }
@@ -229,13 +229,13 @@ private:
     complex_.domain.threads().for_each_chunk(chunks.number(), [&](int k)
     {
       for(int n = chunks.begin(k); n < chunks.end(k); ++n)
-        proposals[n] = propose(trials_[k], batch[n], batch[n].cell->failures());
+        proposals[n] = propose(trials_[k], batch[n], complex_.triangulation.failures(batch[n].cell));
     });
     for(std::size_t n = 0; n < batch.size(); ++n)
     {
       number_of_tries_ += proposals[n].tries;
       if(complex_.has(batch[n]) && !accept(proposals[n]))
-        batch[n].cell->add_failure();
+        complex_.triangulation.add_failure(batch[n].cell);
     }
   }
 
@@ -248,7 +248,7 @@ private:
     ++number_of_moves_;
     for(const Vertex_cavity_3::Cell* c : trial_.cavity().new_cells())
       if(c->label != Domain_view_3::outside)
-        complex_.add_sliver(c->handle, Sliver_steps::angles[step_], slivers_);
+        complex_.add_sliver(c->number, Sliver_steps::angles[step_], slivers_);
     return true;
   }
 
@@ -307,7 +307,7 @@ private:
   void enter_sphere(Vertex_trial_3& trial, const Sliver_3& s, Proposal& best) const
   {
     const auto& shares = parameters_.shares_of_radius;
-    const Quadruple q = complex_.numbers(s.cell);
+    const Quadruple q = complex_.triangulation.vertices(s.cell);
     for(int v : trial.movable_vertices_beyond(s.cell))
       if(try_places(trial, v, shares.size(), [&](std::size_t n) { return trial.place_in_sphere(q, shares[n]); }, best))
         return;
@@ -383,7 +383,7 @@ private:
   bool is_worthwhile(int step, std::size_t slivers, const Editable_complex_3& complex) const
   {
     return bound_ > 0 || Sliver_steps::angles[step] <= always_wanted
-           || (double(slivers) < most_slivers * double(complex.working.cells().size())
+           || (double(slivers) < most_slivers * double(complex.triangulation.cells().size())
                && complex.slivers(Sliver_steps::angles[step - 1]).empty());
   }
 
@@ -398,7 +398,7 @@ private:
     if(!is_worthwhile(step, before, complex))
       return false;
     if(step == first_step)
-      most_tries_ = fewest_tries + tries_for_two_cells * complex.working.cells().size() / 2 + tries_for_a_sliver * before;
+      most_tries_ = fewest_tries + tries_for_two_cells * complex.triangulation.cells().size() / 2 + tries_for_a_sliver * before;
     const std::size_t left = most_tries_ - (std::min)(number_of_tries_, most_tries_);
     removal.raise_angles(std::size_t(share_of_passes * double(left)), has_time);
     removal.raise_smallest_angle(left - (std::min)(removal.number_of_tries(), left), has_time);

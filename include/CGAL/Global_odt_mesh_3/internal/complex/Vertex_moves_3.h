@@ -1,0 +1,151 @@
+// Copyright (c) 2026 The Global ODT Mesh authors.
+// All rights reserved.
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later OR LicenseRef-Commercial
+//
+// Author(s)     : The Global ODT Mesh authors
+
+#ifndef CGAL_GLOBAL_ODT_MESH_3_INTERNAL_COMPLEX_VERTEX_MOVES_3_H
+#define CGAL_GLOBAL_ODT_MESH_3_INTERNAL_COMPLEX_VERTEX_MOVES_3_H
+
+#include <CGAL/license/Global_odt_mesh_3.h>
+
+#include <CGAL/Global_odt_mesh_3/internal/complex/Labelled_triangulation_3.h>
+#include <CGAL/Global_odt_mesh_3/internal/complex/Trial_predicates_3.h>
+#include <CGAL/Global_odt_mesh_3/internal/complex/Vertex_cavity_3.h>
+#include <CGAL/Global_odt_mesh_3/internal/geometry/Site.h>
+#include <CGAL/Global_odt_mesh_3/internal/geometry/Vertex_tuples.h>
+#include <CGAL/Global_odt_mesh_3/internal/parallel/Chunked_loops.h>
+#include <CGAL/Global_odt_mesh_3/internal/parallel/Thread_policy.h>
+#include <CGAL/Global_odt_mesh_3/internal/triangulation/Indexed_triangulation_3.h>
+
+#include <CGAL/enum.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <vector>
+
+namespace CGAL::Global_odt_mesh_3::internal {
+
+// Moves single vertices of a triangulation, wherever they go.
+class Vertex_moves_3
+  : private Trial_predicates_3
+{
+public:
+  explicit Vertex_moves_3(Labelled_triangulation_3& triangulation)
+    : Trial_predicates_3(triangulation.sites())
+    , triangulation_(triangulation)
+    , cavity_(triangulation)
+  {}
+
+  // False if the vertex has too many neighbors or would be hidden; then it may be out of the triangulation.
+  bool move(int v, const Site& s)
+  {
+    if(!cavity_.start(v))
+      return false;
+    if(!cavity_.find_cells(s))
+    {
+      if(!cavity_.find_cells_without())
+        return false;
+      cavity_.replace(triangulation_);
+      const int nearby = cell_at(s, cavity_.new_cells().front()->number);
+      triangulation_.set_site(v, s);
+      cavity_.start_new(v, nearby);
+      if(!cavity_.find_cells(s))
+        return false;
+    }
+    cavity_.replace(triangulation_);
+    return true;
+  }
+
+private:
+  // Walks from a cell to the one in which the site is.
+  int cell_at(const Site& s, int c) const
+  {
+    for(int i = 0; i < 4 && !triangulation_.is_infinite(c); ++i)
+    {
+      if(!is_beyond(s, triangulation_.vertices(c), i))
+        continue;
+      c = triangulation_.neighbor(c, i);
+      i = -1;
+    }
+    return c;
+  }
+
+  bool is_beyond(const Site& s, const Quadruple& q, int i) const
+  {
+    const Triple t = facet_vertices(q, i);
+    const auto point = [this](int v) { return weighted_point(site(v)).point(); };
+    return CGAL::orientation(point(t[0]), point(t[1]), point(t[2]), weighted_point(s).point()) == POSITIVE;
+  }
+
+  Labelled_triangulation_3& triangulation_;
+  Vertex_cavity_3 cavity_;
+};
+
+// Goes to these sites by moving vertices; false if that is not the way, as with many vertices it is faster to build the triangulation
+// anew, and then what is left is of no use.
+inline bool move_vertices(const std::vector<Site>& sites, Labelled_triangulation_3& triangulation)
+{
+  constexpr double most_moved_one_by_one = 1 / 20.;
+  if(sites.size() != triangulation.sites().size() || !triangulation.is_complete())
+    return false;
+  std::vector<int> moved;
+  for(std::size_t v = 0; v < sites.size(); ++v)
+    if(!same_place(sites[v], triangulation.sites()[v]))
+      moved.push_back(static_cast<int>(v));
+  if(double(moved.size()) > most_moved_one_by_one * double(sites.size()))
+    return false;
+  Vertex_moves_3 moves(triangulation);
+  return std::all_of(moved.begin(), moved.end(), [&](int v) { return moves.move(v, sites[v]); }) && triangulation.is_complete();
+}
+
+// Whether a triangulation is regular, of which there are several where a sphere passes through five vertices. One that is read need
+// not be, or is another than CGAL's functions make, and then to move vertices is of no use.
+class Regularity_check_3
+  : private Trial_predicates_3
+{
+public:
+  explicit Regularity_check_3(const Labelled_triangulation_3& triangulation)
+    : Trial_predicates_3(triangulation.sites())
+    , triangulation_(triangulation)
+  {}
+
+  bool operator()(const Thread_policy& threads) const
+  {
+    const std::vector<int>& cells = triangulation_.cells();
+    const auto is_everywhere = [&](const auto& holds)
+    {
+      return collect_in_chunks(static_cast<int>(cells.size()), threads, [&](int n, std::vector<int>& wrong)
+      {
+        if(!holds(cells[n]))
+          wrong.push_back(n);
+      }).empty();
+    };
+    // Only positive cells have spheres.
+    return is_everywhere([this](int c) { return is_positive(triangulation_.vertices(c)); })
+           && is_everywhere([this](int c) { return is_locally_regular(c); });
+  }
+
+private:
+  bool is_locally_regular(int c) const
+  {
+    const Sphere s = sphere(triangulation_.vertices(c));
+    for(int i = 0; i < 4; ++i)
+      if(const Half_facet f(c, i); triangulation_.is_first_side(f))
+        if(const int v = triangulation_.vertex(triangulation_.mirror(f)); v >= 0 && is_in_conflict(s, v, false))
+          return false;
+    return true;
+  }
+
+  const Labelled_triangulation_3& triangulation_;
+};
+
+inline bool is_regular(const Labelled_triangulation_3& triangulation, const Thread_policy& threads)
+{ return Regularity_check_3(triangulation)(threads); }
+
+} // namespace CGAL::Global_odt_mesh_3::internal
+
+#endif // CGAL_GLOBAL_ODT_MESH_3_INTERNAL_COMPLEX_VERTEX_MOVES_3_H
