@@ -87,12 +87,8 @@ public:
       return true;
     control_.start(plan_->usual_most_iterations(), removes_slivers());
     // So that vertices have a way back; where that is not to be had, moves may still lead to a valid complex.
-    if(slivers_of_input_.is_of_deformed_mesh)
-    {
-      if(complex_.make_regular())
-        complex_.load_into(mesh_);
-      complex_.release_triangulation();
-    }
+    if(slivers_of_input_.is_of_deformed_mesh && complex_.make_regular())
+      complex_.load_into(mesh_);
     if(plan_->is_done())
     {
       bound_sizes();
@@ -112,8 +108,7 @@ public:
     mesh_ = Moving_triangulation_3();
     if(complex_.snapshot().is_input)
       return true;
-    const Mesh_table_3 table = Snapshot_tabulation_3(complex_.snapshot(), complex_.triangulation(), threads_)();
-    complex_.release_triangulation();
+    const Mesh_table_3 table = Snapshot_tabulation_3(complex_.snapshot(), complex_.snapshot().triangulation, threads_)();
     if(!is_acceptable(table, slivers_of_input_, parameters_, may_be_worse, removes_slivers() && control_.is_stopped()))
     {
       const bool is_worse = !slivers(table).is_not_worse_than(slivers_of_input_, true);
@@ -214,13 +209,12 @@ private:
     }
   }
 
-  // A round that leads to no valid complex is lost, and the next needs the memory more than the triangulation.
+  // A round that leads to no valid complex is lost.
   void store_round()
   {
     const double begin = control_.time();
     complex_.advance(mesh_, false);
     complex_.load_into(mesh_);
-    complex_.release_triangulation();
     control_.has_rebuilt(begin);
   }
 
@@ -258,8 +252,6 @@ private:
     // Where the user has ended the iterations, the first step keeps them from being in vain, for the slivers that they leave.
     bool may_begin = control_.is_canceled();
     stage.run(has_time, [&] { return control_.may_go_on() || (std::exchange(may_begin, false) && has_time()); });
-    if(complex_.is_lost())
-      return false;
     if(!control_.goes_on())
       code_ = control_.code();
     return true;

@@ -127,8 +127,6 @@ private:
     if(found.has_several_labels || (!is_boundary_cell && found.label != found.label_of_dual))
       return false;
     triangulation_.set_label(c, found.label_of_dual);
-    if(is_boundary_cell)
-      triangulation_.set_flag(c, IS_BOUNDARY_CELL);
     triangulation_.set_flag(c, IS_LABELLED);
     return true;
   }
@@ -166,10 +164,6 @@ private:
     for(int n : numbers)
       if(const int c = triangulation_.cells()[n]; triangulation_.has_flag(c, MAY_HAVE_BOUNDARY_FACETS))
         candidate_.cells_at_boundary.push_back(c);
-    candidate_.boundary_cells.clear();
-    for(int c : candidate_.cells_at_boundary)
-      if(triangulation_.has_flag(c, IS_BOUNDARY_CELL))
-        candidate_.boundary_cells.push_back(c);
   }
 
   // The label of the dual point of a cell with all vertices on the boundary, or no_subdomain if it takes the domain to know.
@@ -180,7 +174,7 @@ private:
   {
     if(!candidate_.is_unchanged(q))
       return no_subdomain;
-    const int of_snapshot = candidate_.snapshot.label_of_boundary_cell(q);
+    const int of_snapshot = candidate_.snapshot.label_of_cell(q);
     if(candidate_.snapshot.has_labels_of_domain && is_dual_point_certain(q))
       return of_snapshot;
     if(const Vertex_numbering_3::Input_cell* const c = candidate_.numbering.input_cell(q, candidate_.sites))

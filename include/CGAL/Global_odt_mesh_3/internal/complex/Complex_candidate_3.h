@@ -50,14 +50,13 @@ struct Complex_candidate_3
   bool may_retreat = true;                    // whether vertices may go elsewhere instead of back
   const Thread_policy threads;
 
-  Labelled_triangulation_3& triangulation;  // of the candidate's vertices once it has been built
+  Labelled_triangulation_3 triangulation;     // of the candidate's vertices once it has been built
   std::vector<Site> sites;
   // Where vertices go back to: as in the snapshot, or as in the input.
   std::vector<Site> revert_sites;
   Boundary_geometry_3 measured_boundary;      // that of the snapshot, at the positions of the candidate
 
   std::vector<int> cells_at_boundary;         // finite, with three vertices or more on the boundary
-  std::vector<int> boundary_cells;            // with all vertices on the boundary
   std::shared_ptr<const Boundary_complex_3> boundary_complex;
   Boundary_geometry_3 boundary;
   std::vector<Half_facet> facets;
@@ -69,14 +68,12 @@ struct Complex_candidate_3
   std::unordered_map<Triple, double, boost::hash<Triple> > known_distances;
   std::map<int, int> times_reverted;     // and how often
 
-  Complex_candidate_3(const Complex_snapshot_3& from, Labelled_triangulation_3& cells, const std::vector<Site>& target,
-                      bool is_last, bool is_snapshot_valid, const Thread_policy& policy)
+  Complex_candidate_3(const Complex_snapshot_3& from, const std::vector<Site>& target, bool is_last, bool is_snapshot_valid, const Thread_policy& policy)
     : snapshot(from)
     , numbering(*from.numbering)
     , is_final(is_last)
     , has_way_back(is_snapshot_valid)
     , threads(policy)
-    , triangulation(cells)
     , sites(target)
     , revert_sites(from.sites)
   {
@@ -122,7 +119,7 @@ struct Complex_candidate_3
   // From now on, the vertex reverts to where it was in the input.
   void revert_to_input(int v) { revert_sites[v] = numbering.input_sites[v]; }
 
-  // The candidate becomes a snapshot, which the cells of the triangulation know.
+  // The candidate becomes a snapshot.
   Complex_snapshot_3 finish()
   {
     CGAL_assertion(centers.size() == facets.size() && boundary.complex().facets().size() == facets.size());
@@ -130,17 +127,13 @@ struct Complex_candidate_3
     next.numbering = snapshot.numbering;
     next.has_labels_of_domain = is_final;
     next.sites = std::move(sites);
-    next.boundary_cells.reserve(boundary_cells.size());
-    for(int c : boundary_cells)
-      next.boundary_cells.insert(sorted(triangulation.vertices(c)), triangulation.label(c));
     for(int c : triangulation.cells())
       triangulation.clear_flags(c);
+    next.triangulation = std::move(triangulation);
     next.boundary = std::move(boundary);
     next.centers = std::move(centers);
     next.number_facets();
-    for(std::size_t n = 0; n < facets.size(); ++n)
-      if(next.boundary.complex().facets()[n].patch != Boundary_facet::no_patch)
-        triangulation.put_in_complex(facets[n]);
+    next.mark_facets(facets);
     return next;
   }
 };

@@ -13,6 +13,7 @@
 #include <CGAL/license/Global_odt_mesh_3.h>
 
 #include <CGAL/Global_odt_mesh_3/internal/geometry/Cell_geometry_3.h>
+#include <CGAL/Global_odt_mesh_3/internal/complex/Labelled_triangulation_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/geometry/Site.h>
 #include <CGAL/Global_odt_mesh_3/internal/geometry/Vector_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/geometry/Vertex_tuples.h>
@@ -80,16 +81,15 @@ struct Vertex_numbering_3
 
   bool is_kept(const Quadruple& q) const { return !kept_cells.entries().empty() && kept_cells.find(sorted(q)) != nullptr; }
 
-  // Calls f(i) for the facets of a cell that have all vertices on the boundary; whether the cell has, too.
+  // Calls f(i) for the facets of a cell that have all vertices on the boundary.
   template <class F>
-  bool for_each_facet_on_boundary(const Quadruple& q, const F& f) const
+  void for_each_facet_on_boundary(const Quadruple& q, const F& f) const
   {
     const auto is_off_boundary = [this](int v) { return v < 0 || !is_on_boundary(v); };
     const auto off_boundary = std::count_if(q.begin(), q.end(), is_off_boundary);
     for(int i = 0; i < 4 && off_boundary <= 1; ++i)
       if(off_boundary == 0 || is_off_boundary(q[i]))
         f(i);
-    return off_boundary == 0;
   }
 
   // The one label of the vertices of a cell that are not on the boundary, or no_subdomain if there are none; false and one of them
@@ -142,8 +142,8 @@ struct Vertex_numbering_3
   }
 };
 
-// A valid complex, as far as the exact regular triangulation of its positions does not tell it: the restriction to the
-// domain, and where the vertices on surfaces are. Once made, it does not change.
+// A valid complex: the triangulation with the labels of its cells, the boundary, and where it meets the surfaces. Once made, it does
+// not change.
 struct Complex_snapshot_3
 {
   static constexpr int no_subdomain = Vertex_numbering_3::no_subdomain;
@@ -161,12 +161,12 @@ struct Complex_snapshot_3
   std::shared_ptr<const Vertex_numbering_3> numbering;
   bool is_input = false;
   std::vector<Site> sites;
+  Labelled_triangulation_3 triangulation;
   Boundary_geometry_3 boundary;
   std::vector<Surface_center> centers;
   Tuple_table<Triple, int> facet_numbers;
-  Tuple_table<Quadruple, int> boundary_cells;       // with all vertices on the boundary; labels
   bool has_unseparating_facets = false;
-  bool has_labels_of_domain = false;                // also of the boundary cells
+  bool has_labels_of_domain = false;                // also of cells with all vertices on the boundary
 
   // Whether the vertices are there.
   bool has_positions(const std::vector<Site>& positions) const
@@ -177,11 +177,11 @@ struct Complex_snapshot_3
   // Whether this is the input, and no vertex has moved since.
   bool is_untouched_at(const std::vector<Site>& positions) const { return is_input && has_positions(positions); }
 
-  // The label of a cell with all vertices on the boundary, or no_subdomain if there is none.
-  int label_of_boundary_cell(const Quadruple& cell) const
+  // The label of a cell, or no_subdomain if there is none.
+  int label_of_cell(const Quadruple& cell) const
   {
-    const int* const label = boundary_cells.find(sorted(cell));
-    return label == nullptr ? int(no_subdomain) : *label;
+    const int c = triangulation.find_cell(cell);
+    return c < 0 ? int(no_subdomain) : triangulation.label(c);
   }
 
   // The number of the boundary facet with these vertices, or -1.
@@ -189,6 +189,14 @@ struct Complex_snapshot_3
   {
     const int* const number = facet_numbers.find(sorted(facet));
     return number == nullptr ? -1 : *number;
+  }
+
+  // Puts facets of the boundary that have a patch into the complex, by their places in the triangulation.
+  void mark_facets(const std::vector<Half_facet>& facets)
+  {
+    for(std::size_t n = 0; n < facets.size(); ++n)
+      if(boundary.complex().facets()[n].patch != Boundary_facet::no_patch)
+        triangulation.put_in_complex(facets[n]);
   }
 
   // To be called when `boundary` is what it will be.
@@ -203,7 +211,6 @@ struct Complex_snapshot_3
       has_unseparating_facets = has_unseparating_facets || f.labels[0] == f.labels[1];
     }
   }
-
 };
 
 } // namespace CGAL::Global_odt_mesh_3::internal

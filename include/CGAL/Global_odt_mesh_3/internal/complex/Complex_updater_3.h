@@ -67,75 +67,44 @@ public:
   const Complex_snapshot_3& snapshot() const { return snapshot_; }
   const Domain_view_3& domain() const { return domain_; }
 
-  // That of the snapshot, which is made if there is none.
-  Labelled_triangulation_3& triangulation()
-  {
-    if(!is_up_to_date_)
-      restore_triangulation(snapshot_, threads_, triangulation_);
-    is_up_to_date_ = true;
-    return triangulation_;
-  }
-
-  // Frees its memory; triangulation() builds it anew on demand.
-  void release_triangulation()
-  {
-    is_up_to_date_ = false;
-    triangulation_.release();
-  }
-
   // Loads the snapshot into a mesh.
-  void load_into(Moving_triangulation_3& mesh)
+  void load_into(Moving_triangulation_3& mesh) const
   {
-    const Labelled_triangulation_3& cells = triangulation();
     const Stage_clock::In_stage in_stage(threads_.clock(), Stage_clock::INDEX);
-    index_snapshot(snapshot_, cells, threads_, mesh);
+    index_snapshot(snapshot_, threads_, mesh);
   }
 
   // So that vertices can be tried, inserted, and removed, and have a way back: an input from elsewhere, such as a file with rounded
   // coordinates or a mesh that has been deformed, need not be regular. False if that cannot be had.
   bool make_regular()
   {
-    if(!snapshot_.is_input)
-      return true;
-    has_cells_of_input_ = is_regular(triangulation(), threads_);
-    return has_cells_of_input_ || advance(snapshot_.sites, nullptr, true, false) || advance(snapshot_.sites, true);
+    return !snapshot_.is_input || is_regular(snapshot_.triangulation, threads_) || advance(snapshot_.sites, nullptr, true, false) || advance(snapshot_.sites, true);
   }
 
-  // The complex for trials of single vertices, which have the triangulation until it is adopted.
-  Editable_complex_3 edit() { return edit(*snapshot_.numbering); }
+  // A copy of the complex for trials of single vertices.
+  Editable_complex_3 edit() const { return edit(*snapshot_.numbering); }
 
   // The same with a numbering to which vertices are to be added.
-  Editable_complex_3 edit(const Vertex_numbering_3& numbering)
+  Editable_complex_3 edit(const Vertex_numbering_3& numbering) const
   {
-    triangulation();
-    is_up_to_date_ = false;
-    return Editable_complex_3(snapshot_, numbering, triangulation_, domain_, bounds_, boundary_moves_, threads_);
+    return Editable_complex_3(snapshot_, numbering, domain_, bounds_, boundary_moves_, threads_);
   }
 
-  // Goes to where trials of this snapshot have led. False if that cannot be done: then the snapshot is as it was.
-  bool adopt(const Editable_complex_3& trials)
+  // Goes to where trials of this snapshot have led, which come to an end. False if that cannot be done: then the snapshot is as it was.
+  bool adopt(Editable_complex_3& trials)
   {
     if(snapshot_.has_positions(trials.sites))
-    {
-      is_up_to_date_ = true;
       return true;
-    }
-    Complex_candidate_3 candidate(snapshot_, triangulation_, trials.sites, true, true, threads_);
+    Complex_candidate_3 candidate(snapshot_, trials.sites, true, true, threads_);
     trials.give(candidate);
     if(!complete_trials(candidate))
-    {
-      is_lost_ = has_cells_of_input_ && !snapshot_.is_input;
       return false;
-    }
-    replace_snapshot(candidate);
+    snapshot_ = candidate.finish();
     return true;
   }
 
   // Where no valid complex could be made: the vertices of what was wrong in the end, by their numbers in the input.
   const std::set<int>& obstacles() const { return obstacles_; }
-
-  // Whether trials have failed of a snapshot whose triangulation cannot be built anew, since ties may be broken another way.
-  bool is_lost() const { return is_lost_; }
 
   // How often most of a candidate's cells were those of a mesh.
   std::size_t number_of_transfers() const { return number_of_transfers_; }
@@ -159,12 +128,6 @@ private:
   static constexpr int attempts_at_good_facets = 10;
   static constexpr int attempts_at_retreat = 24;
 
-  void replace_snapshot(Complex_candidate_3& candidate)
-  {
-    snapshot_ = candidate.finish();
-    is_up_to_date_ = true;
-  }
-
   // Without a mesh, no cells are transferred.
   void build(Complex_candidate_3& candidate, const Moving_triangulation_3* mesh)
   {
@@ -176,11 +139,10 @@ private:
   bool advance(const std::vector<Site>& target, const Moving_triangulation_3* mesh, bool is_final, bool has_way_back)
   {
     const Stage_clock::In_stage in_stage(threads_.clock(), Stage_clock::CHECK);
-    is_up_to_date_ = false;
-    Complex_candidate_3 candidate(snapshot_, triangulation_, target, is_final, has_way_back, threads_);
+    Complex_candidate_3 candidate(snapshot_, target, is_final, has_way_back, threads_);
     if(!complete(candidate, mesh))
       return false;
-    replace_snapshot(candidate);
+    snapshot_ = candidate.finish();
     is_made_regular_ = is_made_regular_ || !has_way_back;
     if(!has_way_back)
       snapshot_.numbering = std::make_shared<Vertex_numbering_3>(snapshot_.numbering->with_input_at(snapshot_.sites));
@@ -259,9 +221,7 @@ private:
   Thread_policy threads_;
   Facet_bounds_3& bounds_;
   Complex_snapshot_3 snapshot_;
-  Labelled_triangulation_3 triangulation_;
-  bool is_up_to_date_ = false;               // whether that is the triangulation of the snapshot, with its labels
-  bool has_cells_of_input_ = false, is_lost_ = false, is_made_regular_ = false;
+  bool is_made_regular_ = false;
   std::size_t number_of_transfers_ = 0;
   std::set<int> obstacles_;
 };

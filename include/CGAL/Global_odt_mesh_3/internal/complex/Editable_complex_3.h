@@ -63,24 +63,24 @@ struct Editable_complex_3
   const Facet_bounds_3& bounds;
   bool boundary_moves;
   Thread_policy threads;
-  Labelled_triangulation_3& triangulation;
+  Labelled_triangulation_3 triangulation;
   const std::vector<Site>& sites;
   Exchangeable_boundary_3 boundary;
   Circumradius_bound_3 size_bound;              // of cells
   std::map<Triple, Complex_snapshot_3::Surface_center> centers;     // of facets that have come or moved, by sorted vertices
 
-  // In the triangulation of the snapshot, with whose numbering that of the vertices begins. If `moves` is false, the boundary
-  // stays. Threads share visits of all cells.
-  Editable_complex_3(const Complex_snapshot_3& from, const Vertex_numbering_3& numbers, Labelled_triangulation_3& cells,
-                     const Domain_view_3& d, const Facet_bounds_3& b, bool moves, const Thread_policy& policy)
+  // With the numbering of the snapshot that of the vertices begins. If `moves` is false, the boundary stays. Threads share visits of
+  // all cells.
+  Editable_complex_3(const Complex_snapshot_3& from, const Vertex_numbering_3& numbers, const Domain_view_3& d,
+                     const Facet_bounds_3& b, bool moves, const Thread_policy& policy)
     : snapshot(from)
     , numbering(numbers)
     , domain(d)
     , bounds(b)
     , boundary_moves(moves)
     , threads(policy)
-    , triangulation(cells)
-    , sites(cells.sites())
+    , triangulation(from.triangulation)
+    , sites(triangulation.sites())
     , boundary(from.boundary.complex())
   {}
 
@@ -153,13 +153,12 @@ struct Editable_complex_3
   bool has(const Sliver_3& s) const { return triangulation.is_cell(s.cell) && sorted(triangulation.vertices(s.cell)) == s.vertices; }
 
   // The boundary, in the order of its facets' vertices.
-  std::vector<Found_facet> find_boundary() const
+  std::vector<Found_facet> find_boundary()
   {
     const std::vector<int>& cells = triangulation.cells();
     std::vector<Found_facet> found = collect_in_chunks<Found_facet>(static_cast<int>(cells.size()), threads,
                                                                     [&](int n, std::vector<Found_facet>& some)
     {
-      triangulation.clear_flags(cells[n]);
       // Of facets that have been on the boundary, cells around the vertices that moved know it still.
       triangulation.clear_facets(cells[n]);
       find_facets(cells[n], some);
@@ -169,13 +168,10 @@ struct Editable_complex_3
   }
 
   // Hands over cells and boundary to a candidate with the sites.
-  void give(Complex_candidate_3& candidate) const
+  void give(Complex_candidate_3& candidate)
   {
     candidate.found_centers = centers;
     const std::vector<Found_facet> found = find_boundary();
-    for(int c : triangulation.cells())
-      if(triangulation.has_flag(c, IS_BOUNDARY_CELL))
-        candidate.boundary_cells.push_back(c);
     std::vector<Boundary_facet> facets;
     for(const Found_facet& f : found)
     {
@@ -184,14 +180,14 @@ struct Editable_complex_3
       candidate.old_facets.push_back(snapshot.facet_number(f.key));
     }
     candidate.boundary_complex = std::make_shared<const Boundary_complex_3>(std::move(facets), sites.size(), threads);
+    candidate.triangulation = std::move(triangulation);
   }
 
 private:
-  // Those on the boundary whose first side is this cell, which is told if all its vertices are there.
+  // Those on the boundary whose first side is this cell.
   void find_facets(int c, std::vector<Found_facet>& found) const
   {
-    if(numbering.for_each_facet_on_boundary(triangulation.vertices(c), [&](int i) { find_facet(Half_facet(c, i), found); }))
-      triangulation.set_flag(c, IS_BOUNDARY_CELL);
+    numbering.for_each_facet_on_boundary(triangulation.vertices(c), [&](int i) { find_facet(Half_facet(c, i), found); });
   }
 
   // If it is on the boundary, and this is its first side.

@@ -35,7 +35,7 @@ namespace CGAL::Global_odt_mesh_3::internal {
 // What is known of a cell as long as its vertices stay: it is gone when the cell gives way to others.
 enum Cell_flag
 {
-  IS_LABELLED, IS_BOUNDARY_CELL, MAY_HAVE_BOUNDARY_FACETS,     // while a candidate is labelled
+  IS_LABELLED, MAY_HAVE_BOUNDARY_FACETS,     // while a candidate is labelled
   GIVES_WAY                                                   // while some cells are replaced
 };
 
@@ -215,29 +215,19 @@ public:
       set_cell_of_vertices(static_cast<int>(c));
   }
 
-  // Becomes the triangulation of a table, whatever that is like, in which its vertices are numbered otherwise.
-  void copy(const Mesh_table_3& table, const std::vector<int>& numbers_in_table)
+  // Becomes the triangulation of a table, whatever that is like.
+  void copy(const Mesh_table_3& table)
   {
-    std::vector<int> numbers(table.sites.size(), int(infinite));
-    std::vector<Site> sites;
-    for(std::size_t v = 0; v < numbers_in_table.size(); ++v)
-    {
-      numbers[numbers_in_table[v]] = static_cast<int>(v);
-      sites.push_back(table.sites[numbers_in_table[v]]);
-    }
     std::vector<Cell> cells(table.cells.size());
     for(std::size_t n = 0; n < cells.size(); ++n)
+    {
+      cells[n].vertices = table.cells[n].vertices;
+      cells[n].label = table.cells[n].label;
       for(int i = 0; i < 4; ++i)
-      {
-        const int v = table.cells[n].vertices[i];
-        cells[n].vertices[i] = v == Mesh_table_3::infinite ? int(infinite) : numbers[v];
         cells[n].neighbors[i] = Half_facet(table.cells[n].neighbors[i], table.mirror_index(static_cast<int>(n), i)).id();
-      }
-    assign(std::move(cells), sites);
+    }
+    assign(std::move(cells), table.sites);
   }
-
-  // Its memory is free.
-  void release() { *this = Labelled_triangulation_3(); }
 
   // The next number, of a vertex that has no cells yet.
   void add_vertex(const Site& s)

@@ -13,6 +13,7 @@
 #include <CGAL/license/Global_odt_mesh_3.h>
 
 #include <CGAL/Global_odt_mesh_3/internal/complex/Complex_snapshot_3.h>
+#include <CGAL/Global_odt_mesh_3/internal/complex/Labelled_triangulation_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/complex/Snapshot_tabulation_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/geometry/Cell_geometry_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/geometry/Site.h>
@@ -25,7 +26,6 @@
 #include <CGAL/Global_odt_mesh_3/internal/parallel/Thread_policy.h>
 #include <CGAL/Global_odt_mesh_3/internal/surface/Boundary_complex_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/surface/Boundary_geometry_3.h>
-#include <CGAL/Global_odt_mesh_3/internal/triangulation/Index_triangulation_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/triangulation/Indexed_triangulation_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/triangulation/Moving_triangulation_3.h>
 
@@ -36,45 +36,6 @@
 #include <vector>
 
 namespace CGAL::Global_odt_mesh_3::internal {
-
-// The cells of a table, with other numbers for vertices.
-struct Cells_of_table_3
-{
-  const Mesh_table_3& table;
-  const std::vector<int>& numbers;
-
-  int number(int vertex) const { return vertex == Mesh_table_3::infinite ? vertex : numbers[vertex]; }
-
-  bool is_infinite(int n) const
-  {
-    const Quadruple& v = table.cells[n].vertices;
-    return std::find(v.begin(), v.end(), int(Mesh_table_3::infinite)) != v.end();
-  }
-
-  bool is_inside(int n) const { return label(n) != Domain_view_3::outside && !is_infinite(n); }
-  int label(int n) const { return table.cells[n].label; }
-  bool is_marked(int n, int i) const { return table.cells[n].is_kept || is_in_complex(n, i); }
-  bool is_in_complex(int n, int i) const { return table.cells[n].facets & 1 << i; }
-
-  // Or else a facet is marked only for a cell that is kept.
-  bool is_on_boundary(int n, int i) const
-  {
-    const int d = table.cells[n].neighbors[i];
-    return is_in_complex(n, i) || is_in_complex(d, table.mirror_index(n, i)) || label(n) != label(d) || !is_inside(n) || !is_inside(d);
-  }
-
-  Quadruple vertices(int n) const
-  {
-    const Quadruple& v = table.cells[n].vertices;
-    return {{ number(v[0]), number(v[1]), number(v[2]), number(v[3]) }};
-  }
-
-  Cell_across across(int n, int i) const
-  {
-    const int d = table.cells[n].neighbors[i];
-    return { is_inside(d), number(table.cells[d].vertices[table.mirror_index(n, i)]) };
-  }
-};
 
 // Whether cells are clearly not those of a regular triangulation, as after a deformation; roundings do not count.
 inline bool is_deformed(const Mesh_table_3& table, const Thread_policy& threads)
@@ -128,62 +89,68 @@ public:
     mesh.set_threads(threads_);
     if(table_.cells.empty())
       return std::move(snapshot_);
-    for(std::size_t v = 0; v < table_.sites.size(); ++v)
-      numbers_.push_back(static_cast<int>(v));
+    Labelled_triangulation_3& tr = snapshot_.triangulation;
+    tr.copy(table_);
     // Which vertices move is seen from the cells and facets around them.
-    const Constrained_facets around = index(mesh.topology);
-    number_vertices(boundary(around), mesh.topology, boundary_moves);
-    Constrained_facets facets = index(mesh.topology);
-    for(Constrained_facet& f : facets)
-      f.vertices = rotated(f.vertices);
-    threads_.sort(facets.begin(), facets.end(), [](const auto& a, const auto& b)
-                  { return sorted(a.vertices) < sorted(b.vertices); });
-    snapshot_.boundary = Boundary_geometry_3(std::make_shared<const Boundary_complex_3>(boundary(facets)), snapshot_.sites);
+    number_vertices(Boundary_complex_3(boundary(boundary_facets()), table_.sites.size(), threads_), boundary_moves);
+    tr.renumber(numbers_, snapshot_.sites);
+    std::vector<Half_facet> facets = boundary_facets();
+    threads_.sort(facets.begin(), facets.end(), [&tr](Half_facet f, Half_facet g)
+                  { return sorted(tr.facet_vertices(f)) < sorted(tr.facet_vertices(g)); });
+    snapshot_.boundary = Boundary_geometry_3(
+      std::make_shared<const Boundary_complex_3>(boundary(facets), snapshot_.sites.size(), threads_), snapshot_.sites);
     snapshot_.number_facets();
+    snapshot_.mark_facets(facets);
     read_surface_centers(facets);
     read_labels();
     read_kept_cells();
-    load_positions(snapshot_, mesh);
+    index_snapshot(snapshot_, threads_, mesh);
     return std::move(snapshot_);
   }
 
 private:
-  // Of the table until vertices have numbers of their own.
-  std::size_t number_of_vertices() const { return snapshot_.sites.empty() ? table_.sites.size() : snapshot_.sites.size(); }
+  const Mesh_table_3::Facet* on_surface(Half_facet f) const { return table_.facet(f.cell(), f.index()); }
 
-  // With the numbers that vertices have. Gives the facets on the boundary; those of cells that are kept are constrained, too.
-  Constrained_facets index(Indexed_triangulation_3& flat) const
+  // With the numbers that vertices have, from their first sides.
+  std::vector<Half_facet> boundary_facets() const
   {
-    const Cells_of_table_3 cells{ table_, numbers_ };
-    Constrained_facets facets = index_cells(cells, table_.cells.size(), number_of_vertices(), threads_, flat);
-    facets.erase(std::remove_if(facets.begin(), facets.end(), [&](const Constrained_facet& f)
-                                { return !cells.is_on_boundary(f.cell, f.index); }), facets.end());
-    return facets;
+    const Labelled_triangulation_3& tr = snapshot_.triangulation;
+    return collect_in_chunks<Half_facet>(static_cast<int>(table_.cells.size()), threads_, [&](int c, std::vector<Half_facet>& found)
+    {
+      for(int i = 0; i < 4; ++i)
+      {
+        const Half_facet f(c, i), across = tr.mirror(f);
+        const bool is_in_complex = (table_.cells[c].facets >> i & 1) || (table_.cells[across.cell()].facets >> across.index() & 1);
+        if(tr.is_first_side(f) && (is_in_complex || tr.label(c) != tr.label(across.cell())))
+          found.push_back(f);
+      }
+    });
   }
 
-  Boundary_complex_3 boundary(const Constrained_facets& constrained_facets) const
+  std::vector<Boundary_facet> boundary(const std::vector<Half_facet>& facets) const
   {
-    std::vector<Boundary_facet> facets;
-    facets.reserve(constrained_facets.size());
-    for(const Constrained_facet& f : constrained_facets)
-    {
-      const Mesh_table_3::Cell& c = table_.cells[f.cell];
-      const Mesh_table_3::Facet* const on_surface = table_.facet(f.cell, f.index);
-      facets.push_back({ f.vertices, {{ c.label, table_.cells[c.neighbors[f.index]].label }},
-                         on_surface != nullptr ? on_surface->patch : int(Boundary_facet::no_patch) });
-    }
-    return Boundary_complex_3(std::move(facets), number_of_vertices(), threads_);
+    const Labelled_triangulation_3& tr = snapshot_.triangulation;
+    std::vector<Boundary_facet> result;
+    for(Half_facet f : facets)
+      result.push_back({ tr.facet_vertices(f), {{ tr.label(f.cell()), tr.label(tr.mirror(f).cell()) }},
+                         on_surface(f) != nullptr ? on_surface(f)->patch : int(Boundary_facet::no_patch) });
+    return result;
   }
 
   // Along Hilbert curves, the vertices of the interior first, then
   // those that move on surfaces, then the rest.
-  void number_vertices(const Boundary_complex_3& boundary, const Indexed_triangulation_3& flat, bool boundary_moves)
+  void number_vertices(const Boundary_complex_3& boundary, bool boundary_moves)
   {
+    std::vector<char> is_inside(table_.sites.size(), false);
+    for(const Mesh_table_3::Cell& c : table_.cells)
+      for(int v : c.vertices)
+        if(v != Mesh_table_3::infinite && c.label != Domain_view_3::outside)
+          is_inside[v] = true;
     const auto may_move = [&](int v, int dimension) { return table_.dimensions[v] == dimension && !numbering_->input->is_fixed(v); };
     const auto is_interior = [&](std::size_t v)
     {
       const int n = static_cast<int>(v);
-      return may_move(n, 3) && flat.incident_cell(n) >= 0 && !boundary.has_facets(n);
+      return may_move(n, 3) && is_inside[n] && !boundary.has_facets(n);
     };
     const auto slides = [&](std::size_t v)
     {
@@ -198,6 +165,7 @@ private:
                                             : boundary_begin;
     numbering_->number_of_interior_vertices = static_cast<int>(boundary_begin - order.begin());
     numbering_->number_of_movable_vertices = static_cast<int>(fixed_begin - order.begin());
+    numbers_.assign(table_.sites.size(), -1);
     for(std::size_t n : order)
     {
       numbers_[n] = static_cast<int>(snapshot_.sites.size());
@@ -210,15 +178,15 @@ private:
 
   // Those of the user's mesh go back to facets that stay, and otherwise do not count: files do not keep them, and a complex that
   // was not made by the mesher may lack them. A point of the dual line stands in.
-  void read_surface_centers(const Constrained_facets& facets)
+  void read_surface_centers(const std::vector<Half_facet>& facets)
   {
-    for(const Constrained_facet& f : facets)
+    for(Half_facet f : facets)
     {
-      const Mesh_table_3::Facet* const on_surface = table_.facet(f.cell, f.index);
+      const Mesh_table_3::Facet* const on_surface = this->on_surface(f);
       // One that has been found since the user's mesh is right, even if it is on another patch.
       const bool is_found = on_surface != nullptr && on_surface->source == Mesh_table_3::no_facet;
       const Vector_3 point = is_found ? on_surface->center
-                                      : estimated_surface_center(f.vertices, snapshot_.boundary, snapshot_.sites);
+                                      : estimated_surface_center(snapshot_.triangulation.facet_vertices(f), snapshot_.boundary, snapshot_.sites);
       const int patch = is_found ? on_surface->patch_of_center
                                  : on_surface != nullptr ? on_surface->patch : int(Boundary_facet::no_patch);
       const int source = on_surface != nullptr ? on_surface->source : int(Mesh_table_3::no_facet);
@@ -231,21 +199,20 @@ private:
     snapshot_.has_labels_of_domain = true;
     std::vector<int>& subdomain = numbering_->subdomain;
     subdomain.assign(snapshot_.sites.size(), int(Complex_snapshot_3::no_subdomain));
-    const Cells_of_table_3 cells{ table_, numbers_ };
+    const Labelled_triangulation_3& tr = snapshot_.triangulation;
     for(std::size_t n = 0; n < table_.cells.size(); ++n)
-      for(int v : cells.vertices(static_cast<int>(n)))
+      for(int v : tr.vertices(static_cast<int>(n)))
         if(v >= 0 && !snapshot_.boundary.complex().has_facets(v))
           subdomain[v] = table_.cells[n].label;
     const auto find_boundary_cells = [&](int n, std::vector<int>& found)
     {
-      const Quadruple q = cells.vertices(n);
+      const Quadruple& q = tr.vertices(n);
       if(std::all_of(q.begin(), q.end(), [this](int v) { return v >= 0 && numbering_->is_on_boundary(v); }))
         found.push_back(n);
     };
     for(int n : collect_in_chunks(static_cast<int>(table_.cells.size()), threads_, find_boundary_cells))
     {
-      const Quadruple q = cells.vertices(n);
-      snapshot_.boundary_cells.insert(sorted(q), table_.cells[n].label);
+      const Quadruple& q = tr.vertices(n);
       const auto& p = table_.cells[n].places;
       numbering_->input_boundary_cells.insert(sorted(q), { {{ q[p[0]], q[p[1]], q[p[2]], q[p[3]] }}, table_.cells[n].label });
     }
@@ -253,10 +220,9 @@ private:
 
   void read_kept_cells()
   {
-    const Cells_of_table_3 cells{ table_, numbers_ };
     for(std::size_t n = 0; n < table_.cells.size(); ++n)
       if(table_.cells[n].is_kept)
-        numbering_->kept_cells.insert(sorted(cells.vertices(static_cast<int>(n))), static_cast<int>(numbering_->kept_cells.entries().size()));
+        numbering_->kept_cells.insert(sorted(snapshot_.triangulation.vertices(static_cast<int>(n))), static_cast<int>(numbering_->kept_cells.entries().size()));
   }
 
   Thread_policy threads_;

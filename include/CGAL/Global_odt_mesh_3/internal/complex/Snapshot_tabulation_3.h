@@ -15,8 +15,8 @@
 #include <CGAL/Global_odt_mesh_3/internal/complex/Complex_snapshot_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/complex/Exact_triangulation_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/complex/Labelled_triangulation_3.h>
+#include <CGAL/Global_odt_mesh_3/internal/complex/Index_cells_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/complex/Trial_predicates_3.h>
-#include <CGAL/Global_odt_mesh_3/internal/complex/Vertex_moves_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/geometry/Site.h>
 #include <CGAL/Global_odt_mesh_3/internal/geometry/Vector_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/geometry/Vertex_tuples.h>
@@ -25,7 +25,6 @@
 #include <CGAL/Global_odt_mesh_3/internal/parallel/Chunked_loops.h>
 #include <CGAL/Global_odt_mesh_3/internal/parallel/Thread_policy.h>
 #include <CGAL/Global_odt_mesh_3/internal/surface/Boundary_complex_3.h>
-#include <CGAL/Global_odt_mesh_3/internal/triangulation/Index_triangulation_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/triangulation/Moving_triangulation_3.h>
 
 #include <CGAL/assertions.h>
@@ -37,19 +36,6 @@
 #include <vector>
 
 namespace CGAL::Global_odt_mesh_3::internal {
-
-// The label that a snapshot gives a cell with these vertices.
-inline int label_of_cell(const Complex_snapshot_3& snapshot, const Quadruple& q)
-{
-  if(*std::min_element(q.begin(), q.end()) < 0)
-    return Domain_view_3::outside;
-  for(int v : q)
-    if(!snapshot.numbering->is_on_boundary(v))
-      return snapshot.numbering->subdomain[v];
-  const int label = snapshot.label_of_boundary_cell(q);
-  CGAL_assertion(label != Complex_snapshot_3::no_subdomain);
-  return label;
-}
 
 // The boundary facets of a snapshot, by their numbers and on side 0, in its triangulation.
 inline std::vector<Half_facet> find_boundary_facets(const Complex_snapshot_3& snapshot, const Labelled_triangulation_3& triangulation,
@@ -71,32 +57,6 @@ inline std::vector<Half_facet> find_boundary_facets(const Complex_snapshot_3& sn
   return facets;
 }
 
-// Makes the triangulation that of a snapshot, whatever has become of it. Symbolic perturbation makes
-// the regular triangulation of weighted points unique; its cells are labelled, and boundary facets found, by their vertices.
-inline void restore_triangulation(const Complex_snapshot_3& snapshot, const Thread_policy& threads,
-                                  Labelled_triangulation_3& triangulation)
-{
-  // The input is what it is, be it regular or not, so that its positions do not tell its cells.
-  const Vertex_numbering_3& numbering = *snapshot.numbering;
-  if(snapshot.is_input)
-    triangulation.copy(numbering.input->read(threads), numbering.input_numbers);
-  else if(!move_vertices(snapshot.sites, triangulation))
-    triangulation.build(snapshot.sites);
-  CGAL_assertion(triangulation.is_complete());
-  const std::vector<int>& cells = triangulation.cells();
-  for_each_in_chunks(static_cast<int>(cells.size()), threads, [&](int n)
-  {
-    triangulation.clear_flags(cells[n]);
-    triangulation.clear_facets(cells[n]);
-    triangulation.set_label(cells[n], label_of_cell(snapshot, triangulation.vertices(cells[n])));
-  });
-  const std::vector<Half_facet> facets = find_boundary_facets(snapshot, triangulation, threads);
-  for(std::size_t n = 0; n < facets.size(); ++n)
-    if(snapshot.boundary.complex().facets()[n].patch != Boundary_facet::no_patch)
-      triangulation.put_in_complex(facets[n]);
-}
-
-// Completes a mesh whose topology is that of the snapshot.
 inline void load_positions(const Complex_snapshot_3& snapshot, Moving_triangulation_3& mesh)
 {
   mesh.sites = snapshot.sites;
@@ -106,49 +66,26 @@ inline void load_positions(const Complex_snapshot_3& snapshot, Moving_triangulat
 
 // Loads the snapshot, whose triangulation is given, into a mesh: all cells that are in the complex, in canonical order; the
 // boundary facets, and those of cells that are kept, are constrained.
-// Its cells, for those who index them.
-struct Cells_of_snapshot_3
+inline void index_snapshot(const Complex_snapshot_3& snapshot, const Thread_policy& threads, Moving_triangulation_3& mesh)
 {
-  const Labelled_triangulation_3& triangulation;
-  const Vertex_numbering_3& numbering;
-
-  int cell(int n) const { return triangulation.cells()[n]; }
-  bool is_infinite(int n) const { return triangulation.is_infinite(cell(n)); }
-  bool is_inside(int n) const { return label(n) != Domain_view_3::outside; }
-  int label(int n) const { return triangulation.label(cell(n)); }
-  bool is_marked(int n, int i) const
-  { return triangulation.is_in_complex(Half_facet(cell(n), i)) || numbering.is_kept(triangulation.vertices(cell(n))); }
-  Quadruple vertices(int n) const { return triangulation.vertices(cell(n)); }
-
-  Cell_across across(int n, int i) const
-  {
-    const Half_facet f = triangulation.mirror(Half_facet(cell(n), i));
-    return { triangulation.label(f.cell()) != Domain_view_3::outside, triangulation.vertex(f) };
-  }
-};
-
-inline void index_snapshot(const Complex_snapshot_3& snapshot, const Labelled_triangulation_3& triangulation,
-                           const Thread_policy& threads, Moving_triangulation_3& mesh)
-{
-  const Cells_of_snapshot_3 cells{ triangulation, *snapshot.numbering };
-  index_cells(cells, triangulation.cells().size(), triangulation.sites().size(), threads, mesh.topology);
+  const Labelled_triangulation_3& tr = snapshot.triangulation;
+  const auto stays = [&](Half_facet f) { return tr.is_in_complex(f) || snapshot.numbering->is_kept(tr.vertices(f.cell())); };
+  index_cells(tr, stays, threads, mesh.topology);
   load_positions(snapshot, mesh);
 }
 
-// Makes a snapshot the table to be written to the mesh from which the first one has come.
 class Snapshot_tabulation_3
 {
 public:
   // The triangulation is that of the snapshot.
-  Snapshot_tabulation_3(const Complex_snapshot_3& snapshot, Labelled_triangulation_3& triangulation, const Thread_policy& threads)
+  Snapshot_tabulation_3(const Complex_snapshot_3& snapshot, Labelled_triangulation_3 triangulation, const Thread_policy& threads)
     : snapshot_(snapshot)
     , numbering_(*snapshot.numbering)
-    , triangulation_(triangulation)
+    , triangulation_(std::move(triangulation))
     , threads_(threads)
-    , cells_(triangulation.cells())
+    , cells_(triangulation_.cells())
   {}
 
-  // Afterwards, flat cells have the order of the input.
   Mesh_table_3 operator()()
   {
     restore_orders();
@@ -187,15 +124,15 @@ private:
   void restore_orders()
   {
     const Trial_predicates_3 predicates(triangulation_.sites());
-    for(const auto& b : snapshot_.boundary_cells.entries())
+    for(const auto& entry : numbering_.input_boundary_cells.entries())
     {
-      const Vertex_numbering_3::Input_cell* const from = numbering_.input_cell(b.first, snapshot_.sites);
-      if(from == nullptr)
+      const Vertex_numbering_3::Input_cell& from = entry.second;
+      if(!numbering_.are_at_input(from.vertices, snapshot_.sites))
         continue;
       // An input from elsewhere may have inverted cells.
-      const int to = triangulation_.find_cell(from->vertices);
-      if(to >= 0 && triangulation_.label(to) == from->label && predicates.is_positive(from->vertices))
-        triangulation_.reorder(to, from->vertices);
+      const int to = triangulation_.find_cell(from.vertices);
+      if(to >= 0 && triangulation_.label(to) == from.label && predicates.is_positive(from.vertices))
+        triangulation_.reorder(to, from.vertices);
     }
   }
 
@@ -262,7 +199,7 @@ private:
 
   const Complex_snapshot_3& snapshot_;
   const Vertex_numbering_3& numbering_;
-  Labelled_triangulation_3& triangulation_;
+  Labelled_triangulation_3 triangulation_;
   const Thread_policy threads_;
   const std::vector<int>& cells_;
   std::vector<int> places_;                   // of cells, in the table

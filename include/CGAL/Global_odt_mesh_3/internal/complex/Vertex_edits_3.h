@@ -167,14 +167,7 @@ public:
       for(int& v : vertices)
         v = numbers[v];
     };
-    for(const auto& c : complex().snapshot.boundary_cells.entries())
-    {
-      Quadruple q = c.first;
-      renumber(q);
-      if(*std::min_element(q.begin(), q.end()) >= 0)
-        refined.boundary_cells.insert(sorted(q), c.second);
-    }
-    const std::vector<Editable_complex_3::Found_facet> found = complex().find_boundary();
+    const std::vector<Editable_complex_3::Found_facet> found = complex_.find_boundary();
     std::vector<Boundary_facet> facets;
     for(const auto& f : found)
     {
@@ -192,7 +185,7 @@ public:
     }
     refined.number_facets();
     complex_.triangulation.renumber(numbers, refined.sites);
-    Mesh_table_3 table = Snapshot_tabulation_3(refined, complex_.triangulation, complex().threads)();
+    Mesh_table_3 table = Snapshot_tabulation_3(refined, std::move(complex_.triangulation), complex().threads)();
     table.inserted = places_;
     return table;
   }
