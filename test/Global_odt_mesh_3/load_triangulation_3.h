@@ -7,13 +7,10 @@
 #define GLOBAL_ODT_MESH_3_TEST_LOAD_TRIANGULATION_3_H
 
 #include <CGAL/Global_odt_mesh_3/internal/geometry/Site.h>
+#include <CGAL/Global_odt_mesh_3/internal/complex/Index_cells_3.h>
+#include <CGAL/Global_odt_mesh_3/internal/complex/Labelled_triangulation_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/geometry/Spatial_order.h>
-#include <CGAL/Global_odt_mesh_3/internal/interface/Mesh_view_3.h>
-#include <CGAL/Global_odt_mesh_3/internal/triangulation/Index_triangulation_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/triangulation/Moving_triangulation_3.h>
-
-#include <CGAL/Time_stamper.h>
-#include <CGAL/Unique_hash_map.h>
 
 #include <algorithm>
 #include <cstddef>
@@ -27,26 +24,21 @@ namespace CGAL::Global_odt_mesh_3::internal {
 template <class Triangulation>
 Moving_triangulation_3 load_triangulation_3(const Triangulation& tr)
 {
-  typedef typename Triangulation::Vertex_handle Vertex_handle;
-  typedef CGAL::Hash_handles_with_or_without_timestamps Hash;
-  Moving_triangulation_3 mesh;
-  CGAL::Unique_hash_map<Vertex_handle, int, Hash> number;
   std::vector<Site> sites;
   for(auto v = tr.finite_vertices_begin(); v != tr.finite_vertices_end(); ++v)
-  {
-    number[v] = static_cast<int>(sites.size());
     sites.push_back(weighted_site(tr.point(v)));
-  }
-  const auto constrained_facets = index_triangulation_3(
-    tr, all_cells(tr), [&number](Vertex_handle v) { return number[v]; },
-    [](typename Triangulation::Cell_handle) { return 1; },
-    [](typename Triangulation::Cell_handle, int) { return false; }, Thread_policy(), mesh.topology);
+  Labelled_triangulation_3 labelled;
+  labelled.build(sites);
+  for(int c : labelled.cells())
+    labelled.set_label(c, labelled.is_infinite(c) ? 0 : 1);
+  Moving_triangulation_3 mesh;
+  index_cells(labelled, [](Half_facet) { return false; }, Thread_policy(), mesh.topology);
 
   std::vector<char> moves(sites.size());
   for(std::size_t v = 0; v < sites.size(); ++v)
     moves[v] = sites[v].weight == 0;
-  for(const auto& w : constrained_facets)
-    for(int v : w.vertices)
+  for(int n = 0; n < mesh.topology.number_of_constrained_facets(); ++n)
+    for(int v : mesh.topology.facet(mesh.topology.constrained_half_facet(n, 0)))
       moves[v] = false;
   std::vector<std::size_t> order = hilbert_order(sites);
   const auto first_fixed = std::stable_partition(order.begin(), order.end(), [&](std::size_t v) { return moves[v]; });

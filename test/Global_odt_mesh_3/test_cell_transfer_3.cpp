@@ -6,11 +6,13 @@
 #include "check.h"
 #include "load_triangulation_3.h"
 #include "mesh_domains.h"
+#include "labelled_triangulation_checks.h"
 #include "opened_complex.h"
 
 #include <CGAL/Global_odt_mesh_3/internal/complex/Cell_transfer_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/complex/Complex_updater_3.h>
-#include <CGAL/Global_odt_mesh_3/internal/complex/Exact_triangulation_3.h>
+#include <CGAL/Global_odt_mesh_3/internal/complex/Labelled_triangulation_3.h>
+#include <CGAL/Global_odt_mesh_3/internal/complex/Vertex_moves_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/geometry/Random_source.h>
 #include <CGAL/Global_odt_mesh_3/internal/geometry/Vertex_tuples.h>
 #include <CGAL/Global_odt_mesh_3/internal/triangulation/Flips_3.h>
@@ -68,52 +70,32 @@ static void tuple_table()
   check::that(absent > 1000, "hardly any tuple is absent");
 }
 
-// The cells by the numbers of their vertices, -1 for the infinite one.
-static std::set<Quadruple> cells(const Working_triangulation_3& working)
-{
-  const Exact_triangulation_3& tr = working.triangulation();
-  std::set<Quadruple> all;
-  for(Cell_handle c : tr.all_cell_handles())
-    all.insert(sorted(working.numbers(c)));
-  check::that(all.size() == tr.number_of_cells(), "two cells have the same vertices");
-  return all;
-}
-
-// Whether nothing is left of marks that were made on the way, and each number has its vertex at its site.
-static bool is_tidy(const Working_triangulation_3& working, const std::vector<Site>& sites)
-{
-  const Exact_triangulation_3& tr = working.triangulation();
-  for(Cell_handle c : tr.all_cell_handles())
-    if(c->has_flags() || c->tds_data().is_in_conflict())
-      return false;
-  for(int v = 0; v < static_cast<int>(sites.size()); ++v)
-    if(!working.is_visible(v) || tr.point(working.vertex(v)) != weighted_point(sites[v]))
-      return false;
-  return working.is_complete();
-}
-
 // What is transferred from the mesh for positions that may be others is what insertion gives; how many vertices
 // were inserted for it, or -1 if it was not transferred.
 static int transfer_cells(const std::string& name, const Moving_triangulation_3& mesh, const std::vector<Site>& sites, Outcome expected)
 {
-  Working_triangulation_3 inserted, transferred;
+  Labelled_triangulation_3 inserted, transferred;
   inserted.build(sites);
-  Cell_transfer_3 transfer(mesh, sites, Thread_policy::for_tag<CGAL::Parallel_tag>(), transferred);
-  const bool is_transferred = transfer.run();
+  Cell_transfer_3 transfer(mesh, sites, Thread_policy::for_tag<CGAL::Parallel_tag>());
+  const bool is_transferred = transfer.run(transferred);
   std::cout << name << ": " << (is_transferred ? "" : "not ") << "transferred, " << transfer.number_of_inserted_vertices()
             << " of " << sites.size() << " vertices inserted" << std::endl;
   check::that(expected == ANY || is_transferred == (expected == TRANSFERRED), name, ": ", is_transferred ? "" : "not ", "transferred");
   if(!is_transferred)
     return -1;
   check::that(inserted.is_complete(), name, ": hidden vertices are overlooked");
-  check::that(cells(transferred) == cells(inserted), name, ": not the cells that insertion gives");
-  check::that(transferred.triangulation().is_valid(), name, ": the triangulation is not valid");
-  check::that(is_tidy(transferred, sites), name, ": marks are left, or vertices are not what they were");
+  check::that(transferred.is_complete() && std::equal(sites.begin(), sites.end(), transferred.sites().begin(), transferred.sites().end(),
+                                                      same_place), name, ": vertices are not where they are to be");
+  check::that(cells_of(transferred) == cells_of(inserted), name, ": not the cells that insertion gives");
+  check::that(is_regular_triangulation_of_cgal(transferred), name, ": the triangulation is not valid");
   // Vertices can be moved afterwards.
+  std::vector<Site> elsewhere = sites;
   for(int v = 0; v < static_cast<int>(sites.size()); v += 97)
-    for(auto* working : { &transferred, &inserted })
-      working->move(v, sites[v]);
-  check::that(cells(transferred) == cells(inserted) && transferred.triangulation().is_valid(), name, ": vertices cannot be moved");
+    elsewhere[v] = sites[(v + 50) % sites.size()];
+  for(int v = 50; v < static_cast<int>(sites.size()); v += 97)
+    elsewhere[v] = site_at((position(sites[v]) + position(sites[v - 1])) / 2, sites[v].weight);
+  if(move_vertices(elsewhere, transferred))
+    check::that(is_regular_triangulation_of_cgal(transferred), name, ": vertices cannot be moved");
   return transfer.number_of_inserted_vertices();
 }
 
@@ -214,10 +196,11 @@ void complexes(const std::string& name, const C3t3& c3t3, const Domain& domain, 
     if(!done)
       continue;
     const auto &a = with.complex.snapshot(), &b = without.complex.snapshot();
-    check::that(cells(with.complex.triangulation()) == cells(without.complex.triangulation()), name, ": the complexes have other cells");
-    const auto in_order = [](const auto& table) { return std::map(table.entries().begin(), table.entries().end()); };
-    check::that(a.has_positions(b.sites) && in_order(a.boundary_cells) == in_order(b.boundary_cells), name,
-                ": the complexes differ");
+    std::set<std::pair<Quadruple, int> > labels[2];
+    for(const Complex_snapshot_3* s : { &a, &b })
+      for(int c : s->triangulation.cells())
+        labels[s == &b].emplace(sorted(s->triangulation.vertices(c)), s->triangulation.label(c));
+    check::that(a.has_positions(b.sites) && labels[0] == labels[1], name, ": the complexes have other cells");
     std::set<std::array<int, 3> > facets[2];
     for(const Boundary_facet& f : a.boundary.complex().facets())
       facets[0].insert(sorted(f.vertices));
@@ -401,21 +384,24 @@ static void hiding_vertices()
   // A ball, a vertex within it, which an octahedron leaves visible, and one that comes to hide it.
   std::vector<Site> sites = { { 0, 0, 0, 1 }, { 0.9, 0, 0, 0 }, { 2, 0.1, 0.1, 0 }, { 3, 0, 0, 0 }, { -3, 0, 0, 0 }, { 0, 3, 0, 0 },
                               { 0, -3, 0, 0 }, { 0, 0, 3, 0 }, { 0, 0, -3, 0 } };
-  Working_triangulation_3 working;
-  working.build(sites);
-  check::that(working.is_complete(), "a visible vertex is not there");
-  working.move(2, { 1.1, 0, 0, 0 });
-  check::that(!working.is_complete() && !working.is_visible(1) && working.is_visible(2), "a hidden vertex is not noticed");
-  working.move(1, { 0, 2, 0, 0 });
-  check::that(working.is_complete() && working.triangulation().is_valid(), "a hidden vertex cannot be moved");
-  working.move(1, { 0, 3, 0, 0 });
-  check::that(!working.is_complete() && !working.is_visible(1) && working.is_visible(5), "a taken place is not noticed");
-  working.move(2, sites[2]);
-  working.move(1, sites[1]);
-  for(int v = 0; v < static_cast<int>(sites.size()); ++v)
-    check::that(working.is_visible(v) && working.triangulation().point(working.vertex(v)) == weighted_point(sites[v]),
-                "vertex ", v, " is not where it was");
-  check::that(working.triangulation().is_valid(), "the triangulation is not valid after all vertices are back");
+  Labelled_triangulation_3 tr;
+  tr.build(sites);
+  check::that(tr.is_complete(), "a visible vertex is not there");
+  const auto build_with = [&](int v, const Site& s)
+  {
+    std::vector<Site> moved = sites;
+    moved[v] = s;
+    tr.build(moved);
+  };
+  build_with(2, { 1.1, 0, 0, 0 });
+  check::that(!tr.is_complete() && !tr.is_visible(1) && tr.is_visible(2), "a hidden vertex is not noticed");
+  build_with(1, { 0, 3, 0, 0 });
+  check::that(!tr.is_complete() && tr.is_visible(1) != tr.is_visible(5), "a taken place is not noticed");
+  tr.build(sites);
+  Vertex_moves_3 moves(tr);
+  check::that(moves.move(1, { 0, 2, 0, 0 }) && is_regular_triangulation_of_cgal(tr), "a vertex cannot be moved");
+  check::that(moves.move(1, sites[1]) && tr.is_complete() && is_regular_triangulation_of_cgal(tr), "a vertex cannot be moved back");
+  check::that(!moves.move(1, { 0.1, 0, 0, 0 }), "a vertex moves to where it is hidden");
 }
 
 int main()

@@ -415,14 +415,13 @@ namespace odt = CGAL::Global_odt_mesh_3::internal;
 struct Candidate_at_rest
   : odt::Opened_complex<Ellipsoid_c3t3, Ellipsoid_domain>
 {
-  odt::Working_triangulation_3 triangulation;
   std::unique_ptr<odt::Complex_candidate_3> candidate;
 
   Candidate_at_rest(const Ellipsoid_domain& of, const Ellipsoid_c3t3& from)
     : Opened_complex(from, of, true)
   {
     const odt::Complex_snapshot_3& snapshot = complex.snapshot();
-    candidate = std::make_unique<odt::Complex_candidate_3>(snapshot, triangulation, snapshot.sites, true, true, odt::Thread_policy());
+    candidate = std::make_unique<odt::Complex_candidate_3>(snapshot, snapshot.sites, true, true, odt::Thread_policy());
     candidate->build(nullptr);
   }
 };
@@ -475,11 +474,10 @@ static void missed_surface_centers(const Ellipsoid_domain& domain, const Ellipso
   Candidate_at_rest at_rest(domain, input);
   const odt::Complex_snapshot_3& snapshot = at_rest.complex.snapshot();
   // One between finite cells.
-  const odt::Working_triangulation_3& working = at_rest.complex.triangulation();
-  const auto& tr = working.triangulation();
-  const odt::Surface_center_search_3 search(snapshot.sites, tr, at_rest.domain);
-  const std::vector<odt::Facet> facets = odt::find_boundary_facets(snapshot, working, odt::Thread_policy());
-  const auto is_inside = [&](const auto& f) { return !tr.is_infinite(f.first) && !tr.is_infinite(f.first->neighbor(f.second)); };
+  const odt::Labelled_triangulation_3& tr = snapshot.triangulation;
+  const odt::Surface_center_search_3 search(tr, at_rest.domain);
+  const std::vector<odt::Half_facet> facets = odt::find_boundary_facets(snapshot, tr, odt::Thread_policy());
+  const auto is_inside = [&](odt::Half_facet f) { return !tr.is_infinite(f.cell()) && !tr.is_infinite(tr.mirror(f).cell()); };
   const std::size_t facet = std::find_if(facets.begin(), facets.end(), is_inside) - facets.begin();
   check::that(facet < facets.size(), "there is no facet between finite cells");
   const auto& vertices = snapshot.boundary.complex().facets()[facet].vertices;

@@ -9,6 +9,7 @@
 #include "check.h"
 #include "mesh_contract.h"
 #include "mesh_domains.h"
+#include "labelled_triangulation_checks.h"
 #include "opened_complex.h"
 
 #include <CGAL/Global_odt_mesh_3/internal/complex/Candidate_checks_3.h>
@@ -17,7 +18,7 @@
 #include <CGAL/Global_odt_mesh_3/internal/complex/Editable_complex_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/complex/Vertex_cavity_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/complex/Vertex_trial_3.h>
-#include <CGAL/Global_odt_mesh_3/internal/complex/Working_triangulation_3.h>
+#include <CGAL/Global_odt_mesh_3/internal/complex/Labelled_triangulation_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/geometry/Angle_deficit_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/geometry/Cell_geometry_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/geometry/Random_source.h>
@@ -165,8 +166,8 @@ struct Contents
 
   explicit Contents(const Editable_complex_3& complex)
   {
-    for(auto c : complex.triangulation().all_cell_handles())
-      cells.insert({ sorted(complex.numbers(c)), c->label() });
+    for(int c : complex.triangulation.cells())
+      cells.insert({ sorted(complex.triangulation.vertices(c)), complex.triangulation.label(c) });
     for(const Exchangeable_boundary_3::Facet& f : complex.boundary.facets())
       facets.insert({ f.vertices, {{ f.labels[0], f.labels[1], f.patch }} });
     for(const Site& s : complex.sites)
@@ -179,82 +180,70 @@ struct Contents
   }
 };
 
-// The cells of a triangulation, by sorted vertices.
-static std::set<Quadruple> cells_of(const Working_triangulation_3& working)
+// A cell in whose sphere the site is, or an infinite one.
+static int conflicting_cell(const Labelled_triangulation_3& tr, const Site& s)
 {
-  std::set<Quadruple> cells;
-  for(auto c : working.triangulation().all_cell_handles())
-    cells.insert(sorted(Working_triangulation_3::numbers(c)));
-  return cells;
+  std::vector<Site> sites = tr.sites();
+  sites.push_back(s);
+  const Trial_predicates_3 predicates(sites);
+  for(int c : tr.cells())
+    if(predicates.is_in_conflict(predicates.sphere(tr.vertices(c)), static_cast<int>(sites.size()) - 1))
+      return c;
+  return tr.cells().front();
 }
 
 // Vertices move, come, and go at random, and the triangulation is always that of its sites, also where these are on lines, planes,
 // and spheres together: those of a lattice, or half as far apart, and some with weights.
-static void cavities(const Labeled_c3t3& c3t3, const Labeled_domain& domain, bool is_lattice, unsigned int seed)
+static void cavities(bool is_lattice, unsigned int seed)
 {
-  Opened_complex<Labeled_c3t3, Labeled_domain> setting(c3t3, domain, true);
-  Editable_complex_3 complex = setting.complex.edit();
   Random_source random(seed);
-  const int number = static_cast<int>(complex.sites.size()), side = 1 + static_cast<int>(std::cbrt(number));
+  constexpr int number = 600, side = 9;
   const auto random_site = [&]
   {
     const auto x = [&] { return is_lattice ? std::floor(2 * side * random.uniform()) / 2 : side * random.uniform(); };
-    return Site{ x(), x(), x(), 0 };
+    const double a = x(), b = x(), c = x();
+    return Site{ a, b, c, 0 };
   };
+  std::vector<Site> sites(number);
   for(int v = 0; v < number; ++v)
   {
-    complex.sites[v] = is_lattice ? Site{ double(v % side), double(v / side % side), double(v / side / side), 0 } : random_site();
-    complex.sites[v].weight = v % 10 != 0 ? 0 : is_lattice ? 0.1 : 1e-6;
+    sites[v] = is_lattice ? Site{ double(v % side), double(v / side % side), double(v / side / side), 0 } : random_site();
+    sites[v].weight = v % 10 != 0 ? 0 : is_lattice ? 0.1 : 1e-6;
   }
-  Working_triangulation_3& working = complex.working;
-  working.build(complex.sites);
-  check::that(working.is_complete(), "some vertices are hidden from the beginning");
-  Vertex_cavity_3 cavity(complex);
+  Labelled_triangulation_3 tr;
+  tr.build(sites);
+  check::that(tr.is_complete(), "some vertices are hidden from the beginning");
+  Vertex_cavity_3 cavity(tr);
   std::array<int, 3> done = {}, refused = {};
   for(int n = 0; n < 600; ++n)
   {
-    const int v = static_cast<int>(random.uniform() * number), what = working.is_visible(v) ? n % 2 : 2;
+    const int v = static_cast<int>(random.uniform() * number), what = tr.is_visible(v) ? n % 2 : 2;
     Site to = random_site();
     if(what == 0)
     {
-      Vector_3 by = position(to) - position(complex.sites[v]);
+      Vector_3 by = position(to) - position(tr.sites()[v]);
       for(int i = 0; i < 3; ++i)
         by[i] = (std::max)(-1., (std::min)(1., std::round(by[i])));
-      to = site_at(position(complex.sites[v]) + by * (is_lattice ? 0.5 : 0.3 * random.uniform()), 0);
+      to = site_at(position(tr.sites()[v]) + by * (is_lattice ? 0.5 : 0.3 * random.uniform()), 0);
     }
     bool is_found;
     if(what == 2)
     {
-      complex.sites[v] = to;
-      cavity.start_new(v, working.triangulation().locate(weighted_point(to)));
+      tr.set_site(v, to);
+      cavity.start_new(v, conflicting_cell(tr, to));
       is_found = cavity.find_cells(to);
     }
-    else if(complex.sites[v].weight != 0)
+    else if(tr.sites()[v].weight != 0)
       continue;
     else
       is_found = cavity.start(v) && (what == 1 ? cavity.find_cells_without() : cavity.find_cells(to));
     ++(is_found ? done : refused)[what];
     if(!is_found)
       continue;
-    if(what == 2)
-      working.create_vertex(v, to);
-    else if(what == 0)
-      working.set_site(v, to);
-    complex.sites[v] = what == 1 ? complex.sites[v] : to;
-    cavity.replace(working);
-    if(what == 1)
-      working.remove_without_cells(v);
-    if(n % 20 != 0)
-      continue;
-    Working_triangulation_3 anew;
-    std::vector<int> visible;
-    for(int w = 0; w < number; ++w)
-      if(working.is_visible(w))
-        visible.push_back(w);
-    anew.clear(number);
-    anew.insert(visible, complex.sites);
-    check::that(working.triangulation().is_valid() && cells_of(working) == cells_of(anew), "seed ", seed, ", change ", n,
-                ": not the regular triangulation");
+    cavity.replace(tr);
+    check::that(tr.is_visible(v) == (what != 1), "a vertex has no cells, or too many");
+    if(n % 20 == 0)
+      check::that(is_regular_triangulation_of_cgal(tr), "seed ", seed, ", change ", n, ": not the regular triangulation");
   }
   std::cout << (is_lattice ? "lattice" : "random sites") << ", seed " << seed << ": " << done[0] << " moves, " << done[1]
             << " removals, " << done[2] << " insertions; refused " << refused[0] << ", " << refused[1] << ", " << refused[2]
@@ -321,10 +310,10 @@ void removal(const std::string& name, const C3t3& c3t3, const Domain& domain, bo
               << removal.number_of_moves() << " moves, " << removal.number_of_tries() << " tries" << std::endl;
     check::that(before > 5 && removal.number_of_moves() > 0, name, ": there was nothing to do");
     check::that(double(after) <= most_left * double(before), name, ": ", after, " of ", before, " slivers remain");
-    check::that(complex.triangulation().is_valid(), name, ": the triangulation is not regular");
+    check::that(is_regular_triangulation_of_cgal(complex.triangulation), name, ": the triangulation is not regular");
     const Contents reached(complex);
     check::that(setting.complex.adopt(complex), name, ": the complex does not adopt the trials");
-    const Editable_complex_3 next = setting.complex.edit();
+    Editable_complex_3 next = setting.complex.edit();
     check::that(Contents(next) == reached, name, ": the complex is not what trials have led to");
     check::that(setting.complex.adopt(next), name, ": the complex does not adopt trials that move nothing");
     results.push_back(setting.write());
@@ -473,7 +462,7 @@ int main()
     const Labeled_c3t3 c3t3 = domains::mesh(domain, 0.2);
     for(unsigned int seed = 0; seed < 3; ++seed)
       for(bool is_lattice : { false, true })
-        cavities(c3t3, domain, is_lattice, seed);
+        cavities(is_lattice, seed);
     trials("sphere", c3t3, domain, true);
     removal("sphere", c3t3, domain, true, 1, 0);
     removal("sphere with its surface fixed", c3t3, domain, false, 0, 0.2);
