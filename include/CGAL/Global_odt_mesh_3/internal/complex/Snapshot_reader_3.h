@@ -213,8 +213,7 @@ private:
     for(int n : collect_in_chunks(static_cast<int>(table_.cells.size()), threads_, find_boundary_cells))
     {
       const Quadruple& q = tr.vertices(n);
-      const auto& p = table_.cells[n].places;
-      numbering_->input_boundary_cells.insert(sorted(q), { {{ q[p[0]], q[p[1]], q[p[2]], q[p[3]] }}, table_.cells[n].label });
+      numbering_->input_boundary_cells.insert(sorted(q), { q, table_.cells[n].label });
     }
   }
 

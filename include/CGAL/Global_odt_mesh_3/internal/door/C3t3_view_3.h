@@ -22,7 +22,6 @@
 #include <CGAL/Global_odt_mesh_3/internal/interface/Mesh_view_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/parallel/Chunked_loops.h>
 #include <CGAL/Global_odt_mesh_3/internal/parallel/Thread_policy.h>
-#include <CGAL/Global_odt_mesh_3/internal/triangulation/Cell_order.h>
 #include <CGAL/Global_odt_mesh_3/internal/triangulation/Indexed_triangulation_3.h>
 
 #include <CGAL/Time_stamper.h>
@@ -124,7 +123,7 @@ public:
       if(table.cells[n].is_kept)
         kept_cells_.push_back(sites_of(*cells[n]));
       for(int i = 0; i < 4; ++i)
-        if(const Facet f(cells[n], index_in(cells[n], table.cells[n].vertices[i])); f.first->is_facet_on_surface(f.second))
+        if(const Facet f(cells[n], i); f.first->is_facet_on_surface(f.second))
         {
           table.cells[n].facets |= 1 << i;
           table.facets.push_back(read_facet(f, static_cast<int>(n), i));
@@ -336,38 +335,34 @@ private:
     return number;
   }
 
+  // Their vertices keep the order that they have there, on which dual points of flat cells depend.
   std::vector<Cell_handle> read_cells(const Thread_policy& threads, Mesh_table_3& table) const
   {
     const Vertex_numbers vertex_number = vertex_numbers();
-    const std::vector<Cell_handle> cells = all_cells(c3t3_.triangulation());
-    std::vector<Quadruple> vertices(cells.size());
-    for_each_in_chunks(static_cast<int>(cells.size()), threads, [&, &v = vertex_number](int n)
+    std::vector<Cell_handle> cells = all_cells(c3t3_.triangulation());
+    const auto vertices = [&](Cell_handle c)
     {
-      const Cell_handle c = cells[n];
-      // From 0, the infinite one.
-      vertices[n] = in_canonical_order({{ v[c->vertex(0)] + 1, v[c->vertex(1)] + 1, v[c->vertex(2)] + 1, v[c->vertex(3)] + 1 }});
-    });
-    const Canonical_order order(std::move(vertices), static_cast<int>(vertices_.size()) + 1, threads);
+      const Vertex_numbers& number = vertex_number;
+      return Quadruple{{ number[c->vertex(0)], number[c->vertex(1)], number[c->vertex(2)], number[c->vertex(3)] }};
+    };
+    std::vector<std::pair<Quadruple, Cell_handle> > order(cells.size());
+    for_each_in_chunks(static_cast<int>(cells.size()), threads, [&](int n) { order[n] = { sorted(vertices(cells[n])), cells[n] }; });
+    threads.sort(order.begin(), order.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
+    CGAL::Unique_hash_map<Cell_handle, int, Hash> numbers(-1, cells.size());
+    for(std::size_t n = 0; n < cells.size(); ++n)
+    {
+      cells[n] = order[n].second;
+      numbers[cells[n]] = static_cast<int>(n);
+    }
     table.cells.resize(cells.size());
-    order.for_each_facet([&table](int, Half_facet s, Half_facet t)
+    for_each_in_chunks(static_cast<int>(cells.size()), threads, [&, &number = std::as_const(numbers)](int n)
     {
-      table.cells[s.cell()].neighbors[s.index()] = t.cell();
-      table.cells[t.cell()].neighbors[t.index()] = s.cell();
-    });
-    std::vector<Cell_handle> sorted_cells(cells.size());
-    for_each_in_chunks(static_cast<int>(cells.size()), threads, [&](int n)
-    {
-      sorted_cells[n] = cells[order.number(n)];
+      table.cells[n].vertices = vertices(cells[n]);
       for(int i = 0; i < 4; ++i)
-        table.cells[n].vertices[i] = order.vertices()[Half_facet(n, i).id()] - 1;
-      for(int i = 0; i < 4; ++i)
-        table.cells[n].places[index_in(sorted_cells[n], table.cells[n].vertices[i])] = static_cast<signed char>(i);
+        table.cells[n].neighbors[i] = number[cells[n]->neighbor(i)];
     });
-    return sorted_cells;
+    return cells;
   }
-
-  int index_in(Cell_handle c, int v) const
-  { return c->index(v == Mesh_table_3::infinite ? c3t3_.triangulation().infinite_vertex() : vertices_[v]); }
 
   Mesh_table_3::Facet read_facet(const Facet& f, int n, int i)
   {

@@ -42,8 +42,6 @@ struct Mesh_table_3
     int label;                                  // of the subdomain, 0 outside
     int facets = 0;                             // bits of those in the complex; of the input
     bool is_kept = false;                       // because the user wants it so; its vertices are fixed
-    // Of the vertices, in the order in which the user's mesh has them.
-    std::array<signed char, 4> places = {{ 0, 1, 2, 3 }};
   };
 
   // On a surface, seen from one of its cells.

@@ -23,7 +23,6 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
-#include <cstdint>
 #include <utility>
 #include <vector>
 
@@ -60,35 +59,7 @@ public:
   const std::vector<int>& vertices() const { return vertices_; }
   std::vector<int> take_vertices() { return std::move(vertices_); }
 
-  // Calls f(chunk, s, t) for each facet with its slots s < t, or with s and none, in chunks, which threads share.
-  // Cells overlap nowhere, so that a facet is never one of three.
-  int number_of_chunks() const { return chunks_.number(); }
-  template <class F>
-  void for_each_facet(const F& f) const
-  {
-    const Buckets by_second_vertex(number_of_cells(), by_first_vertex_.number_of_buckets(),
-                                   [this](int n) { return vertices_[Half_facet(n, 1).id()]; }, threads_);
-    threads_.for_each_chunk(chunks_.number(), [&](int chunk)
-    {
-      std::vector<Keyed_half_facet> facets;
-      for(int v = chunks_.begin(chunk); v < chunks_.end(chunk); ++v)
-      {
-        list_facets(v, by_second_vertex, facets);
-        for(std::size_t n = 0; n < facets.size(); )
-        {
-          const Keyed_half_facet& s = facets[n++];
-          const bool has_mate = n < facets.size() && facets[n].first == s.first;
-          f(chunk, Half_facet(s.second), has_mate ? Half_facet(facets[n++].second) : Half_facet());
-          CGAL_assertion(n == facets.size() || facets[n].first != s.first);
-        }
-      }
-    });
-  }
-
 private:
-  // A facet's vertices but the first one, and where the facet is.
-  typedef std::pair<std::uint64_t, int> Keyed_half_facet;
-
   // A chunk is to be worth the trouble of a thread.
   static constexpr int least_vertices = 1000, most_chunks = 64;
 
@@ -108,24 +79,6 @@ private:
       numbers_[place] = c.second;
       std::copy(c.first.begin(), c.first.end(), vertices_.begin() + Half_facet(place++, 0).id());
     }
-  }
-
-  // The facets whose first vertex is v, those with the same vertices side by side.
-  void list_facets(int v, const Buckets& by_second_vertex, std::vector<Keyed_half_facet>& facets) const
-  {
-    facets.clear();
-    for(int n = by_first_vertex_.begin(v); n < by_first_vertex_.end(v); ++n)
-      for(int i = 1; i < 4; ++i)
-        facets.push_back(keyed(Half_facet(n, i)));
-    for(int p = by_second_vertex.begin(v); p < by_second_vertex.end(v); ++p)
-      facets.push_back(keyed(Half_facet(by_second_vertex.numbers()[p], 0)));
-    std::sort(facets.begin(), facets.end());
-  }
-
-  Keyed_half_facet keyed(Half_facet s) const
-  {
-    const int v = vertices_[s.in_cell(s.index() < 2 ? 2 : 1).id()], w = vertices_[s.in_cell(s.index() < 3 ? 3 : 2).id()];
-    return { std::uint64_t((std::min)(v, w)) << 32 | std::uint64_t((std::max)(v, w)), s.id() };
   }
 
   const Thread_policy threads_;
