@@ -166,7 +166,7 @@ void compare(const std::string& name, const C3t3& input, const Domain& domain, c
     odt::Odt_mesh_optimizer_3<C3t3, Domain, Visitor> optimizer(c3t3, domain, odt::Odt_task::OPTIMIZE, parameters, visitor);
     optimizer();
     for(int n = 0; n < odt::Stage_clock::NUMBER_OF_STAGES; ++n)
-      o.stages[n] = optimizer.clock().seconds(n).all;
+      o.stages[n] = optimizer.clock().seconds(n);
   });
   print("ours", ours, chain.cpu);
   for(int n = 0; n < odt::Stage_clock::NUMBER_OF_STAGES; ++n)

@@ -129,12 +129,11 @@ public:
         report.obstacles.push_back(mesh_.vertex(v));
     report.released_cells = mesh_.released_cells();
     for(int n = 0; n < Stage_clock::NUMBER_OF_STAGES; ++n)
-      report.seconds.emplace_back(Stage_clock::name(n), clock_.seconds(n).all);
+      report.seconds.emplace_back(Stage_clock::name(n), clock_.seconds(n));
     return code;
   }
 
   const Stage_clock& clock() const { return clock_; }
-  const Oracle_statistics& oracle_statistics() const { return domain_.statistics(); }
 
 private:
   // A mesh from elsewhere may have inverted cells, of which CGAL gives none.

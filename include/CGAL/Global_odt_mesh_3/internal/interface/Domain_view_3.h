@@ -16,21 +16,11 @@
 #include <CGAL/Global_odt_mesh_3/internal/parallel/Chunked_loops.h>
 #include <CGAL/Global_odt_mesh_3/internal/parallel/Thread_policy.h>
 
-#include <atomic>
 #include <cstddef>
 #include <limits>
 #include <vector>
 
 namespace CGAL::Global_odt_mesh_3::internal {
-
-// How often the domain was asked, by any thread.
-struct Oracle_statistics
-{
-  std::atomic<std::size_t> locations{ 0 };         // is_in_domain
-  std::atomic<std::size_t> intersections{ 0 };     // construct_intersection
-  std::atomic<std::size_t> projections{ 0 };       // closest points from the AABB tree
-  std::atomic<std::size_t> failures{ 0 };          // intersections and projections that found nothing of use
-};
 
 // The domain of the user, whatever its type, with numbers for subdomains (labels) and surface patches: those that the mesh
 // has, and one for all others, in which no cell and on which no facet of a valid mesh can be.
@@ -52,8 +42,6 @@ public:
   // Those that may ask the domain.
   const Thread_policy& threads() const { return threads_; }
 
-  const Oracle_statistics& statistics() const { return statistics_; }
-
   // Calls f(n) for the numbers n below `size`, on threads if these may ask the domain.
   template <class F>
   void for_each(std::size_t size, const F& f) const
@@ -69,11 +57,7 @@ public:
   }
 
   // Of the subdomain in which the point lies.
-  int label(const Vector& p) const
-  {
-    ++statistics_.locations;
-    return find_label(p);
-  }
+  virtual int label(const Vector& p) const = 0;
 
   // Moves `p` to the surface patch, by the closest point or along the normal, at
   // most as far as `reach`; false if there is no such point.
@@ -83,25 +67,15 @@ public:
   }
 
   // How far `p` is from the surface, if that is easily found out, or else 0.
-  double distance_to_surface(const Vector& p) const
-  {
-    if(!has_tree_)
-      return 0;
-    ++statistics_.projections;
-    return (p - closest_point(p)).length();
-  }
+  double distance_to_surface(const Vector& p) const { return has_tree_ ? (p - closest_point(p)).length() : 0; }
 
   // Moves `p` to where the segment of that half length and direction around it
   // meets the surface, and tells on which patch.
   bool intersect(Vector& p, const Vector& direction, double half_length, int& patch) const
   {
-    ++statistics_.intersections;
     const Vector from = p - half_length * direction, to = p + half_length * direction;
     // That of cospherical cells is a point, which domains do not expect.
-    if((to - from).length() > 0 && find_intersection(from, to, p, patch))
-      return true;
-    ++statistics_.failures;
-    return false;
+    return (to - from).length() > 0 && find_intersection(from, to, p, patch);
   }
 
 protected:
@@ -113,7 +87,6 @@ protected:
 private:
   static constexpr int least_questions = 64;      // that are worth the trouble of a thread
 
-  virtual int find_label(const Vector& p) const = 0;
   virtual bool find_intersection(const Vector& from, const Vector& to, Vector& p, int& patch) const = 0;
   // Where there is a tree.
   virtual Vector closest_point(const Vector& p) const = 0;
@@ -121,16 +94,12 @@ private:
 
   bool project_by_tree(Vector& p, double reach, int patch) const
   {
-    ++statistics_.projections;
     int found;
     const Vector q = closest_point(p, found);
-    if((p - q).length() <= reach && found == patch && patch != other_patch)
-    {
-      p = q;
-      return true;
-    }
-    ++statistics_.failures;
-    return false;
+    if((p - q).length() > reach || found != patch || patch == other_patch)
+      return false;
+    p = q;
+    return true;
   }
 
   // Short segments are cut faster, and rarely at another sheet of the surface.
@@ -152,7 +121,6 @@ private:
 
   bool has_tree_;
   Thread_policy threads_;
-  mutable Oracle_statistics statistics_;
 };
 
 } // namespace CGAL::Global_odt_mesh_3::internal
