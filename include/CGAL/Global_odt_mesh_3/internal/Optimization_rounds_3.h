@@ -197,7 +197,7 @@ public:
     {
       {
         Odt_objective_3 objective(mesh_, surface_motions(false));
-        minimize(objective);
+        minimize(objective, plan_.iterations());
       }
       return remesh_surfaces();
     }
@@ -205,7 +205,7 @@ public:
       search_round_in_blocks();
     Odt_objective_3 objective(mesh_, surface_motions(true), surface_term());
     if(plan_.stage() == Round_plan::MINIMIZE)
-      minimize(objective);
+      minimize(objective, plan_.iterations());
     else if(!search_in_blocks_)
       search_round(objective);
     return objective.value();
@@ -298,12 +298,13 @@ private:
     }
   }
 
-  void minimize(Odt_objective_3& objective)
+  template <class Objective>
+  void minimize(Objective& objective, int most_iterations)
   {
     Limited_memory_bfgs minimizer(minimizer_parameters_, threads_);
     Cell_order order(mesh_);
     bool goes_down = true;
-    for(int n = 0; n < plan_.iterations() && goes_down && begin_iteration(); ++n)
+    for(int n = 0; n < most_iterations && goes_down && begin_iteration(); ++n)
     {
       goes_down = minimizer.iterate(objective) == Limited_memory_bfgs::STEP_TAKEN;
       end_iteration(order);
@@ -316,13 +317,8 @@ private:
   {
     Surface_cvt_objective_3 objective(boundary_->complex(), mesh_.sites, mesh_.number_of_interior_vertices,
                                       surface_motions(true), density_.on_surface(), threads_);
-    Limited_memory_bfgs minimizer(minimizer_parameters_, threads_);
-    bool goes_down = control_.goes_on();
-    for(int n = 0; n < Round_plan::iterations_on_surface && goes_down && begin_iteration(); ++n)
-    {
-      goes_down = minimizer.iterate(objective) == Limited_memory_bfgs::STEP_TAKEN;
-      control_.end_iteration();
-    }
+    if(control_.goes_on())
+      minimize(objective, Round_plan::iterations_on_surface);
     return objective.value();
   }
 

@@ -131,8 +131,6 @@ public:
   }
 
 private:
-  static constexpr int least_length = 10000, most_chunks = 64;
-
   // A constrained one of the mesh, or one between blocks.
   struct Facet
   {
@@ -190,12 +188,7 @@ private:
   std::vector<int> places(const Buckets& buckets, int size) const
   {
     std::vector<int> place(size, -1);
-    const Chunks chunks(static_cast<int>(buckets.numbers().size()), least_length, most_chunks);
-    threads_.for_each_chunk(chunks.number(), [&](int k)
-    {
-      for(int n = chunks.begin(k); n < chunks.end(k); ++n)
-        place[buckets.numbers()[n]] = n;
-    });
+    for_each_in_chunks(static_cast<int>(buckets.numbers().size()), threads_, [&](int n) { place[buckets.numbers()[n]] = n; });
     return place;
   }
 

@@ -87,12 +87,8 @@ public:
       kept_values_.swap(values_);
     }
     has_kept_values_ = false;
-    const Chunks vertices(number_of_movable_vertices, least_vertices, most_chunks);
-    (is_safe_for_threads_ ? threads : Thread_policy()).for_each_chunk(vertices.number(), [&](int n)
-    {
-      for(int v = vertices.begin(n); v < vertices.end(n); ++v)
-        values_[v] = density_(v, sites[v]);
-    });
+    for_each_in_chunks(number_of_movable_vertices, is_safe_for_threads_ ? threads : Thread_policy(),
+                       [&](int v) { values_[v] = density_(v, sites[v]); });
   }
 
   std::unique_ptr<Density_quadrature_3> part(const std::vector<int>& vertices) const override
@@ -115,9 +111,6 @@ public:
   double energy_tolerance() const override { return tolerance_of_rough_moments; }
 
 private:
-  // A chunk is to be worth the trouble of a thread.
-  static constexpr int least_vertices = 1000, most_chunks = 16;
-
   Density density_;
   bool is_safe_for_threads_;
   std::vector<double> values_, kept_values_;

@@ -127,20 +127,13 @@ public:
   }
 
 private:
-  // Few vertices are not worth the trouble of a thread.
-  static constexpr int least_vertices = 2000, most_chunks = 16;
-
   void prepare_step(const Odt_objective_3& f, double interior_amplitude, double surface_amplitude)
   {
     start_.resize(f.point().size());
     trial_.resize(f.point().size());
     noise_.draw();
-    const Chunks vertices(f.number_of_vertices(), least_vertices, most_chunks);
-    f.threads().for_each_chunk(vertices.number(), [&](int n)
-    {
-      for(int v = vertices.begin(n); v < vertices.end(n); ++v)
-        prepare_step(f, v, interior_amplitude, surface_amplitude);
-    });
+    for_each_in_chunks(f.number_of_vertices(), f.threads(),
+                       [&](int v) { prepare_step(f, v, interior_amplitude, surface_amplitude); });
   }
 
   // The noise goes into the point from which the step starts, so that it gives no momentum.
@@ -169,8 +162,6 @@ private:
 class Metropolis_annealing
 {
 public:
-  static constexpr int usual_rounds = 20;
-
   explicit Metropolis_annealing(unsigned int seed,
                                 const Metropolis_annealing_schedule& schedule = Metropolis_annealing_schedule())
     : schedule_(schedule)

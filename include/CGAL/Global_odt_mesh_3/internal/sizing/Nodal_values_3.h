@@ -67,7 +67,7 @@ private:
   int locate(int c, const Site& s, std::array<double, 4>& b) const
   {
     int previous = -1;
-    for(int step = 0; step < max_steps; ++step)
+    for(int step = 1; ; ++step)
     {
       const double total = volumes(topology_.vertices(c), s, b);
       int leave = -1;
@@ -81,7 +81,7 @@ private:
           leave = across.cell();
         }
       }
-      if(leave < 0 || step + 1 == max_steps)
+      if(leave < 0 || step == max_steps)
       {
         double sum = 0;
         for(double& x : b)
@@ -96,7 +96,6 @@ private:
       previous = c;
       c = leave;
     }
-    return c;
   }
 
   // The volumes of a cell's parts between its facets and a point, and of the cell, times six.

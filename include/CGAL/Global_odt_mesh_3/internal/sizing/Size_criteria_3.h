@@ -208,15 +208,9 @@ public:
 private:
   static constexpr double tolerance = 1e-6;
 
-  static Triple vertices(const Mesh_table_3& m, const Mesh_table_3::Facet& f)
-  {
-    const Quadruple& q = m.cells[f.cell].vertices;
-    return {{ q[(f.index + 1) % 4], q[(f.index + 2) % 4], q[(f.index + 3) % 4] }};
-  }
-
   static double facet_radius(const Mesh_table_3& m, const Mesh_table_3::Facet& f)
   {
-    const Triple t = vertices(m, f);
+    const Triple t = facet_vertices(m.cells[f.cell].vertices, f.index);
     const Vector_3 a = position(m.sites[t[1]]) - position(m.sites[t[0]]), b = position(m.sites[t[2]]) - position(m.sites[t[0]]);
     return a.length() * b.length() * (a - b).length() / (2 * a.cross(b).length());
   }
