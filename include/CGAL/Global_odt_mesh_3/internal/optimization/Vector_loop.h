@@ -17,12 +17,9 @@
 
 #include <Eigen/Core>
 
-#include <algorithm>
-
 namespace CGAL::Global_odt_mesh_3::internal {
 
-// A loop over the entries of long vectors, on threads, in blocks short enough that those of several vectors stay in the
-// fastest cache. Sums do not depend on the number of threads.
+// A loop over the entries of long vectors, on threads. Sums do not depend on the number of threads.
 class Vector_loop
 {
 public:
@@ -31,39 +28,27 @@ public:
     , chunks_(static_cast<int>(size), least_length, most_chunks)
   {}
 
-  // Calls f(begin, length) for all blocks.
+  // Calls f(begin, length) for all chunks.
   template <class F>
   void run(const F& f) const
   {
-    threads_.for_each_chunk(chunks_.number(), [&](int n) { run_chunk(n, f); });
+    threads_.for_each_chunk(chunks_.number(), [&](int n) { f(begin(n), begin(n + 1) - begin(n)); });
   }
 
-  // Calls f(begin, length, sums) for all blocks, which adds to its sums; gives those of all.
-  template <class F>
-  Eigen::VectorXd sums(int number, const F& f) const
+  double dot(const Eigen::VectorXd& x, const Eigen::VectorXd& y) const
   {
-    Eigen::MatrixXd parts = Eigen::MatrixXd::Zero(number, chunks_.number());
+    Eigen::VectorXd sums(chunks_.number());
     threads_.for_each_chunk(chunks_.number(), [&](int n)
     {
-      Eigen::VectorXd part = Eigen::VectorXd::Zero(number);
-      run_chunk(n, [&](Eigen::Index begin, Eigen::Index length) { f(begin, length, part); });
-      parts.col(n) = part;
+      sums[n] = x.segment(begin(n), begin(n + 1) - begin(n)).dot(y.segment(begin(n), begin(n + 1) - begin(n)));
     });
-    Eigen::VectorXd sum = Eigen::VectorXd::Zero(number);
-    for(int n = 0; n < chunks_.number(); ++n)
-      sum += parts.col(n);
-    return sum;
+    return sums.sum();
   }
 
 private:
-  static constexpr int length_of_block = 256, least_length = 16384, most_chunks = 16;
+  static constexpr int least_length = 16384, most_chunks = 16;
 
-  template <class F>
-  void run_chunk(int n, const F& f) const
-  {
-    for(int begin = chunks_.begin(n); begin < chunks_.end(n); begin += length_of_block)
-      f(Eigen::Index(begin), Eigen::Index((std::min)(length_of_block, chunks_.end(n) - begin)));
-  }
+  Eigen::Index begin(int chunk) const { return chunks_.begin(chunk); }
 
   Thread_policy threads_;
   Chunks chunks_;
