@@ -42,7 +42,7 @@ Polynomials of degree three in each variable are reproduced. The error at smooth
 distance of nodes. Where values jump, a spline overshoots, possibly below zero; sizes and densities should change
 little from one node to the next. Points outside of the box have the value of the closest point of the box.
 
-Copies share the values, of which there are eight for each node. Queries may be made from several threads at once.
+Copies share the values. Queries may be made from several threads at once.
 
 \tparam Kernel a model of the concept `Kernel`, whose coordinates are converted to `double`
 

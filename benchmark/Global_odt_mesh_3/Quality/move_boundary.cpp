@@ -69,12 +69,6 @@ protected:
     return Base::find_intersection(from, to, p, patch);
   }
 
-  Vector closest_point(const Vector& p) const override
-  {
-    ++cost_.projections;
-    return Base::closest_point(p);
-  }
-
   Vector closest_point(const Vector& p, int& patch) const override
   {
     ++cost_.projections;

@@ -137,14 +137,6 @@ protected:
     return true;
   }
 
-  Vector closest_point(const Vector& p) const override
-  {
-    if constexpr (Has_aabb_tree<Mesh_domain>::value)
-      return coordinates(domain_.aabb_tree().closest_point(point(p)));
-    else
-      return p;
-  }
-
   Vector closest_point(const Vector& p, int& patch) const override
   {
     if constexpr (Has_aabb_tree<Mesh_domain>::value)

@@ -67,7 +67,11 @@ public:
   }
 
   // How far `p` is from the surface, if that is easily found out, or else 0.
-  double distance_to_surface(const Vector& p) const { return has_tree_ ? (p - closest_point(p)).length() : 0; }
+  double distance_to_surface(const Vector& p) const
+  {
+    int patch;
+    return has_tree_ ? (p - closest_point(p, patch)).length() : 0;
+  }
 
   // Moves `p` to where the segment of that half length and direction around it
   // meets the surface, and tells on which patch.
@@ -89,7 +93,6 @@ private:
 
   virtual bool find_intersection(const Vector& from, const Vector& to, Vector& p, int& patch) const = 0;
   // Where there is a tree.
-  virtual Vector closest_point(const Vector& p) const = 0;
   virtual Vector closest_point(const Vector& p, int& patch) const = 0;
 
   bool project_by_tree(Vector& p, double reach, int patch) const

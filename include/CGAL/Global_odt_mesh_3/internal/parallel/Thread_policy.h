@@ -28,6 +28,7 @@
 #include <array>
 #include <chrono>
 #include <cstdint>
+#include <functional>
 #include <type_traits>
 #include <utility>
 
@@ -123,11 +124,11 @@ public:
   void for_each_chunk(int number_of_chunks, const F& f) const
   {
 #ifdef CGAL_LINKED_WITH_TBB
-    run_chunks(number_of_chunks, &f, [](const void* g, int n) { (*static_cast<const F*>(g))(n); });
-#else
+    if(is_parallel_ && number_of_chunks > 1)
+      return run_chunks(number_of_chunks, std::cref(f));
+#endif
     for(int n = 0; n < number_of_chunks; ++n)
       f(n);
-#endif
   }
 
   // Calls f and g, which know nothing of each other, at the same time if there are threads. Only one of them may have loops.
@@ -177,18 +178,15 @@ private:
   static std::uintptr_t context_traits() { return tbb::task_group_context::default_traits | tbb::task_group_context::fp_settings; }
 
   // One function for all loops, as what TBB makes of each takes time to compile.
-  void run_chunks(int number_of_chunks, const void* f, void (*call)(const void*, int)) const
+  static void run_chunks(int number_of_chunks, const std::function<void(int)>& f)
   {
-    const auto run = [f, call](const tbb::blocked_range<int>& chunks)
+    const auto run = [&f](const tbb::blocked_range<int>& chunks)
     {
       for(int n = chunks.begin(); n < chunks.end(); ++n)
-        call(f, n);
+        f(n);
     };
-    const tbb::blocked_range<int> chunks(0, number_of_chunks, 1);
-    if(!is_parallel_ || number_of_chunks == 1)
-      return run(chunks);
     tbb::task_group_context context(tbb::task_group_context::bound, context_traits());
-    tbb::parallel_for(chunks, run, tbb::simple_partitioner(), context);
+    tbb::parallel_for(tbb::blocked_range<int>(0, number_of_chunks, 1), run, tbb::simple_partitioner(), context);
   }
 #endif
 
