@@ -15,7 +15,6 @@
 #include <CGAL/Global_odt_mesh_3/internal/Requirements.h>
 
 #include <CGAL/Global_odt_mesh_3/internal/geometry/Site.h>
-#include <CGAL/Global_odt_mesh_3/internal/geometry/Vector_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/sizing/Tricubic_spline_3.h>
 
 #include <CGAL/Bbox_3.h>

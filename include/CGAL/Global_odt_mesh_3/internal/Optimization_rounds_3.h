@@ -21,7 +21,6 @@
 #include <CGAL/Global_odt_mesh_3/internal/density/Field_density_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/density/Make_density_quadrature_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/geometry/Site.h>
-#include <CGAL/Global_odt_mesh_3/internal/geometry/Vector_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/interface/User_field_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/optimization/Global_search.h>
 #include <CGAL/Global_odt_mesh_3/internal/optimization/Limited_memory_bfgs.h>

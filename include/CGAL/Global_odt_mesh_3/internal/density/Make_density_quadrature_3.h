@@ -18,7 +18,6 @@
 #include <CGAL/Global_odt_mesh_3/internal/density/Point_rule_quadrature_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/density/Polynomial_density_quadrature_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/geometry/Site.h>
-#include <CGAL/Global_odt_mesh_3/internal/geometry/Vector_3.h>
 
 #include <CGAL/Density_quadratures_3.h>
 

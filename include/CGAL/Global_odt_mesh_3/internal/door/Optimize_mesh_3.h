@@ -24,7 +24,6 @@
 #include <CGAL/Global_odt_mesh_3/internal/door/User_fields_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/geometry/Cell_geometry_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/geometry/Site.h>
-#include <CGAL/Global_odt_mesh_3/internal/geometry/Vector_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/interface/Domain_view_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/interface/Optimization_visitor.h>
 #include <CGAL/Global_odt_mesh_3/internal/interface/User_field_3.h>
@@ -159,21 +158,17 @@ private:
 template <class C3T3>
 constexpr bool is_periodic = std::is_same<typename C3T3::Triangulation::Periodic_tag, Tag_true>::value;
 
-// What odt_optimize_mesh_3() reads.
+// What odt_optimize_mesh_3() reads for periodic meshes, and for others.
+typedef Parameter_list<tags::time_limit, tags::max_iteration_number, tags::convergence, tags::freeze_bound, tags::do_freeze,
+                       tags::sliver_bound, internal_np::do_remove_slivers_t, internal_np::annealing_schedule_t,
+                       internal_np::number_of_rounds_t, internal_np::optimize_boundary_t, internal_np::surface_weight_t,
+                       internal_np::random_seed_t, internal_np::callback_t, internal_np::optimization_report_t> Periodic_parameters;
+typedef Parameter_list<internal_np::do_insert_vertices_t, internal_np::do_remove_vertices_t, internal_np::number_of_vertices_t,
+                       tags::sizing_field, internal_np::density_t, internal_np::quadrature_t, internal_np::domain_is_thread_safe_t,
+                       internal_np::vertex_is_constrained_t, internal_np::cell_selector_t, internal_np::visitor_t> Other_parameters;
 template <class C3T3>
-using Optimization_parameters = std::conditional_t<
-  is_periodic<C3T3>,
-  Parameter_list<tags::time_limit, tags::max_iteration_number, tags::convergence, tags::freeze_bound, tags::do_freeze,
-                 tags::sliver_bound, internal_np::do_remove_slivers_t, internal_np::annealing_schedule_t, internal_np::number_of_rounds_t,
-                 internal_np::optimize_boundary_t, internal_np::surface_weight_t, internal_np::random_seed_t, internal_np::callback_t,
-                 internal_np::optimization_report_t>,
-  Parameter_list<tags::time_limit, tags::max_iteration_number, tags::convergence, tags::freeze_bound, tags::do_freeze,
-                 tags::sliver_bound, internal_np::do_remove_slivers_t, internal_np::do_insert_vertices_t, internal_np::do_remove_vertices_t, internal_np::number_of_vertices_t,
-                 tags::sizing_field, internal_np::density_t,
-                 internal_np::quadrature_t, internal_np::annealing_schedule_t, internal_np::number_of_rounds_t,
-                 internal_np::optimize_boundary_t, internal_np::surface_weight_t, internal_np::domain_is_thread_safe_t,
-                 internal_np::random_seed_t, internal_np::vertex_is_constrained_t, internal_np::cell_selector_t,
-                 internal_np::callback_t, internal_np::visitor_t, internal_np::optimization_report_t> >;
+using Optimization_parameters = std::conditional_t<is_periodic<C3T3>, Periodic_parameters,
+                                                   decltype(Periodic_parameters() + Other_parameters())>;
 
 template <class T>
 T& unwrap(T& t) { return t; }

@@ -14,7 +14,6 @@
 
 #include <CGAL/Global_odt_mesh_3/internal/geometry/Vector_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/parallel/Chunked_loops.h>
-#include <CGAL/Global_odt_mesh_3/internal/parallel/Thread_policy.h>
 
 #include <cstddef>
 #include <limits>
