@@ -99,28 +99,6 @@ inline Cell_energy odt_energy(const Cell_products& t,
   return r;
 }
 
-// The same as functions of a cell, its number and those of its vertices, into `s`. They are polynomials in the coordinates,
-// so that the energy of a cell may be taken off again, whatever its shape.
-struct Uniform_odt_energy_3
-{
-  Cell_energy operator()(const Cell_products& t, int, const int* v, const Site* s) const
-  {
-    return uniform_odt_energy(t, s[v[0]], s[v[1]], s[v[2]], s[v[3]]);
-  }
-};
-
-// The quadrature is a pointer, or what behaves like one.
-template <class Quadrature>
-struct Weighted_odt_energy_3
-{
-  Quadrature quadrature;
-
-  Cell_energy operator()(const Cell_products& t, int cell, const int* v, const Site* s) const
-  {
-    return odt_energy(t, s[v[0]], s[v[1]], s[v[2]], s[v[3]], quadrature->moments(cell, v, s));
-  }
-};
-
 // Which energy the cells of a mesh have: with a density or without.
 class Energy_choice_3
 {
@@ -137,16 +115,25 @@ public:
   // Others may ask the user.
   bool is_safe_for_threads() const { return quadrature_ == nullptr || linear_quadrature_ != nullptr; }
 
-  // Calls f(energy), where energy(t, cell, v, s) is that of a cell, by its type as far as that is faster.
+  // Calls f(energy), where energy(t, cell, v, s) is that of a cell, its number and those of its vertices, into `s`, by its type as
+  // far as that is faster. Energies are polynomials in the coordinates, so that that of a cell may be taken off again, whatever its
+  // shape.
   template <class F>
   void visit(const F& f) const
   {
+    // The quadrature is a pointer, or what behaves like one.
+    const auto with = [](auto quadrature)
+    {
+      return [quadrature](const Cell_products& t, int cell, const int* v, const Site* s)
+             { return odt_energy(t, s[v[0]], s[v[1]], s[v[2]], s[v[3]], quadrature->moments(cell, v, s)); };
+    };
     if(quadrature_ == nullptr)
-      f(Uniform_odt_energy_3());
+      f([](const Cell_products& t, int, const int* v, const Site* s)
+        { return uniform_odt_energy(t, s[v[0]], s[v[1]], s[v[2]], s[v[3]]); });
     else if(linear_quadrature_ != nullptr)
-      f(Weighted_odt_energy_3<Linear_density_quadrature_3::View>{ linear_quadrature_->view() });
+      f(with(linear_quadrature_->view()));
     else
-      f(Weighted_odt_energy_3<Density_quadrature_3*>{ quadrature_ });
+      f(with(quadrature_));
   }
 
   // What a quadrature has to be told.

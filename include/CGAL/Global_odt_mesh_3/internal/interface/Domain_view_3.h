@@ -62,7 +62,21 @@ public:
   // most as far as `reach`; false if there is no such point.
   bool project(Vector& p, const Vector& normal, double reach, int patch) const
   {
-    return has_tree_ ? project_by_tree(p, reach, patch) : project_along(p, normal, reach, patch);
+    Vector q = p;
+    int found;
+    if(has_tree_)
+    {
+      q = closest_point(p, found);
+      if((p - q).length() > reach)
+        return false;
+    }
+    // Short segments are cut faster, and rarely at another sheet of the surface.
+    else if(!intersect(q, normal, reach / 4, found) && !intersect(q, normal, reach, found))
+      return false;
+    if(found != patch || patch == other_patch)
+      return false;
+    p = q;
+    return true;
   }
 
   // How far `p` is from the surface, if that is easily found out, or else 0.
@@ -93,33 +107,6 @@ private:
   virtual bool find_intersection(const Vector& from, const Vector& to, Vector& p, int& patch) const = 0;
   // Where there is a tree.
   virtual Vector closest_point(const Vector& p, int& patch) const = 0;
-
-  bool project_by_tree(Vector& p, double reach, int patch) const
-  {
-    int found;
-    const Vector q = closest_point(p, found);
-    if((p - q).length() > reach || found != patch || patch == other_patch)
-      return false;
-    p = q;
-    return true;
-  }
-
-  // Short segments are cut faster, and rarely at another sheet of the surface.
-  bool project_along(Vector& p, const Vector& normal, double reach, int patch) const
-  {
-    for(double h : { reach / 4, reach })
-    {
-      Vector q = p;
-      int found;
-      if(!intersect(q, normal, h, found))
-        continue;
-      if(found != patch || patch == other_patch)
-        break;
-      p = q;
-      return true;
-    }
-    return false;
-  }
 
   bool has_tree_;
   Thread_policy threads_;

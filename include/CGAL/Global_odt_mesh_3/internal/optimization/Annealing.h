@@ -15,7 +15,6 @@
 #include <CGAL/Global_odt_mesh_3/internal/geometry/Random_source.h>
 #include <CGAL/Global_odt_mesh_3/internal/geometry/Vector_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/optimization/Odt_objective_3.h>
-#include <CGAL/Global_odt_mesh_3/internal/optimization/Vector_loop.h>
 #include <CGAL/Global_odt_mesh_3/internal/parallel/Chunked_loops.h>
 
 #include <CGAL/Annealing_schedules_3.h>
@@ -108,22 +107,15 @@ public:
   {
     const double left = std::pow((std::max)(0., 1 - done), schedule_.decay);
     prepare_step(f, left * schedule_.interior_amplitude, left * schedule_.surface_amplitude);
-    const Vector_loop loop(f.threads(), start_.size());
-    const bool is_taken = f.evaluate(trial_);
-    if(is_taken)
+    if(f.evaluate(trial_))
     {
       f.keep();
-      loop.run([&](Eigen::Index n, Eigen::Index l)
-      {
-        velocity_.segment(n, l) = f.point().segment(n, l) - start_.segment(n, l);
-      });
+      velocity_ = f.point() - start_;
+      return true;
     }
-    else
-    {
-      f.reject();
-      loop.run([&](Eigen::Index n, Eigen::Index l) { velocity_.segment(n, l) *= 0.5; });
-    }
-    return is_taken;
+    f.reject();
+    velocity_ *= 0.5;
+    return false;
   }
 
 private:
