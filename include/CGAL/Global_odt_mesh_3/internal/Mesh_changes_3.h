@@ -38,8 +38,9 @@ inline std::map<int, double> volumes(const Mesh_table_3& mesh)
   return result;
 }
 
-// Of the volume of a subdomain, relatively.
-inline double largest_change(const std::map<int, double>& before, const std::map<int, double>& after)
+// Of a measure of subdomains, such as volumes, relatively.
+template <class Measures>
+double largest_change(const Measures& before, const Measures& after)
 {
   double largest = 0;
   for(const auto& b : before)

@@ -39,6 +39,7 @@
 #include <Eigen/Core>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <functional>
@@ -190,7 +191,7 @@ public:
   // The next one of the plan, on these boundaries. Gives the energy that is reached.
   double make_round(const Boundary_geometry_3& boundary)
   {
-    const auto in_stage = during(clocked(plan_.stage()));
+    const auto in_stage = during(clocked_stages[plan_.stage()]);
     boundary_ = &boundary;
     if(plan_.stage() == Round_plan::REMESH)
     {
@@ -242,14 +243,10 @@ public:
 private:
   static constexpr double longest_way_in_round = 0.3;     // of a surface vertex, over its shortest edge on the surface
   static constexpr double share_of_rounds = 0.8;          // of the progress that is reported
+  // Of the plan, for the clock.
+  static constexpr std::array<Stage_clock::Stage, 3> clocked_stages = {{ Stage_clock::REMESH, Stage_clock::SEARCH, Stage_clock::MINIMIZE }};
 
   Stage_clock::In_stage during(Stage_clock::Stage stage) const { return Stage_clock::In_stage(threads_.clock(), stage); }
-
-  static Stage_clock::Stage clocked(Round_plan::Stage stage)
-  {
-    return stage == Round_plan::REMESH ? Stage_clock::REMESH
-         : stage == Round_plan::SEARCH ? Stage_clock::SEARCH : Stage_clock::MINIMIZE;
-  }
 
   // The fraction of the search that is behind at iteration n of the round.
   double search_progress(double n) const
