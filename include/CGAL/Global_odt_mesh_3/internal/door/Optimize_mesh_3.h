@@ -106,7 +106,7 @@ public:
     , visitor_(visitor)
   {}
 
-  // Loops refer to the clock.
+  // Threads refer to the clock.
   Odt_mesh_optimizer_3(const Odt_mesh_optimizer_3&) = delete;
   Odt_mesh_optimizer_3& operator=(const Odt_mesh_optimizer_3&) = delete;
 

@@ -20,7 +20,6 @@
 #include <Eigen/Core>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <cstddef>
 #include <string>
@@ -59,7 +58,7 @@ public:
       }
     }
 
-    std::size_t number_of_nodes() const { return std::size_t(nodes[0]) * nodes[1] * nodes[2]; }
+    std::size_t number_of_nodes() const { return nodes.cast<std::size_t>().prod(); }
 
     double coordinate(int axis, int i) const
     {
@@ -76,22 +75,22 @@ public:
                                            "Spline_grid_field_3: a value is not finite");
     for(int axis = 0; axis < 3; ++axis)
       scale_[axis] = (grid.nodes[axis] - 1) / (grid.high[axis] - grid.low[axis]);
-    coefficients_.resize(stride(3), 0.);
+    coefficients_ = Eigen::VectorXd::Zero(stride(3));
     auto value = values.begin();
     for(int k = 0; k < grid.nodes[2]; ++k)
       for(int j = 0; j < grid.nodes[1]; ++j, value += grid.nodes[0])
-        std::copy(value, value + grid.nodes[0], coefficients_.begin() + place(1, j + 1, k + 1));
+        std::copy(value, value + grid.nodes[0], coefficients_.data() + place(1, j + 1, k + 1));
     for(int axis = 0; axis < 3; ++axis)
-      for(std::size_t start = 0; start < coefficients_.size(); ++start)
+      for(std::ptrdiff_t start = 0; start < coefficients_.size(); ++start)
         if(start / stride(axis) % (grid.nodes[axis] + 2) == 0)
-          fit(&coefficients_[start], stride(axis), grid.nodes[axis]);
+          fit(coefficients_.data() + start, stride(axis), grid.nodes[axis]);
   }
 
   // Points outside of the box are moved to the closest point of it.
   double value(const Triple& p) const
   {
     const Position q = locate(p);
-    return combine(q, {{ values(q.t[0]), values(q.t[1]), values(q.t[2]) }});
+    return combine(q, values(q.t));
   }
 
   Triple gradient(const Triple& p) const
@@ -100,8 +99,8 @@ public:
     Triple g;
     for(int axis = 0; axis < 3; ++axis)
     {
-      std::array<Weights, 3> w = {{ values(q.t[0]), values(q.t[1]), values(q.t[2]) }};
-      w[axis] = slopes(q.t[axis]);
+      Weights w = values(q.t);
+      w.col(axis) = slopes(q.t[axis]);
       g[axis] = q.is_clamped[axis] ? 0 : scale_[axis] * combine(q, w);
     }
     return g;
@@ -113,25 +112,33 @@ public:
   }
 
 private:
-  typedef Eigen::Vector4d Weights;      // of the four B-splines that are not zero
+  typedef Eigen::Vector4d Basis;                // the four B-splines that are not zero, or their slopes
+  typedef Eigen::Matrix<double, 4, 3> Weights;  // of the three axes
 
   struct Position
   {
-    std::array<int, 3> node;            // the lowest of the box
+    Eigen::Vector3i node;               // the lowest of the box
     Triple t;                           // in [0, 1]
-    std::array<bool, 3> is_clamped;
+    Eigen::Array<bool, 3, 1> is_clamped;
   };
 
-  static Weights values(double t)
+  static Basis values(double t)
   {
     const double s = 1 - t;
-    return Weights(s * s * s, 4 - 3 * t * t * (1 + s), 4 - 3 * s * s * (1 + t), t * t * t) / 6;
+    return Basis(s * s * s, 4 - 3 * t * t * (1 + s), 4 - 3 * s * s * (1 + t), t * t * t) / 6;
   }
 
-  static Weights slopes(double t)
+  static Weights values(const Triple& t)
+  {
+    Weights w;
+    w << values(t[0]), values(t[1]), values(t[2]);
+    return w;
+  }
+
+  static Basis slopes(double t)
   {
     const double s = 1 - t;
-    return Weights(-s * s, t * (3 * t - 4), s * (4 - 3 * s), t * t) / 2;
+    return Basis(-s * s, t * (3 * t - 4), s * (4 - 3 * s), t * t) / 2;
   }
 
   Position locate(const Triple& p) const
@@ -149,38 +156,35 @@ private:
     return q;
   }
 
-  double combine(const Position& q, const std::array<Weights, 3>& w) const
+  double combine(const Position& q, const Weights& w) const
   {
     double sum = 0;
     for(int k = 0; k < 4; ++k)
       for(int j = 0; j < 4; ++j)
-      {
-        const double* const c = &coefficients_[place(q.node[0], q.node[1] + j, q.node[2] + k)];
-        sum += w[2][k] * w[1][j] * (w[0][0] * c[0] + w[0][1] * c[1] + w[0][2] * c[2] + w[0][3] * c[3]);
-      }
+        sum += w(k, 2) * w(j, 1) * w.col(0).dot(coefficients_.segment<4>(place(q.node[0], q.node[1] + j, q.node[2] + k)));
     return sum;
   }
 
-  std::size_t place(int i, int j, int k) const { return i + j * stride(1) + k * stride(2); }
+  std::ptrdiff_t place(int i, int j, int k) const { return i + j * stride(1) + k * stride(2); }
 
   // From a coefficient to the next one along an axis.
-  std::size_t stride(int axis) const
+  std::ptrdiff_t stride(int axis) const
   {
-    std::size_t n = 1;
+    std::ptrdiff_t n = 1;
     for(int a = 0; a < axis; ++a)
-      n *= static_cast<std::size_t>(grid_.nodes[a] + 2);
+      n *= grid_.nodes[a] + 2;
     return n;
   }
 
   // Along a line, values c[1] to c[n] become coefficients c[0] to c[n + 1]: at node i, the spline is (c[i-1] + 4 c[i] + c[i+1])/6,
   // and its slope (c[i+1] - c[i-1])/2, which is given at the ends.
-  static void fit(double* line, std::size_t stride, int n)
+  static void fit(double* line, std::ptrdiff_t stride, int n)
   {
     const auto c = [=](int i) -> double& { return line[i * stride]; };
     const double low = end_slope([&](int i) { return c(1 + i); }), high = -end_slope([&](int i) { return c(n - i); });
     c(1) += low / 3;
     c(n) -= high / 3;
-    std::vector<double> above(n + 1, 0.);      // the diagonal, in the elimination of Gauss
+    Eigen::VectorXd above = Eigen::VectorXd::Zero(n + 1);     // the diagonal, in the elimination of Gauss
     for(int i = 1; i <= n; ++i)
     {
       const double left = i == 1 ? 0 : i == n ? 2 : 1, right = i == 1 ? 2 : 1, pivot = 4 - left * above[i - 1];
@@ -199,7 +203,7 @@ private:
 
   Grid grid_;
   Triple scale_;
-  std::vector<double> coefficients_;
+  Eigen::VectorXd coefficients_;
 };
 
 } // namespace CGAL::Global_odt_mesh_3::internal
