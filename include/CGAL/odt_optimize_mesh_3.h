@@ -24,7 +24,9 @@ same name of the package 3D Mesh Generation does not define it.
 
 #include <CGAL/disable_warnings.h>
 
+#include <CGAL/Global_odt_mesh_3/internal/door/Named_parameters.h>
 #include <CGAL/Global_odt_mesh_3/internal/door/Optimize_mesh_3.h>
+#include <CGAL/Global_odt_mesh_3/internal/door/Read_parameters.h>
 #include <CGAL/Mesh_optimization_return_code.h>
 
 #include <cstddef>
@@ -309,7 +311,8 @@ Mesh_optimization_return_code
 odt_optimize_mesh_3(C3T3& c3t3, const MeshDomain& domain, const NamedParameters&... np)
 {
   namespace odt = Global_odt_mesh_3::internal;
-  return odt::optimize<odt::Optimization_parameters<C3T3>>(c3t3, domain, odt::Odt_task::OPTIMIZE, np...);
+  const odt::Named_arguments<odt::Optimization_parameters<C3T3>, NamedParameters...> arguments(np...);
+  return odt::optimize(c3t3, domain, odt::Odt_task::OPTIMIZE, odt::read_parameters(arguments), arguments);
 }
 
 #ifndef DOXYGEN_RUNNING
@@ -328,7 +331,7 @@ odt_optimize_mesh_3_impl(C3T3& c3t3, const MeshDomain& domain, const double time
   parameters.convergence = convergence;
   parameters.freeze_bound = freeze_ratio;
   parameters.do_freeze = do_freeze;
-  return odt::run_task(c3t3, domain, odt::Odt_task::OPTIMIZE, parameters, odt::Named_arguments<odt::Parameter_list<> >());
+  return odt::optimize(c3t3, domain, odt::Odt_task::OPTIMIZE, parameters, odt::Named_arguments<odt::Parameter_list<> >());
 }
 
 #endif // DOXYGEN_RUNNING

@@ -16,7 +16,9 @@
 
 #include <CGAL/disable_warnings.h>
 
+#include <CGAL/Global_odt_mesh_3/internal/door/Named_parameters.h>
 #include <CGAL/Global_odt_mesh_3/internal/door/Optimize_mesh_3.h>
+#include <CGAL/Global_odt_mesh_3/internal/door/Read_parameters.h>
 #include <CGAL/Mesh_optimization_return_code.h>
 
 namespace CGAL {
@@ -123,7 +125,8 @@ remove_slivers_mesh_3(C3T3& c3t3, const MeshDomain& domain, const NamedParameter
 {
   namespace odt = Global_odt_mesh_3::internal;
   static_assert(!odt::is_periodic<C3T3>, "only odt_optimize_mesh_3() accepts meshes in periodic triangulations");
-  return odt::optimize<odt::Sliver_removal_arguments>(c3t3, domain, odt::Odt_task::REMOVE_SLIVERS, np...);
+  const odt::Named_arguments<odt::Sliver_removal_arguments, NamedParameters...> arguments(np...);
+  return odt::optimize(c3t3, domain, odt::Odt_task::REMOVE_SLIVERS, odt::read_parameters(arguments), arguments);
 }
 
 } // namespace CGAL

@@ -19,7 +19,6 @@
 #include <CGAL/Global_odt_mesh_3/internal/door/Mesh_domain_view_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/door/Named_parameters.h>
 #include <CGAL/Global_odt_mesh_3/internal/door/Optimize_periodic_mesh_3.h>
-#include <CGAL/Global_odt_mesh_3/internal/door/Read_parameters.h>
 #include <CGAL/Global_odt_mesh_3/internal/door/User_constraints_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/door/User_fields_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/geometry/Cell_geometry_3.h>
@@ -206,7 +205,7 @@ Mesh_optimization_return_code call_with_report(Optimizer&& optimizer, const Argu
 
 template <class C3T3, class MeshDomain, class Arguments>
 Mesh_optimization_return_code
-run_task(C3T3& c3t3, const MeshDomain& domain, Odt_task task, const Odt_parameters& p, const Arguments& arguments)
+optimize(C3T3& c3t3, const MeshDomain& domain, Odt_task task, const Odt_parameters& p, const Arguments& arguments)
 {
   User_fields_3<C3T3> fields;
   fields.read(arguments);
@@ -233,14 +232,6 @@ run_task(C3T3& c3t3, const MeshDomain& domain, Odt_task task, const Odt_paramete
       return call_with_report<C3T3>(Odt_mesh_optimizer_3<C3T3, MeshDomain, Visitor>(c3t3, domain, task, p, unwrap(visitor), fields, constraints), arguments);
     }
   }
-}
-
-// The same for a function that reads the named parameters in the list.
-template <class List, class C3T3, class MeshDomain, class... NamedParameters>
-Mesh_optimization_return_code optimize(C3T3& c3t3, const MeshDomain& domain, Odt_task task, const NamedParameters&... np)
-{
-  const Named_arguments<List, NamedParameters...> arguments(np...);
-  return run_task(c3t3, domain, task, read_parameters(arguments), arguments);
 }
 
 } // namespace CGAL::Global_odt_mesh_3::internal
