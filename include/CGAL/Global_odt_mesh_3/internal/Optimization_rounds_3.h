@@ -26,8 +26,7 @@
 #include <CGAL/Global_odt_mesh_3/internal/optimization/Limited_memory_bfgs.h>
 #include <CGAL/Global_odt_mesh_3/internal/optimization/Odt_objective_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/parallel/Thread_policy.h>
-#include <CGAL/Global_odt_mesh_3/internal/sizing/Field_near_features_3.h>
-#include <CGAL/Global_odt_mesh_3/internal/sizing/Input_density_3.h>
+#include <CGAL/Global_odt_mesh_3/internal/sizing/Nodal_densities_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/surface/Surface_cvt_objective_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/surface/Surface_triangulation_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/triangulation/Cell_order.h>

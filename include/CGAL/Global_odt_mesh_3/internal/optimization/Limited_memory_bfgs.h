@@ -13,8 +13,7 @@
 #include <CGAL/license/Global_odt_mesh_3.h>
 
 #include <CGAL/Global_odt_mesh_3/internal/density/Density_quadrature_3.h>
-#include <CGAL/Global_odt_mesh_3/internal/optimization/Vector_loop.h>
-#include <CGAL/Global_odt_mesh_3/internal/parallel/Thread_policy.h>
+#include <CGAL/Global_odt_mesh_3/internal/parallel/Chunked_loops.h>
 
 #include <Eigen/Core>
 
@@ -73,7 +72,7 @@ public:
     for(;;)
     {
       compute_direction(f.diagonal());
-      const double slope = loop().dot(direction_, g_);
+      const double slope = dot(direction_, g_);
       // What the step may gain has to be more than rounding.
       if(slope < -1e-15 * std::abs(energy) && line_search(f, energy, slope))
         return STEP_TAKEN;
@@ -85,6 +84,8 @@ public:
   }
 
 private:
+  static constexpr int least_length = 16384, most_segments = 16;
+
   // A step, the change of the gradient, and their product.
   struct Pair
   {
@@ -99,20 +100,20 @@ private:
     direction_ = -g_;
     for(std::size_t n = pairs_.size(); n-- > 0; )
     {
-      alpha[n] = loop().dot(pairs_[n].s, direction_) / pairs_[n].product;
+      alpha[n] = dot(pairs_[n].s, direction_) / pairs_[n].product;
       add_to_direction(-alpha[n], pairs_[n].y);
     }
-    loop().run([&](Eigen::Index n, Eigen::Index l)
+    for_each_segment([&](int, Eigen::Index n, Eigen::Index l)
     {
       direction_.segment(n, l).array() *= gamma / diagonal.segment(n, l).array();
     });
     for(std::size_t n = 0; n < pairs_.size(); ++n)
-      add_to_direction(alpha[n] - loop().dot(pairs_[n].y, direction_) / pairs_[n].product, pairs_[n].s);
+      add_to_direction(alpha[n] - dot(pairs_[n].y, direction_) / pairs_[n].product, pairs_[n].s);
   }
 
   void add_to_direction(double factor, const Eigen::VectorXd& x)
   {
-    loop().run([&](Eigen::Index n, Eigen::Index l) { direction_.segment(n, l) += factor * x.segment(n, l); });
+    for_each_segment([&](int, Eigen::Index n, Eigen::Index l) { direction_.segment(n, l) += factor * x.segment(n, l); });
   }
 
   template <class Function>
@@ -124,7 +125,7 @@ private:
     {
       trial_ = x_ + step * direction_;
       const bool feasible = f.evaluate(trial_);
-      if(feasible && f.value() <= highest && loop().dot(direction_, f.gradient()) <= (1 - 2 * parameters_.delta) * -slope)
+      if(feasible && f.value() <= highest && dot(direction_, f.gradient()) <= (1 - 2 * parameters_.delta) * -slope)
       {
         add_pair(f.point(), f.gradient(), f.diagonal());
         f.accept();
@@ -140,7 +141,7 @@ private:
   void add_pair(const Eigen::VectorXd& x, const Eigen::VectorXd& g, const Eigen::VectorXd& diagonal)
   {
     Pair p = { x - x_, g - g_, 0 };
-    p.product = loop().dot(p.s, p.y);
+    p.product = dot(p.s, p.y);
     if(!(p.product > 1e-10 * p.s.norm() * p.y.norm()))
       return;
     gamma_ = p.product / (p.y.array().square() / diagonal.array()).sum();
@@ -149,7 +150,23 @@ private:
     pairs_.push_back(std::move(p));
   }
 
-  Vector_loop loop() const { return Vector_loop(threads_, x_.size()); }
+  // Calls f(k, begin, length) for the segments k of long vectors, on threads, which have no part in what they are.
+  template <class F>
+  void for_each_segment(const F& f) const
+  {
+    const Chunks segments(static_cast<int>(x_.size()), least_length, most_segments);
+    threads_.for_each_chunk(segments.number(), [&](int k)
+    {
+      f(k, Eigen::Index(segments.begin(k)), Eigen::Index(segments.end(k) - segments.begin(k)));
+    });
+  }
+
+  double dot(const Eigen::VectorXd& x, const Eigen::VectorXd& y) const
+  {
+    Eigen::VectorXd sums = Eigen::VectorXd::Zero(most_segments);
+    for_each_segment([&](int k, Eigen::Index n, Eigen::Index l) { sums[k] = x.segment(n, l).dot(y.segment(n, l)); });
+    return sums.sum();
+  }
 
   Limited_memory_bfgs_parameters parameters_;
   Thread_policy threads_;
