@@ -24,8 +24,8 @@ one_point_quadrature(CGAL::Global_odt_mesh_3::internal::Density_3& density)
 {
   using namespace CGAL::Global_odt_mesh_3::internal;
   return std::make_unique<Point_rule_quadrature_3>(
-    Point_rule_quadrature_3::Rule{ 1, { { 1, {{ 0.25, 0.25, 0.25, 0.25 }} } } },
-    [&density](int v, const Site& s) { return density.in_cell(v, s); });
+    [&density](int v, const Site& s) { return density.in_cell(v, s); },
+    Point_rule_quadrature_3::Rule{ 1, { { 1, {{ 0.25, 0.25, 0.25, 0.25 }} } } });
 }
 
 // The iteration of Chen and Holst (Efficient mesh optimization schemes based on optimal Delaunay triangulations,

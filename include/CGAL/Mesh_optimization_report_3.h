@@ -25,24 +25,33 @@
 
 namespace CGAL {
 
-/// \cond SKIP_IN_MANUAL
+/*!
+\ingroup PkgGlobalOdtMesh3Quality
 
-// What is told of a call whatever the types of the mesh are.
+The class `Mesh_optimization_summary_3` is the part of a `Mesh_optimization_report_3` that does not depend on the type of the mesh.
+*/
 struct Mesh_optimization_summary_3
 {
-  enum Reason { CHANGED, NOTHING_TO_DO, NO_VALID_MESH, SMALLER_ANGLES, LARGER_CELLS, OUT_OF_TIME };
-
-  Reason reason = NOTHING_TO_DO;
-  double sliver_bound = 0;
-  std::size_t number_of_slivers = 0;
-  std::size_t number_of_inserted_vertices = 0, number_of_removed_vertices = 0;
-  double largest_volume_change = 0;
-  double farthest_facet = 0;
-  std::size_t number_of_iterations = 0;
-  std::vector<std::pair<std::string, double> > seconds;
+  /// says why the mesh is as it was, if it is.
+  enum Reason
+  {
+    CHANGED,            ///< the mesh has changed
+    NOTHING_TO_DO,      ///< no vertex may move, or none needs to
+    NO_VALID_MESH,      ///< no valid mesh could be made; see `Mesh_optimization_report_3::obstacles`
+    SMALLER_ANGLES,     ///< more cells would have angles below 10, 20, or 30 degrees, or the smallest would be smaller
+    LARGER_CELLS,       ///< cells would be larger than the largest of their subdomain, and angles not much better
+    OUT_OF_TIME         ///< `time_limit` or `callback` have ended the call before there was anything better
+  };
+  Reason reason = NOTHING_TO_DO;                 ///< `CHANGED`, or why the mesh has not changed
+  double sliver_bound = 0;                       ///< the `sliver_bound` of the call, or 20 degrees if that is 0
+  std::size_t number_of_slivers = 0;             ///< the number of cells that are left with a dihedral angle below that, without those that are to stay
+  std::size_t number_of_inserted_vertices = 0;   ///< the number of vertices that the mesh has and had not
+  std::size_t number_of_removed_vertices = 0;    ///< the number of vertices that the mesh had and has not
+  double largest_volume_change = 0;              ///< the largest change of the volume of a subdomain, over that volume; negative if it has shrunk
+  double farthest_facet = 0;                     ///< the largest distance of the centroid of a facet from the surface, in the unit of the coordinates; 0 for periodic meshes
+  std::size_t number_of_iterations = 0;          ///< the number of iterations
+  std::vector<std::pair<std::string, double> > seconds;   ///< the wall time of each stage; for periodic meshes, of all
 };
-
-/// \endcond
 
 /*!
 \ingroup PkgGlobalOdtMesh3Quality
@@ -56,34 +65,10 @@ passed as `parameters::optimization_report = std::ref(report)`, and printed in a
 */
 template <class C3T3>
 struct Mesh_optimization_report_3
-#ifndef DOXYGEN_RUNNING
   : Mesh_optimization_summary_3
-#endif
 {
   /// is the handle to a vertex of the mesh.
   typedef typename C3T3::Vertex_handle Vertex_handle;
-
-#ifdef DOXYGEN_RUNNING
-  /// says why the mesh is as it was, if it is.
-  enum Reason
-  {
-    CHANGED,            ///< the mesh has changed
-    NOTHING_TO_DO,      ///< no vertex may move, or none needs to
-    NO_VALID_MESH,      ///< no valid mesh could be made; see `obstacles`
-    SMALLER_ANGLES,     ///< more cells would have angles below 10, 20, or 30 degrees, or the smallest would be smaller
-    LARGER_CELLS,       ///< cells would be larger than the largest of their subdomain, and angles not much better
-    OUT_OF_TIME         ///< `time_limit` or `callback` have ended the call before there was anything better
-  };
-  Reason reason;                             ///< `CHANGED`, or why the mesh has not changed
-  double sliver_bound;                       ///< the `sliver_bound` of the call, or 20 degrees if that is 0
-  std::size_t number_of_slivers;             ///< the number of cells that are left with a dihedral angle below that, without those that are to stay
-  std::size_t number_of_inserted_vertices;   ///< the number of vertices that the mesh has and had not
-  std::size_t number_of_removed_vertices;    ///< the number of vertices that the mesh had and has not
-  double largest_volume_change;              ///< the largest change of the volume of a subdomain, over that volume; negative if it has shrunk
-  double farthest_facet;                     ///< the largest distance of the centroid of a facet from the surface, in the unit of the coordinates; 0 for periodic meshes
-  std::size_t number_of_iterations;          ///< the number of iterations
-  std::vector<std::pair<std::string, double> > seconds;   ///< the wall time of each stage; for periodic meshes, of all
-#endif
 
   /// the vertices around which no valid mesh could be made, if `reason` is `NO_VALID_MESH`. What stands in the way are cells and facets
   /// between them

@@ -306,28 +306,25 @@ inline std::ostream& operator<<(std::ostream& out, const Mesh_quality_report_3& 
   if(r.subdomains.size() > 1)
     row("all", r.total());
 
-  const auto histogram = [&s](const char* title, const std::vector<std::size_t>& bins, double width, int precision)
+  // Some bins are one row.
+  const auto histogram = [&s](const char* title, const auto& bins, std::size_t bins_in_row, double width, int precision)
   {
-    s << title << '\n';
-    const std::size_t highest = bins.empty() ? 0 : *std::max_element(bins.begin(), bins.end());
+    std::vector<std::size_t> rows(bins.size() / bins_in_row, 0);
     for(std::size_t n = 0; n < bins.size(); ++n)
+      rows[n / bins_in_row] += bins[n];
+    const std::size_t highest = *std::max_element(rows.begin(), rows.end());
+    s << title << '\n';
+    for(std::size_t n = 0; n < rows.size(); ++n)
     {
-      const std::size_t bar = highest == 0 ? 0 : (bins[n] * 50 + highest - 1) / highest;
+      const std::size_t bar = highest == 0 ? 0 : (rows[n] * 50 + highest - 1) / highest;
       s << std::fixed << std::setprecision(precision) << std::setw(7) << double(n) * width << " - "
-        << std::setw(4) << double(n + 1) * width << std::setw(9) << bins[n] << ' ' << std::string(bar, '#') << '\n';
+        << std::setw(4) << double(n + 1) * width << std::setw(9) << rows[n] << ' ' << std::string(bar, '#') << '\n';
     }
   };
-  std::vector<std::size_t> angles(18, 0), ratios(10, 0), facet_angles(12, 0);
-  for(std::size_t n = 0; n < r.angles.size(); ++n)
-    angles[n / 10] += r.angles[n];
-  for(std::size_t n = 0; n < r.radius_ratios.size(); ++n)
-    ratios[n / 5] += r.radius_ratios[n];
-  for(std::size_t n = 0; n < r.facet_angles.size(); ++n)
-    facet_angles[n / 5] += r.facet_angles[n];
-  histogram("dihedral angles, degrees", angles, 10, 0);
-  histogram("radius ratios", ratios, 0.1, 1);
+  histogram("dihedral angles, degrees", r.angles, 10, 10, 0);
+  histogram("radius ratios", r.radius_ratios, 5, 0.1, 1);
   if(r.number_of_facets > 0)
-    histogram("smallest angle of each facet, degrees", facet_angles, 5, 0);
+    histogram("smallest angle of each facet, degrees", r.facet_angles, 5, 5, 0);
   return out << s.str();
 }
 

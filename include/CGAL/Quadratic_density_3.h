@@ -16,7 +16,6 @@
 
 #include <CGAL/Global_odt_mesh_3/internal/geometry/Quadratic_polynomial_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/geometry/Site.h>
-#include <CGAL/Global_odt_mesh_3/internal/geometry/Vector_3.h>
 
 #include <CGAL/Origin.h>
 #include <CGAL/number_utils.h>

@@ -15,7 +15,6 @@
 #include <CGAL/Global_odt_mesh_3/internal/Requirements.h>
 
 #include <CGAL/Global_odt_mesh_3/internal/geometry/Site.h>
-#include <CGAL/Global_odt_mesh_3/internal/geometry/Vector_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/sizing/Tricubic_spline_3.h>
 
 #include <CGAL/Bbox_3.h>
@@ -42,7 +41,7 @@ Polynomials of degree three in each variable are reproduced. The error at smooth
 distance of nodes. Where values jump, a spline overshoots, possibly below zero; sizes and densities should change
 little from one node to the next. Points outside of the box have the value of the closest point of the box.
 
-Copies share the values, of which there are eight for each node. Queries may be made from several threads at once.
+Copies share the values. Queries may be made from several threads at once.
 
 \tparam Kernel a model of the concept `Kernel`, whose coordinates are converted to `double`
 

@@ -24,7 +24,6 @@ same name of the package 3D Mesh Generation does not define it.
 
 #include <CGAL/disable_warnings.h>
 
-#include <CGAL/Global_odt_mesh_3/internal/Odt_parameters.h>
 #include <CGAL/Global_odt_mesh_3/internal/door/Named_parameters.h>
 #include <CGAL/Global_odt_mesh_3/internal/door/Optimize_mesh_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/door/Read_parameters.h>

@@ -16,7 +16,6 @@
 
 #include <CGAL/disable_warnings.h>
 
-#include <CGAL/Global_odt_mesh_3/internal/Odt_parameters.h>
 #include <CGAL/Global_odt_mesh_3/internal/door/Named_parameters.h>
 #include <CGAL/Global_odt_mesh_3/internal/door/Optimize_mesh_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/door/Read_parameters.h>

@@ -16,15 +16,13 @@
 
 #include <CGAL/disable_warnings.h>
 
-#include <CGAL/Global_odt_mesh_3/internal/Odt_parameters.h>
 #include <CGAL/Global_odt_mesh_3/internal/door/Named_parameters.h>
 #include <CGAL/Global_odt_mesh_3/internal/door/Optimize_mesh_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/door/Read_parameters.h>
 #include <CGAL/Mesh_optimization_return_code.h>
 
 namespace CGAL {
-namespace Global_odt_mesh_3 {
-namespace internal {
+namespace Global_odt_mesh_3::internal {
 
 // What remove_slivers_mesh_3() reads.
 typedef Parameter_list<tags::time_limit, tags::sliver_bound, internal_np::optimize_boundary_t,
@@ -32,8 +30,7 @@ typedef Parameter_list<tags::time_limit, tags::sliver_bound, internal_np::optimi
                        internal_np::cell_selector_t, internal_np::callback_t, internal_np::visitor_t,
                        internal_np::optimization_report_t> Sliver_removal_arguments;
 
-} // namespace internal
-} // namespace Global_odt_mesh_3
+} // namespace Global_odt_mesh_3::internal
 
 /*!
 \ingroup PkgGlobalOdtMesh3Functions

@@ -82,8 +82,8 @@ inline std::unique_ptr<Density_quadrature_3> make_rule(Rule rule, const Field& f
   switch(rule)
   {
   case LINEAR: return std::make_unique<Linear_quadrature>(density);
-  case FOUR_POINTS: return std::make_unique<Point_rule_quadrature_3>(Point_rule_quadrature_3::four_points(), density);
-  case FIFTEEN_POINTS: return std::make_unique<Point_rule_quadrature_3>(Point_rule_quadrature_3::fifteen_points(), density);
+  case FOUR_POINTS: return std::make_unique<Point_rule_quadrature_3>(density, Point_rule_quadrature_3::four_points());
+  case FIFTEEN_POINTS: return std::make_unique<Point_rule_quadrature_3>(density, Point_rule_quadrature_3::fifteen_points());
   default: return std::make_unique<Adaptive_cubature_quadrature_3>(density, tolerance, most_regions);
   }
 }

@@ -23,12 +23,12 @@ inline void search_globally(Moving_triangulation_3& mesh, Odt_objective_3& f, co
   const Limited_memory_bfgs_parameters parameters;
   Global_search search(schedule, seed, parameters, mesh.threads());
   Cell_order order(mesh);
-  const int iterations = Global_search::iterations_in_round(schedule);
+  const int iterations = usual_rounds(schedule).iterations;
   for(int round = 0; round < rounds; ++round)
     search.make_round(f, iterations, [&](int n) { return (round + double(n) / iterations) / rounds; },
                       [] { return true; }, [&] { order.maintain(mesh); });
   Limited_memory_bfgs minimizer(parameters, mesh.threads());
-  for(int n = Global_search::final_iterations(schedule); n > 0; --n)
+  for(int n = usual_rounds(schedule).final_iterations; n > 0; --n)
   {
     if(minimizer.iterate(f) == Limited_memory_bfgs::NO_STEP_FOUND)
       return;
@@ -39,7 +39,7 @@ inline void search_globally(Moving_triangulation_3& mesh, Odt_objective_3& f, co
 inline void search_globally(Moving_triangulation_3& mesh, Odt_objective_3& f, const Annealing_schedule& schedule,
                             unsigned int seed)
 {
-  search_globally(mesh, f, schedule, seed, Global_search::usual_rounds(schedule));
+  search_globally(mesh, f, schedule, seed, usual_rounds(schedule).number);
 }
 
 } // namespace CGAL::Global_odt_mesh_3::internal

@@ -18,7 +18,7 @@
 #include <CGAL/Global_odt_mesh_3/internal/geometry/Site.h>
 #include <CGAL/Global_odt_mesh_3/internal/interface/Mesh_view_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/parallel/Thread_policy.h>
-#include <CGAL/Global_odt_mesh_3/internal/sizing/Input_density_3.h>
+#include <CGAL/Global_odt_mesh_3/internal/sizing/Nodal_densities_3.h>
 #include <CGAL/IO/File_binary_mesh_3.h>
 #include <CGAL/Mesh_quality_report_3.h>
 #include <CGAL/Quadratic_density_3.h>

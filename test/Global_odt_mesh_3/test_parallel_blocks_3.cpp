@@ -211,7 +211,7 @@ static void quadratures(const Moving_triangulation_3& input)
   all.push_back(std::make_unique<Linear_density_quadrature_3>(density, mesh.sites));
   const Density_quadrature_3::Density smooth = [](int, const Site& s) { return 1 + s.x * s.x + std::exp(s.y); };
   all.push_back(std::make_unique<Density_moment_cache_3>(
-    std::make_unique<Point_rule_quadrature_3>(Point_rule_quadrature_3::fifteen_points(), smooth)));
+    std::make_unique<Point_rule_quadrature_3>(smooth, Point_rule_quadrature_3::fifteen_points())));
   all.push_back(std::make_unique<Adaptive_cubature_quadrature_3>(smooth, 1e-3, 10));
   const Mesh_partition_3 partition(mesh, 4, Random_source(1), on_threads());
   Mesh_blocks_3 blocks(mesh, partition, on_threads());

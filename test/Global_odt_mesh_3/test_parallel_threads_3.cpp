@@ -99,7 +99,7 @@ static void sums()
   for(int c = 0; c < mesh.topology.number_of_cell_slots(); ++c)
   {
     const int* const v = mesh.topology.vertices(c);
-    const Cell_energy e = Uniform_odt_energy_3()(mesh.products(c), c, v, mesh.sites.data());
+    const Cell_energy e = uniform_odt_energy(mesh.products(c), mesh.sites[v[0]], mesh.sites[v[1]], mesh.sites[v[2]], mesh.sites[v[3]]);
     energy += e.energy;
     for(int i = 0; i < 4; ++i)
       gradient[v[i]] += e.gradient[i];

@@ -95,7 +95,6 @@ struct Scaled_run
 {
   Measured_mesh mesh;
   std::array<double, odt::Stage_clock::NUMBER_OF_STAGES> stages{};      // wall-clock seconds
-  double outside_of_loops = 0;                                          // seconds of that
   double memory = 0;                                                    // beside the mesh, bytes a vertex
   std::size_t hash = 0;
 };
@@ -110,11 +109,7 @@ void run_ours(C3t3& c3t3, const Domain& domain, Scaled_run& run)
   odt::Odt_mesh_optimizer_3<C3t3, Domain, Visitor> optimizer(c3t3, domain, odt::Odt_task::OPTIMIZE, parameters, visitor);
   optimizer();
   for(int n = 0; n < odt::Stage_clock::NUMBER_OF_STAGES; ++n)
-  {
-    const odt::Stage_clock::Seconds& s = optimizer.clock().seconds(n);
-    run.stages[static_cast<std::size_t>(n)] = s.all;
-    run.outside_of_loops += s.all - s.in_loops;
-  }
+    run.stages[static_cast<std::size_t>(n)] = optimizer.clock().seconds(n);
 }
 
 template <class C3t3, class Domain>
@@ -182,7 +177,7 @@ static Markdown_table compare_threads(const std::string& directory, int most)
   Markdown_table table({ "mesh", "method" },
                        { { "mean 3r/R", 4, Better::HIGH }, { "smallest dihedral angle (degrees)", 1, Better::HIGH },
                          { "CPU time (s)", 1, Better::LOW }, { "wall time on one thread (s)", 1, Better::LOW },
-                         { "on two threads (s)", 1, Better::LOW }, { "outside of shared loops (%)", 0, Better::NEITHER },
+                         { "on two threads (s)", 1, Better::LOW },
                          { "memory beside the mesh (kB a vertex)", 1, Better::NEITHER } });
   for(const char* name : { "sphere", "elephant", "graded sphere" })
     for(int vertices : sizes)
@@ -200,8 +195,7 @@ static Markdown_table compare_threads(const std::string& directory, int most)
           throw std::runtime_error("two threads lead to other coordinates than one");
         const Measured_mesh& m = one.mesh;
         table.add({ name + thousands(m.vertices), is_ours ? "this package" : "CGAL's odt" },
-                  { m.radius_ratio, m.smallest_angle, m.cpu, m.wall, two.mesh.wall,
-                    is_ours ? 100 * one.outside_of_loops / m.wall : Markdown_table::none, two.memory / 1000 });
+                  { m.radius_ratio, m.smallest_angle, m.cpu, m.wall, two.mesh.wall, two.memory / 1000 });
       }
     }
   return table;

@@ -82,11 +82,7 @@ static Result result(const Way& way, Moving_triangulation_3 mesh, unsigned int s
   double time = 0;
   for(const Maker& m : way.methods)
     time += run(*m(), mesh, seed, 300).time;
-  Result r = { outcome(mesh, time), 0 };
-  mesh.set_voronoi_energy(true);
-  mesh.is_regular();
-  r.voronoi_energy = mesh.energy();
-  return r;
+  return { outcome(mesh, time), voronoi_energy(mesh) };
 }
 
 // Results[way][seed].

@@ -98,7 +98,7 @@ public:
     odt::Odt_mesh_optimizer_3<C3t3, Domain, Visitor> optimizer(c3t3, domain, task, parameters, visitor);
     all_ += seconds([&] { optimizer(); });
     for(int s = 0; s < Clock::NUMBER_OF_STAGES; ++s)
-      seconds_[s] += optimizer.clock().seconds(s).all;
+      seconds_[s] += optimizer.clock().seconds(s);
   }
 
   double all() const { return all_; }

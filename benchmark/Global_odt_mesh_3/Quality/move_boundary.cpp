@@ -44,17 +44,49 @@ struct Cost
   std::size_t questions = 0, projections = 0, surface_vertices = 0;
 };
 
+// Counts what the domain is asked.
+template <class Domain>
+class Counting_view
+  : public odt::Mesh_domain_view_3<Domain>
+{
+  typedef odt::Mesh_domain_view_3<Domain> Base;
+
+public:
+  typedef typename Base::Vector Vector;
+
+  Counting_view(const Domain& domain, Cost& cost) : Base(domain), cost_(cost) {}
+
+  int label(const Vector& p) const override
+  {
+    ++cost_.questions;
+    return Base::label(p);
+  }
+
+protected:
+  bool find_intersection(const Vector& from, const Vector& to, Vector& p, int& patch) const override
+  {
+    ++cost_.questions;
+    return Base::find_intersection(from, to, p, patch);
+  }
+
+  Vector closest_point(const Vector& p, int& patch) const override
+  {
+    ++cost_.projections;
+    return Base::closest_point(p, patch);
+  }
+
+private:
+  Cost& cost_;
+};
+
 template <class C3t3, class Domain>
 void run(C3t3& c3t3, const Domain& domain, const odt::Odt_parameters& parameters, Cost& cost,
          odt::Odt_task task = odt::Odt_task::OPTIMIZE)
 {
-  typedef CGAL::Mesh_3::Null_global_optimizer_visitor<C3t3> Visitor;
-  Visitor visitor;
-  odt::Odt_mesh_optimizer_3<C3t3, Domain, Visitor> optimizer(c3t3, domain, task, parameters, visitor);
-  cost.seconds += seconds([&] { optimizer(); });
-  const odt::Oracle_statistics& s = optimizer.oracle_statistics();
-  cost.questions += s.locations + s.intersections;
-  cost.projections += s.projections;
+  Counting_view<Domain> view(domain, cost);
+  odt::C3t3_view_3<C3t3, Domain> mesh(c3t3, view);
+  odt::Optimization_visitor visitor;
+  cost.seconds += seconds([&] { optimize_mesh(mesh, view, task, parameters, odt::User_field_3(), visitor, odt::Thread_policy()); });
   const auto& tr = c3t3.triangulation();
   cost.surface_vertices = std::count_if(tr.finite_vertices_begin(), tr.finite_vertices_end(),
                                         [](const auto& v) { return v.in_dimension() == 2; });

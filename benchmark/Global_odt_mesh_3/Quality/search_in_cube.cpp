@@ -48,7 +48,7 @@ struct Way
 // With so many times the usual number of rounds.
 static void search(const Annealing_schedule& schedule, Moving_triangulation_3& mesh, unsigned int seed, int factor)
 {
-  const int rounds = factor * Global_search::usual_rounds(schedule);
+  const int rounds = factor * usual_rounds(schedule).number;
   Global_search_method method(Energy::ODT, schedule, rounds);
   run(method, mesh, seed, rounds + 1);
 }

@@ -26,7 +26,7 @@ public:
 
   Global_search_method(Energy e, const Schedule& schedule, int rounds) : Method(e), schedule_(schedule), rounds_(rounds) {}
   Global_search_method(Energy e, const Schedule& schedule)
-    : Global_search_method(e, schedule, CGAL::Global_odt_mesh_3::internal::Global_search::usual_rounds(schedule))
+    : Global_search_method(e, schedule, CGAL::Global_odt_mesh_3::internal::usual_rounds(schedule).number)
   {}
 
   std::string name() const override
@@ -53,7 +53,7 @@ private:
       minimize();
     else
     {
-      const int iterations = Search::iterations_in_round(schedule_);
+      const int iterations = CGAL::Global_odt_mesh_3::internal::usual_rounds(schedule_).iterations;
       search_->make_round(objective(), iterations, [&](int n) { return (round_ + double(n) / iterations) / rounds_; },
                           [] { return true; }, [&] { order().maintain(mesh()); });
     }
@@ -64,7 +64,7 @@ private:
   void minimize()
   {
     Minimizer minimizer;
-    for(int n = Search::final_iterations(schedule_); n > 0 && minimizer.iterate(objective()) == Minimizer::STEP_TAKEN; --n)
+    for(int n = CGAL::Global_odt_mesh_3::internal::usual_rounds(schedule_).final_iterations; n > 0 && minimizer.iterate(objective()) == Minimizer::STEP_TAKEN; --n)
       order().maintain(mesh());
   }
 

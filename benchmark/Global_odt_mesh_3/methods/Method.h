@@ -7,6 +7,7 @@
 #define GLOBAL_ODT_MESH_3_BENCHMARK_METHODS_METHOD_H
 
 #include "cpu_seconds.h"
+#include "voronoi_energy.h"
 
 #include <CGAL/Global_odt_mesh_3/internal/optimization/Odt_objective_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/triangulation/Cell_order.h>
@@ -16,6 +17,7 @@
 #include <memory>
 #include <string>
 #include <utility>
+#include <vector>
 
 // The energy that is lowered: that of the optimal Delaunay triangulation or that of the centroidal Voronoi tessellation.
 enum class Energy { ODT, CVT };
@@ -39,9 +41,11 @@ public:
   // To be called first. The mesh is to live as long as this is used.
   void prepare(Mesh& mesh, unsigned int seed)
   {
-    mesh.set_voronoi_energy(energy_choice_ == Energy::CVT);
     mesh_ = &mesh;
-    objective_ = std::make_unique<Objective>(mesh);
+    Objective::Term term;
+    if(energy_choice_ == Energy::CVT)
+      term = CGAL::Global_odt_mesh_3::internal::Voronoi_term(mesh);
+    objective_ = std::make_unique<Objective>(mesh, std::vector<CGAL::Global_odt_mesh_3::internal::Tangential_motion>(), term);
     order_ = std::make_unique<CGAL::Global_odt_mesh_3::internal::Cell_order>(mesh);
     start(seed);
   }
@@ -96,7 +100,6 @@ inline Run run(Method& method, Method::Mesh& mesh, unsigned int seed, int most_i
     ++r.iterations;
     after(r);
   }
-  mesh.set_voronoi_energy(false);
   mesh.is_regular();
   return r;
 }

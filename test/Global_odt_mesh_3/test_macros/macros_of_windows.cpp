@@ -37,7 +37,6 @@
 #endif
 #include <Eigen/Dense>
 #include <boost/functional/hash.hpp>
-#include <boost/math/interpolators/cardinal_cubic_b_spline.hpp>
 
 #include <chrono>
 #include <iomanip>

@@ -14,7 +14,6 @@
 
 #include <CGAL/Global_odt_mesh_3/internal/geometry/Cell_geometry_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/geometry/Site.h>
-#include <CGAL/Global_odt_mesh_3/internal/geometry/Vector_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/geometry/Vertex_tuples.h>
 #include <CGAL/Global_odt_mesh_3/internal/interface/Domain_view_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/interface/Mesh_view_3.h>
@@ -39,8 +38,9 @@ inline std::map<int, double> volumes(const Mesh_table_3& mesh)
   return result;
 }
 
-// Of the volume of a subdomain, relatively.
-inline double largest_change(const std::map<int, double>& before, const std::map<int, double>& after)
+// Of a measure of subdomains, such as volumes, relatively.
+template <class Measures>
+double largest_change(const Measures& before, const Measures& after)
 {
   double largest = 0;
   for(const auto& b : before)

@@ -14,24 +14,12 @@
 
 #include <CGAL/Global_odt_mesh_3/internal/Mesh_optimization_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/Mesh_optimizer_3.h>
-#include <CGAL/Global_odt_mesh_3/internal/Odt_parameters.h>
-#include <CGAL/Global_odt_mesh_3/internal/interface/Domain_view_3.h>
-#include <CGAL/Global_odt_mesh_3/internal/interface/Mesh_view_3.h>
-#include <CGAL/Global_odt_mesh_3/internal/interface/Optimization_visitor.h>
-#include <CGAL/Global_odt_mesh_3/internal/interface/User_field_3.h>
-#include <CGAL/Global_odt_mesh_3/internal/parallel/Thread_policy.h>
-
-#include <CGAL/Mesh_optimization_return_code.h>
-
-#ifdef CGAL_GLOBAL_ODT_MESH_3_COMPILED_CORE
-#  define CGAL_GLOBAL_ODT_MESH_3_INLINE
-#else
-#  define CGAL_GLOBAL_ODT_MESH_3_INLINE inline
-#endif
 
 namespace CGAL::Global_odt_mesh_3::internal {
 
-CGAL_GLOBAL_ODT_MESH_3_INLINE
+#ifndef CGAL_GLOBAL_ODT_MESH_3_COMPILED_CORE
+inline
+#endif
 Mesh_optimization_return_code
 optimize_mesh(User_mesh_view_3& mesh, const Domain_view_3& domain, Odt_task task, const Odt_parameters& parameters,
               const User_field_3& field, Optimization_visitor& visitor, const Thread_policy& threads)
@@ -40,7 +28,5 @@ optimize_mesh(User_mesh_view_3& mesh, const Domain_view_3& domain, Odt_task task
 }
 
 } // namespace CGAL::Global_odt_mesh_3::internal
-
-#undef CGAL_GLOBAL_ODT_MESH_3_INLINE
 
 #endif // CGAL_GLOBAL_ODT_MESH_3_INTERNAL_MESH_OPTIMIZER_3_IMPL_H

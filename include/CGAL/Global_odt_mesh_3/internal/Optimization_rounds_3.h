@@ -21,14 +21,12 @@
 #include <CGAL/Global_odt_mesh_3/internal/density/Field_density_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/density/Make_density_quadrature_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/geometry/Site.h>
-#include <CGAL/Global_odt_mesh_3/internal/geometry/Vector_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/interface/User_field_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/optimization/Global_search.h>
 #include <CGAL/Global_odt_mesh_3/internal/optimization/Limited_memory_bfgs.h>
 #include <CGAL/Global_odt_mesh_3/internal/optimization/Odt_objective_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/parallel/Thread_policy.h>
-#include <CGAL/Global_odt_mesh_3/internal/sizing/Field_near_features_3.h>
-#include <CGAL/Global_odt_mesh_3/internal/sizing/Input_density_3.h>
+#include <CGAL/Global_odt_mesh_3/internal/sizing/Nodal_densities_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/surface/Surface_cvt_objective_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/surface/Surface_triangulation_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/triangulation/Cell_order.h>
@@ -40,6 +38,7 @@
 #include <Eigen/Core>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <functional>
@@ -191,13 +190,13 @@ public:
   // The next one of the plan, on these boundaries. Gives the energy that is reached.
   double make_round(const Boundary_geometry_3& boundary)
   {
-    const auto in_stage = during(clocked(plan_.stage()));
+    const auto in_stage = during(clocked_stages[plan_.stage()]);
     boundary_ = &boundary;
     if(plan_.stage() == Round_plan::REMESH)
     {
       {
         Odt_objective_3 objective(mesh_, surface_motions(false));
-        minimize(objective);
+        minimize(objective, plan_.iterations());
       }
       return remesh_surfaces();
     }
@@ -205,7 +204,7 @@ public:
       search_round_in_blocks();
     Odt_objective_3 objective(mesh_, surface_motions(true), surface_term());
     if(plan_.stage() == Round_plan::MINIMIZE)
-      minimize(objective);
+      minimize(objective, plan_.iterations());
     else if(!search_in_blocks_)
       search_round(objective);
     return objective.value();
@@ -243,14 +242,10 @@ public:
 private:
   static constexpr double longest_way_in_round = 0.3;     // of a surface vertex, over its shortest edge on the surface
   static constexpr double share_of_rounds = 0.8;          // of the progress that is reported
+  // Of the plan, for the clock.
+  static constexpr std::array<Stage_clock::Stage, 3> clocked_stages = {{ Stage_clock::REMESH, Stage_clock::SEARCH, Stage_clock::MINIMIZE }};
 
   Stage_clock::In_stage during(Stage_clock::Stage stage) const { return Stage_clock::In_stage(threads_.clock(), stage); }
-
-  static Stage_clock::Stage clocked(Round_plan::Stage stage)
-  {
-    return stage == Round_plan::REMESH ? Stage_clock::REMESH
-         : stage == Round_plan::SEARCH ? Stage_clock::SEARCH : Stage_clock::MINIMIZE;
-  }
 
   // The fraction of the search that is behind at iteration n of the round.
   double search_progress(double n) const
@@ -298,12 +293,13 @@ private:
     }
   }
 
-  void minimize(Odt_objective_3& objective)
+  template <class Objective>
+  void minimize(Objective& objective, int most_iterations)
   {
     Limited_memory_bfgs minimizer(minimizer_parameters_, threads_);
     Cell_order order(mesh_);
     bool goes_down = true;
-    for(int n = 0; n < plan_.iterations() && goes_down && begin_iteration(); ++n)
+    for(int n = 0; n < most_iterations && goes_down && begin_iteration(); ++n)
     {
       goes_down = minimizer.iterate(objective) == Limited_memory_bfgs::STEP_TAKEN;
       end_iteration(order);
@@ -316,13 +312,8 @@ private:
   {
     Surface_cvt_objective_3 objective(boundary_->complex(), mesh_.sites, mesh_.number_of_interior_vertices,
                                       surface_motions(true), density_.on_surface(), threads_);
-    Limited_memory_bfgs minimizer(minimizer_parameters_, threads_);
-    bool goes_down = control_.goes_on();
-    for(int n = 0; n < Round_plan::iterations_on_surface && goes_down && begin_iteration(); ++n)
-    {
-      goes_down = minimizer.iterate(objective) == Limited_memory_bfgs::STEP_TAKEN;
-      control_.end_iteration();
-    }
+    if(control_.goes_on())
+      minimize(objective, Round_plan::iterations_on_surface);
     return objective.value();
   }
 

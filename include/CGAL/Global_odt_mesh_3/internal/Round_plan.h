@@ -34,8 +34,8 @@ public:
 
   Round_plan(Odt_task task, const Odt_parameters& p, bool boundary_moves)
     : task_(task)
-    , iterations_{{ iterations_inside_while_remeshing,
-                    Global_search::iterations_in_round(p.annealing_schedule), 0 }}
+    , search_(usual_rounds(p.annealing_schedule))
+    , iterations_{{ iterations_inside_while_remeshing, search_.iterations, 0 }}
   {
     if(task == Odt_task::REMESH_BOUNDARY)
       plan_remeshing(boundary_moves);
@@ -99,15 +99,14 @@ private:
   void plan_optimization(const Odt_parameters& p, bool boundary_moves)
   {
     const int search_rounds = p.number_of_rounds == Odt_parameters::usual_number_of_rounds
-                                ? Global_search::usual_rounds(p.annealing_schedule)
+                                ? search_.number
                                 : static_cast<int>((std::min)(p.number_of_rounds, most_rounds));
     if(search_rounds > 0)
       rounds_ = {{ 0, search_rounds, 1 }};
     else
       rounds_ = {{ boundary_moves ? rounds_of_remeshing : 0, 0, boundary_moves ? rounds_of_minimizer : 1 }};
     if(boundary_moves)
-      iterations_[MINIMIZE] = search_rounds > 0 ? Global_search::final_iterations(p.annealing_schedule)
-                                                : iterations_of_minimizer;
+      iterations_[MINIMIZE] = search_rounds > 0 ? search_.final_iterations : iterations_of_minimizer;
     planned_iterations_ = planned_iterations();
     if(p.max_iteration_number > 0)
       shorten(static_cast<int>((std::min)(p.max_iteration_number, std::size_t(planned_iterations_))));
@@ -137,6 +136,7 @@ private:
   }
 
   Odt_task task_;
+  Search_rounds search_;
   std::array<int, 3> iterations_, rounds_;
   int search_rounds_ = 0, planned_iterations_ = 200;
 };

@@ -13,9 +13,7 @@
 #include <CGAL/license/Global_odt_mesh_3.h>
 
 #include <CGAL/Global_odt_mesh_3/internal/blocks/Mesh_partition_3.h>
-#include <CGAL/Global_odt_mesh_3/internal/parallel/Buckets.h>
 #include <CGAL/Global_odt_mesh_3/internal/parallel/Chunked_loops.h>
-#include <CGAL/Global_odt_mesh_3/internal/parallel/Thread_policy.h>
 #include <CGAL/Global_odt_mesh_3/internal/triangulation/Constrained_triangulation_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/triangulation/Indexed_triangulation_3.h>
 
@@ -23,7 +21,6 @@
 
 #include <algorithm>
 #include <cstddef>
-#include <limits>
 #include <utility>
 #include <vector>
 
@@ -93,9 +90,6 @@ public:
     for(int& v : b.cell_vertices)
       v = b.vertices[v];
     std::vector<int>().swap(b.number_at_seam);      // as long as all seams together
-    b.vertex_cell.clear();
-    for(int v = 0; v < static_cast<int>(b.vertices.size()); ++v)
-      b.vertex_cell.push_back(part.topology.incident_cell(v));
   }
 
   // When all blocks are stored.
@@ -108,31 +102,23 @@ public:
       cells += static_cast<int>(b.neighbors.size() / 4);
     }
     std::vector<int> seam(mesh_.topology.number_of_half_facets());          // where slots at seams are now
-    Arrays arrays;
-    mesh_.topology.take_memory(arrays.cell_vertices, arrays.neighbors);
-    arrays.cell_vertices.resize(4 * std::size_t(cells));
-    arrays.neighbors.resize(4 * std::size_t(cells));
-    arrays.vertex_cell.assign(mesh_.sites.size(), -1);
-    arrays.constrained_slots.assign(mesh_.topology.number_of_sides(), Half_facet().id());
+    const std::size_t sides = mesh_.topology.number_of_sides();
+    std::vector<int> cell_vertices, neighbors;
+    mesh_.topology.take_memory(cell_vertices, neighbors);
+    cell_vertices.resize(4 * std::size_t(cells));
+    neighbors.resize(4 * std::size_t(cells));
     const int number = partition_.number_of_blocks();
-    threads_.for_each_chunk(number, [&](int n) { assemble(n, arrays, seam); });
+    threads_.for_each_chunk(number, [&](int n) { assemble(n, cell_vertices, neighbors, seam); });
     threads_.for_each_chunk(number, [&](int n)
     {
       for(const Facet& f : blocks_[n].facets)
         if(f.is_seam())
-          arrays.neighbors[seam[f.slot.id()]] = seam[f.beyond.id()];
+          neighbors[seam[f.slot.id()]] = seam[f.beyond.id()];
     });
-    // No block owns vertices at seams.
-    for(int n = 0; n < number; ++n)
-      for(std::size_t v = partition_.vertices().size(n); v < blocks_[n].vertices.size(); ++v)
-        arrays.vertex_cell[blocks_[n].vertices[v]] = blocks_[n].first_cell + blocks_[n].vertex_cell[v];
-    mesh_.topology.assign(std::move(arrays.cell_vertices), std::move(arrays.neighbors), std::move(arrays.vertex_cell),
-                          std::move(arrays.constrained_slots));
+    mesh_.topology.assign(std::move(cell_vertices), std::move(neighbors), mesh_.sites.size(), sides);
   }
 
 private:
-  static constexpr int least_length = 10000, most_chunks = 64;
-
   // A constrained one of the mesh, or one between blocks.
   struct Facet
   {
@@ -148,41 +134,29 @@ private:
     std::vector<int> number_at_seam;                // in the block, of each vertex at a seam
     std::vector<Facet> facets;                      // the constrained ones
     std::vector<int> cell_vertices;                 // numbers in the mesh
-    std::vector<int> neighbors, vertex_cell;        // slots and cells of the block
+    std::vector<int> neighbors;                     // slots of the block
     int first_cell = 0;
   };
 
-  // As Indexed_triangulation_3 has them.
-  struct Arrays
-  {
-    std::vector<int> cell_vertices, neighbors, vertex_cell, constrained_slots;
-  };
-
   // What is within the block.
-  void assemble(int block, Arrays& arrays, std::vector<int>& seam) const
+  void assemble(int block, std::vector<int>& cell_vertices, std::vector<int>& neighbors, std::vector<int>& seam) const
   {
     const Block& b = blocks_[block];
-    for(int v = 0; v < partition_.vertices().size(block); ++v)
-      arrays.vertex_cell[b.vertices[v]] = b.first_cell + b.vertex_cell[v];
     for(int s = 0; s < static_cast<int>(b.neighbors.size()); ++s)
     {
       const int slot = s + 4 * b.first_cell;
-      arrays.cell_vertices[slot] = b.cell_vertices[s];
+      cell_vertices[slot] = b.cell_vertices[s];
       const Half_facet across(b.neighbors[s]);
       if(!across.is_side())
       {
-        arrays.neighbors[slot] = across.id() + 4 * b.first_cell;
+        neighbors[slot] = across.id() + 4 * b.first_cell;
         continue;
       }
       const Facet& f = b.facets[across.constrained_facet()];
       if(f.is_seam())
-      {
         seam[f.slot.id()] = slot;
-        continue;
-      }
-      const Half_facet side = Half_facet::side(f.constrained_facet, across.side());
-      arrays.neighbors[slot] = side.id();
-      arrays.constrained_slots[side.side_id()] = slot;
+      else
+        neighbors[slot] = Half_facet::side(f.constrained_facet, across.side()).id();
     }
   }
 
@@ -190,12 +164,7 @@ private:
   std::vector<int> places(const Buckets& buckets, int size) const
   {
     std::vector<int> place(size, -1);
-    const Chunks chunks(static_cast<int>(buckets.numbers().size()), least_length, most_chunks);
-    threads_.for_each_chunk(chunks.number(), [&](int k)
-    {
-      for(int n = chunks.begin(k); n < chunks.end(k); ++n)
-        place[buckets.numbers()[n]] = n;
-    });
+    for_each_in_chunks(static_cast<int>(buckets.numbers().size()), threads_, [&](int n) { place[buckets.numbers()[n]] = n; });
     return place;
   }
 

@@ -14,10 +14,7 @@
 
 #include <CGAL/Global_odt_mesh_3/internal/geometry/Random_source.h>
 #include <CGAL/Global_odt_mesh_3/internal/geometry/Site.h>
-#include <CGAL/Global_odt_mesh_3/internal/geometry/Vector_3.h>
-#include <CGAL/Global_odt_mesh_3/internal/parallel/Buckets.h>
 #include <CGAL/Global_odt_mesh_3/internal/parallel/Chunked_loops.h>
-#include <CGAL/Global_odt_mesh_3/internal/parallel/Thread_policy.h>
 #include <CGAL/Global_odt_mesh_3/internal/triangulation/Constrained_triangulation_3.h>
 
 #include <algorithm>
@@ -131,13 +128,12 @@ public:
   {
     const Space_partition_3 space(mesh, number_of_blocks, random);
     const int cells = mesh.topology.number_of_cell_slots();
-    std::vector<int> block(cells), place(mesh.sites.size());
-    for_each_in_chunks(static_cast<int>(place.size()), threads, [&](int v) { place[v] = space.block(position(mesh.sites[v])); });
+    std::vector<int> block(cells);
     // 0 for no block yet.
     std::vector<std::atomic<int> > block_of_vertex(mesh.sites.size());
     for_each_in_chunks(cells, threads, [&](int c)
     {
-      block[c] = mesh.topology.is_alive(c) ? block_of_cell(mesh, c, space, place) : int(no_block);
+      block[c] = mesh.topology.is_alive(c) ? space.block(centroid(mesh, c)) : int(no_block);
       for(int i = 0; i < 4 && block[c] >= 0; ++i)
         join(block_of_vertex[mesh.topology.vertices(c)[i]], block[c] + 1);
     });
@@ -162,16 +158,6 @@ public:
 
 private:
   static constexpr int no_block = -1, several_blocks = -1;
-
-  // Blocks are convex, so that a cell with all vertices in one has its centroid there.
-  static int block_of_cell(const Constrained_triangulation_3& mesh, int cell, const Space_partition_3& space,
-                           const std::vector<int>& place_of_vertex)
-  {
-    const int* const v = mesh.topology.vertices(cell);
-    const int first = place_of_vertex[v[0]];
-    return std::all_of(v + 1, v + 4, [&](int w) { return place_of_vertex[w] == first; }) ? first
-                                                                                         : space.block(centroid(mesh, cell));
-  }
 
   static Vector_3 centroid(const Constrained_triangulation_3& mesh, int cell)
   {

@@ -38,7 +38,7 @@ public:
   // most so many a cell: a density that is not smooth gets no better then.
   Adaptive_cubature_quadrature_3(Density density, double tolerance, int most_regions)
     : density_(density)
-    , fifteen_points_(Point_rule_quadrature_3::fifteen_points(), std::move(density))
+    , fifteen_points_(std::move(density), Point_rule_quadrature_3::fifteen_points())
     , tolerance_(tolerance)
     , most_regions_(most_regions)
   {

@@ -24,8 +24,8 @@
 #include <array>
 #include <cstddef>
 #include <functional>
-#include <limits>
 #include <memory>
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -44,25 +44,13 @@ public:
   {
     if(kept_.size() <= static_cast<std::size_t>(cell))
       kept_.resize(cell + 1 + cell / 8);
-    Kept& kept = kept_[cell];
-    bool is_known = true;
+    std::optional<Kept>& kept = kept_[cell];
+    std::array<Vector_3, 4> points;
     for(int i = 0; i < 4; ++i)
-    {
-      const Site& s = sites[vertices[i]];
-      std::array<double, 3>& p = kept.points[i];
-      // NaN, at first, is not equal to anything.
-      is_known = is_known && p[0] == s.x && p[1] == s.y && p[2] == s.z;
-      p = {{ s.x, s.y, s.z }};
-    }
-    if(!is_known)
-    {
-      // Not to be believed if the density throws.
-      kept.points[0][0] = std::numeric_limits<double>::quiet_NaN();
-      kept.moments = quadrature_->moments(cell, vertices, sites);
-      kept.points[0][0] = sites[vertices[0]].x;
-      ++number_of_quadratures_;
-    }
-    return kept.moments;
+      points[i] = position(sites[vertices[i]]);
+    if(!kept || kept->points != points)
+      kept = Kept{ points, quadrature_->moments(cell, vertices, sites) };
+    return kept->moments;
   }
 
   std::unique_ptr<Density_quadrature_3> part(const std::vector<int>& vertices) const override
@@ -72,19 +60,15 @@ public:
 
   double energy_tolerance() const override { return quadrature_->energy_tolerance(); }
 
-  std::size_t number_of_quadratures() const { return number_of_quadratures_; }
-
 private:
   struct Kept
   {
-    std::array<std::array<double, 3>, 4> points
-      = {{ {{ std::numeric_limits<double>::quiet_NaN(), 0, 0 }}, {}, {}, {} }};
+    std::array<Vector_3, 4> points;
     Density_moments_3 moments;
   };
 
   std::unique_ptr<Density_quadrature_3> quadrature_;
-  std::vector<Kept> kept_;
-  std::size_t number_of_quadratures_ = 0;
+  std::vector<std::optional<Kept> > kept_;
 };
 
 // Makes a quadrature of a density for a mesh with vertices there; null if that is to say that the density is one. It refers to
@@ -107,33 +91,33 @@ inline std::unique_ptr<Density_quadrature_3> make_usual_quadrature(Density_3& rh
   return make_linear_quadrature(rho, sites);
 }
 
-// Of a rule that asks for the density at points of cells, and is made of it by f.
-template <class F>
-Quadrature_maker maker_with_cache(const F& f)
+// Of a rule that asks for the density at points of cells.
+template <class Quadrature, class... Rule>
+Quadrature_maker maker_with_cache(const Rule&... rule)
 {
-  return [f](Density_3& rho, const std::vector<Site>&)
-  { return std::make_unique<Density_moment_cache_3>(f([&rho](int v, const Site& s) { return rho.in_cell(v, s); })); };
+  return [=](Density_3& rho, const std::vector<Site>&)
+  {
+    const auto density = [&rho](int v, const Site& s) { return rho.in_cell(v, s); };
+    return std::make_unique<Density_moment_cache_3>(std::make_unique<Quadrature>(density, rule...));
+  };
 }
 
 inline Quadrature_maker quadrature_maker(const Linear_density_rule_3&) { return make_linear_quadrature; }
 
 inline Quadrature_maker quadrature_maker(const Four_point_rule_3&)
 {
-  return maker_with_cache([](const Density_quadrature_3::Density& density)
-                          { return std::make_unique<Point_rule_quadrature_3>(Point_rule_quadrature_3::four_points(), density); });
+  return maker_with_cache<Point_rule_quadrature_3>(Point_rule_quadrature_3::four_points());
 }
 
 inline Quadrature_maker quadrature_maker(const Fifteen_point_rule_3&)
 {
-  return maker_with_cache([](const Density_quadrature_3::Density& density)
-                          { return std::make_unique<Point_rule_quadrature_3>(Point_rule_quadrature_3::fifteen_points(), density); });
+  return maker_with_cache<Point_rule_quadrature_3>(Point_rule_quadrature_3::fifteen_points());
 }
 
 inline Quadrature_maker quadrature_maker(const Adaptive_cubature_3& cubature)
 {
   cubature.check();
-  return maker_with_cache([cubature](const Density_quadrature_3::Density& density)
-  { return std::make_unique<Adaptive_cubature_quadrature_3>(density, cubature.tolerance, cubature.most_regions); });
+  return maker_with_cache<Adaptive_cubature_quadrature_3>(cubature.tolerance, cubature.most_regions);
 }
 
 } // namespace CGAL::Global_odt_mesh_3::internal

@@ -100,9 +100,9 @@ public:
     std::vector<Point> points;
   };
 
-  Point_rule_quadrature_3(Rule rule, Density density)
-    : rule_(std::move(rule))
-    , density_(std::move(density))
+  Point_rule_quadrature_3(Density density, Rule rule)
+    : density_(std::move(density))
+    , rule_(std::move(rule))
   {}
 
   // Of degree 2 (Stroud, Approximate Calculation of Multiple Integrals, T3:2-1).
@@ -135,7 +135,7 @@ public:
 
   std::unique_ptr<Density_quadrature_3> part(const std::vector<int>& vertices) const override
   {
-    return std::make_unique<Point_rule_quadrature_3>(rule_, renumbered(density_, vertices));
+    return std::make_unique<Point_rule_quadrature_3>(renumbered(density_, vertices), rule_);
   }
 
   // The moments multiply the density by two coordinates.
@@ -166,8 +166,8 @@ private:
     }
   }
 
-  Rule rule_;
   Density density_;
+  Rule rule_;
 };
 
 } // namespace CGAL::Global_odt_mesh_3::internal

@@ -17,7 +17,6 @@
 #include <CGAL/Global_odt_mesh_3/internal/geometry/Quadratic_polynomial_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/geometry/Site.h>
 #include <CGAL/Global_odt_mesh_3/internal/parallel/Chunked_loops.h>
-#include <CGAL/Global_odt_mesh_3/internal/parallel/Thread_policy.h>
 
 #include <CGAL/assertions.h>
 
@@ -44,12 +43,14 @@ public:
     values_.reserve(sites.size());
     for(std::size_t v = 0; v < sites.size(); ++v)
       values_.push_back(density_(static_cast<int>(v), sites[v]));
+    kept_values_ = values_;
   }
 
   // With the values of vertices.
   Linear_density_quadrature_3(Density density, std::vector<double> values)
     : density_(std::move(density))
     , values_(std::move(values))
+    , kept_values_(values_)
   {}
 
   // Of vertices.
@@ -79,20 +80,8 @@ public:
   void update(const std::vector<Site>& sites, int number_of_movable_vertices, const Thread_policy& threads) override
   {
     CGAL_assertion(sites.size() == values_.size());
-    if(has_kept_values_)
-    {
-      // Of both, only values of movable vertices differ.
-      if(kept_values_.size() != values_.size())
-        kept_values_ = values_;
-      kept_values_.swap(values_);
-    }
-    has_kept_values_ = false;
-    const Chunks vertices(number_of_movable_vertices, least_vertices, most_chunks);
-    (is_safe_for_threads_ ? threads : Thread_policy()).for_each_chunk(vertices.number(), [&](int n)
-    {
-      for(int v = vertices.begin(n); v < vertices.end(n); ++v)
-        values_[v] = density_(v, sites[v]);
-    });
+    for_each_in_chunks(number_of_movable_vertices, is_safe_for_threads_ ? threads : Thread_policy(),
+                       [&](int v) { values_[v] = density_(v, sites[v]); });
   }
 
   std::unique_ptr<Density_quadrature_3> part(const std::vector<int>& vertices) const override
@@ -103,25 +92,15 @@ public:
     return std::make_unique<Linear_density_quadrature_3>(renumbered(density_, vertices), std::move(values));
   }
 
-  void keep() override { has_kept_values_ = true; }
-
-  void restore() override
-  {
-    if(!has_kept_values_)
-      values_.swap(kept_values_);
-    has_kept_values_ = true;
-  }
+  void keep() override { kept_values_ = values_; }
+  void restore() override { values_ = kept_values_; }
 
   double energy_tolerance() const override { return tolerance_of_rough_moments; }
 
 private:
-  // A chunk is to be worth the trouble of a thread.
-  static constexpr int least_vertices = 1000, most_chunks = 16;
-
   Density density_;
-  bool is_safe_for_threads_;
+  bool is_safe_for_threads_ = false;
   std::vector<double> values_, kept_values_;
-  bool has_kept_values_ = false;      // that is, the current ones are to be kept
 };
 
 // The exact moments of a quadratic density, which in barycentric coordinates is the sum of

@@ -117,18 +117,13 @@ public:
     return other_patch;
   }
 
-private:
-  typedef typename Mesh_domain::Point_3 Point_3;
-  typedef typename Kernel_traits<Point_3>::Kernel::Segment_3 Segment_3;
-
-  static Point_3 point(const Vector& p) { return Point_3(p[0], p[1], p[2]); }
-
-  int find_label(const Vector& p) const override
+  int label(const Vector& p) const override
   {
     const auto s = domain_.is_in_domain_object()(point(p));
     return s ? subdomains_.number_or(Subdomain_index(*s), other_subdomain) : outside;
   }
 
+protected:
   bool find_intersection(const Vector& from, const Vector& to, Vector& p, int& patch) const override
   {
     const Segment_3 s(point(from), point(to));
@@ -140,24 +135,6 @@ private:
     p = coordinates(std::get<0>(i));
     patch = patch_at(std::get<1>(i));
     return true;
-  }
-
-  // Where Mesh_3 still asks the predicate first, domains rely on that.
-  bool may_intersect([[maybe_unused]] const Segment_3& s) const
-  {
-#ifdef CGAL_MESH_3_NO_LONGER_CALLS_DO_INTERSECT_3
-    return true;
-#else
-    return bool(domain_.do_intersect_surface_object()(s));
-#endif
-  }
-
-  Vector closest_point(const Vector& p) const override
-  {
-    if constexpr (Has_aabb_tree<Mesh_domain>::value)
-      return coordinates(domain_.aabb_tree().closest_point(point(p)));
-    else
-      return p;
   }
 
   Vector closest_point(const Vector& p, int& patch) const override
@@ -173,6 +150,22 @@ private:
       patch = other_patch;
       return p;
     }
+  }
+
+private:
+  typedef typename Mesh_domain::Point_3 Point_3;
+  typedef typename Kernel_traits<Point_3>::Kernel::Segment_3 Segment_3;
+
+  static Point_3 point(const Vector& p) { return Point_3(p[0], p[1], p[2]); }
+
+  // Where Mesh_3 still asks the predicate first, domains rely on that.
+  bool may_intersect([[maybe_unused]] const Segment_3& s) const
+  {
+#ifdef CGAL_MESH_3_NO_LONGER_CALLS_DO_INTERSECT_3
+    return true;
+#else
+    return bool(domain_.do_intersect_surface_object()(s));
+#endif
   }
 
   const Mesh_domain& domain_;

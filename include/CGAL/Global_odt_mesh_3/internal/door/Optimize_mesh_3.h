@@ -23,7 +23,6 @@
 #include <CGAL/Global_odt_mesh_3/internal/door/User_fields_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/geometry/Cell_geometry_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/geometry/Site.h>
-#include <CGAL/Global_odt_mesh_3/internal/geometry/Vector_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/interface/Domain_view_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/interface/Optimization_visitor.h>
 #include <CGAL/Global_odt_mesh_3/internal/interface/User_field_3.h>
@@ -106,7 +105,7 @@ public:
     , visitor_(visitor)
   {}
 
-  // Loops refer to the clock.
+  // Threads refer to the clock.
   Odt_mesh_optimizer_3(const Odt_mesh_optimizer_3&) = delete;
   Odt_mesh_optimizer_3& operator=(const Odt_mesh_optimizer_3&) = delete;
 
@@ -129,12 +128,11 @@ public:
         report.obstacles.push_back(mesh_.vertex(v));
     report.released_cells = mesh_.released_cells();
     for(int n = 0; n < Stage_clock::NUMBER_OF_STAGES; ++n)
-      report.seconds.emplace_back(Stage_clock::name(n), clock_.seconds(n).all);
+      report.seconds.emplace_back(Stage_clock::name(n), clock_.seconds(n));
     return code;
   }
 
   const Stage_clock& clock() const { return clock_; }
-  const Oracle_statistics& oracle_statistics() const { return domain_.statistics(); }
 
 private:
   // A mesh from elsewhere may have inverted cells, of which CGAL gives none.
@@ -159,21 +157,17 @@ private:
 template <class C3T3>
 constexpr bool is_periodic = std::is_same<typename C3T3::Triangulation::Periodic_tag, Tag_true>::value;
 
-// What odt_optimize_mesh_3() reads.
+// What odt_optimize_mesh_3() reads for periodic meshes, and for others.
+typedef Parameter_list<tags::time_limit, tags::max_iteration_number, tags::convergence, tags::freeze_bound, tags::do_freeze,
+                       tags::sliver_bound, internal_np::do_remove_slivers_t, internal_np::annealing_schedule_t,
+                       internal_np::number_of_rounds_t, internal_np::optimize_boundary_t, internal_np::surface_weight_t,
+                       internal_np::random_seed_t, internal_np::callback_t, internal_np::optimization_report_t> Periodic_parameters;
+typedef Parameter_list<internal_np::do_insert_vertices_t, internal_np::do_remove_vertices_t, internal_np::number_of_vertices_t,
+                       tags::sizing_field, internal_np::density_t, internal_np::quadrature_t, internal_np::domain_is_thread_safe_t,
+                       internal_np::vertex_is_constrained_t, internal_np::cell_selector_t, internal_np::visitor_t> Other_parameters;
 template <class C3T3>
-using Optimization_parameters = std::conditional_t<
-  is_periodic<C3T3>,
-  Parameter_list<tags::time_limit, tags::max_iteration_number, tags::convergence, tags::freeze_bound, tags::do_freeze,
-                 tags::sliver_bound, internal_np::do_remove_slivers_t, internal_np::annealing_schedule_t, internal_np::number_of_rounds_t,
-                 internal_np::optimize_boundary_t, internal_np::surface_weight_t, internal_np::random_seed_t, internal_np::callback_t,
-                 internal_np::optimization_report_t>,
-  Parameter_list<tags::time_limit, tags::max_iteration_number, tags::convergence, tags::freeze_bound, tags::do_freeze,
-                 tags::sliver_bound, internal_np::do_remove_slivers_t, internal_np::do_insert_vertices_t, internal_np::do_remove_vertices_t, internal_np::number_of_vertices_t,
-                 tags::sizing_field, internal_np::density_t,
-                 internal_np::quadrature_t, internal_np::annealing_schedule_t, internal_np::number_of_rounds_t,
-                 internal_np::optimize_boundary_t, internal_np::surface_weight_t, internal_np::domain_is_thread_safe_t,
-                 internal_np::random_seed_t, internal_np::vertex_is_constrained_t, internal_np::cell_selector_t,
-                 internal_np::callback_t, internal_np::visitor_t, internal_np::optimization_report_t> >;
+using Optimization_parameters = std::conditional_t<is_periodic<C3T3>, Periodic_parameters,
+                                                   decltype(Periodic_parameters() + Other_parameters())>;
 
 template <class T>
 T& unwrap(T& t) { return t; }

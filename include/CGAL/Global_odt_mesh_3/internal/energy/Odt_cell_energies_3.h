@@ -16,7 +16,6 @@
 #include <CGAL/Global_odt_mesh_3/internal/density/Polynomial_density_quadrature_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/geometry/Cell_geometry_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/geometry/Site.h>
-#include <CGAL/Global_odt_mesh_3/internal/geometry/Vector_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/parallel/Thread_policy.h>
 
 #include <array>
@@ -100,86 +99,7 @@ inline Cell_energy odt_energy(const Cell_products& t,
   return r;
 }
 
-// The same as functions of a cell, its number and those of its vertices, into `s`. They are polynomials in the coordinates,
-// so that the energy of a cell may be taken off again, whatever its shape.
-struct Uniform_odt_energy_3
-{
-  Cell_energy operator()(const Cell_products& t, int, const int* v, const Site* s) const
-  {
-    return uniform_odt_energy(t, s[v[0]], s[v[1]], s[v[2]], s[v[3]]);
-  }
-};
-
-// The quadrature is a pointer, or what behaves like one.
-template <class Quadrature>
-struct Weighted_odt_energy_3
-{
-  Quadrature quadrature;
-
-  Cell_energy operator()(const Cell_products& t, int cell, const int* v, const Site* s) const
-  {
-    return odt_energy(t, s[v[0]], s[v[1]], s[v[2]], s[v[3]], quadrature->moments(cell, v, s));
-  }
-};
-
-// What one cell adds to the energy of the centroidal Voronoi tessellation of density 1,
-//
-//   E = sum_i  integral over V_i of  |x - x_i|^2,
-//
-// the gradient g_i = 2 m_i (x_i - z_i) and the diagonal 2 m_i, where m_i and z_i are volume and centroid of V_i, so that
-// x - g/D is the step of Lloyd. No vertex has a weight.
-//
-// For each facet of the cell and each edge of that, the middle of the edge, the circumcenter of the facet and that of the
-// cell make an orthoscheme with each end of the edge. Its legs a, b and h are orthogonal, its volume is a b h / 6, and its
-// second moment about that end a b h / 60 (6 a^2 + 3 b^2 + h^2). Volumes have signs, so that the sum over a cell and its
-// neighbors is right although circumcenters lie beyond facets. At the boundary it is that of Voronoi cells which are cut off
-// there, provided that no circumcenter lies beyond it: a mesh of which this is minimized is to know where its surface is.
-inline Cell_energy cvt_energy(const Cell_products& t)
-{
-  // An edge and the third vertex of a facet which, seen from the fourth vertex, is counterclockwise.
-  static constexpr int flags[12][3] = { { 0, 1, 2 }, { 1, 2, 0 }, { 2, 0, 1 }, { 0, 3, 1 }, { 3, 1, 0 }, { 1, 0, 3 },
-                                        { 0, 2, 3 }, { 2, 3, 0 }, { 3, 0, 2 }, { 1, 3, 2 }, { 3, 2, 1 }, { 2, 1, 3 } };
-  const std::array<Vector_3, 4> x = {{ Vector_3(), Vector_3(t.ax, t.ay, t.az),
-                                              Vector_3(t.bx, t.by, t.bz), Vector_3(t.cx, t.cy, t.cz) }};
-  const Vector_3 center = t.to_dual();
-  std::array<Vector_3, 4> gradient;
-  gradient.fill(Vector_3());
-  std::array<double, 4> mass = {{ 0, 0, 0, 0 }};
-  Cell_energy r;
-  r.energy = 0;
-  Vector_3 height(0, 0, 0);            // of the center above the facet
-  for(int n = 0; n < 12; ++n)
-  {
-    const int i = flags[n][0], j = flags[n][1], k = flags[n][2];
-    if(n % 3 == 0)
-    {
-      const Vector_3 normal = (x[j] - x[i]).cross(x[k] - x[i]);
-      height = (center - x[i]).dot(normal) / normal.squared_length() * normal;
-    }
-    const Vector_3 leg = (x[j] - x[i]) / 2, middle = (x[i] + x[j]) / 2;
-    const Vector_3 foot = center - height, width = foot - middle;
-    const double volume = leg.dot(width.cross(height)) / 6;
-    r.energy += volume / 5 * (6 * leg.squared_length() + 3 * width.squared_length() + height.squared_length());
-    const Vector_3 corners = middle + foot + center;
-    gradient[i] += volume / 2 * (3 * x[i] - corners);
-    gradient[j] += volume / 2 * (3 * x[j] - corners);
-    mass[i] += volume;
-    mass[j] += volume;
-  }
-  for(int i = 0; i < 4; ++i)
-    r.gradient[i] = { gradient[i].x(), gradient[i].y(), gradient[i].z(), 2 * mass[i] };
-  return r;
-}
-
-// The same as a function of a cell, its number and those of its vertices. It has poles where cells are flat, and can only be
-// summed up over a triangulation that is regular.
-struct Cvt_energy_3
-{
-  Cell_energy operator()(const Cell_products& t, int, const int*, const Site*) const { return cvt_energy(t); }
-};
-
-// Which energy the cells of a mesh have: that of the optimal Delaunay triangulation, with a density or without, or that of
-// the centroidal Voronoi tessellation, which is for uniform density, sites without weights, and vertices of the interior alone.
+// Which energy the cells of a mesh have: with a density or without.
 class Energy_choice_3
 {
 public:
@@ -192,26 +112,28 @@ public:
 
   Density_quadrature_3* quadrature() const { return quadrature_; }
 
-  void set_voronoi(bool is_voronoi) { is_voronoi_ = is_voronoi; }
-
-  // Whether cells may be flat and their energy taken off again.
-  bool is_polynomial() const { return !is_voronoi_; }
-
   // Others may ask the user.
   bool is_safe_for_threads() const { return quadrature_ == nullptr || linear_quadrature_ != nullptr; }
 
-  // Calls f(energy), where energy(t, cell, v, s) is that of a cell, by its type as far as that is faster.
+  // Calls f(energy), where energy(t, cell, v, s) is that of a cell, its number and those of its vertices, into `s`, by its type as
+  // far as that is faster. Energies are polynomials in the coordinates, so that that of a cell may be taken off again, whatever its
+  // shape.
   template <class F>
   void visit(const F& f) const
   {
-    if(is_voronoi_)
-      f(Cvt_energy_3());
-    else if(quadrature_ == nullptr)
-      f(Uniform_odt_energy_3());
+    // The quadrature is a pointer, or what behaves like one.
+    const auto with = [](auto quadrature)
+    {
+      return [quadrature](const Cell_products& t, int cell, const int* v, const Site* s)
+             { return odt_energy(t, s[v[0]], s[v[1]], s[v[2]], s[v[3]], quadrature->moments(cell, v, s)); };
+    };
+    if(quadrature_ == nullptr)
+      f([](const Cell_products& t, int, const int* v, const Site* s)
+        { return uniform_odt_energy(t, s[v[0]], s[v[1]], s[v[2]], s[v[3]]); });
     else if(linear_quadrature_ != nullptr)
-      f(Weighted_odt_energy_3<Linear_density_quadrature_3::View>{ linear_quadrature_->view() });
+      f(with(linear_quadrature_->view()));
     else
-      f(Weighted_odt_energy_3<Density_quadrature_3*>{ quadrature_ });
+      f(with(quadrature_));
   }
 
   // What a quadrature has to be told.
@@ -236,7 +158,6 @@ public:
 private:
   Density_quadrature_3* quadrature_ = nullptr;
   Linear_density_quadrature_3* linear_quadrature_ = nullptr;    // the same, if it is one
-  bool is_voronoi_ = false;
 };
 
 } // namespace CGAL::Global_odt_mesh_3::internal

@@ -44,7 +44,7 @@ inline double reference_energy(const std::vector<Site>& sites, const std::vector
                                const Adaptive_cubature_3& cubature)
 {
   const Density_quadrature_3::Density rho = [&density](int v, const Site& s) { return density.in_cell(v, s); };
-  Point_rule_quadrature_3 estimate(Point_rule_quadrature_3::fifteen_points(), rho);
+  Point_rule_quadrature_3 estimate(rho, Point_rule_quadrature_3::fifteen_points());
   Adaptive_cubature_quadrature_3 reference(rho, cubature.tolerance, cubature.most_regions);
   std::vector<double> estimates;
   double mean = 0;

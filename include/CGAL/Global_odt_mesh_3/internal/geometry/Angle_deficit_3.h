@@ -14,7 +14,6 @@
 
 #include <CGAL/Global_odt_mesh_3/internal/geometry/Cell_geometry_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/geometry/Site.h>
-#include <CGAL/Global_odt_mesh_3/internal/geometry/Vector_3.h>
 
 #include <CGAL/number_utils.h>
 
@@ -50,7 +49,7 @@ public:
   template <class F>
   void for_each_lack(const std::array<Site, 4>& cell, const F& f) const
   {
-    for_each_lack(Facets(cell), [&f](int, int, double lack) { f(lack); });
+    for_each_lack(Cell_facets_3(cell), [&f](int, int, double lack) { f(lack); });
   }
 
   // Calls f(lack, gradient) for each angle that lacks something, with the gradient of the angle, in degrees over
@@ -58,56 +57,14 @@ public:
   template <class F>
   void for_each_gradient(const std::array<Site, 4>& cell, int m, const F& f) const
   {
-    const Facets facets(cell);
+    const Cell_facets_3 facets(cell);
     for_each_lack(facets, [&](int i, int j, double lack) { f(lack, facets.gradient(i, j, m) * (180 / CGAL_PI)); });
   }
 
 private:
-  // The facets opposite to each vertex, by their outward normals, which are as long as twice the areas.
-  struct Facets
-  {
-    std::array<Vector_3, 4> x, normal;
-    std::array<double, 4> area;
-
-    explicit Facets(const std::array<Site, 4>& s)
-      : x{{ position(s[0]), position(s[1]), position(s[2]), position(s[3]) }}
-    {
-      const Vector_3 a = x[1] - x[0], b = x[2] - x[0], c = x[3] - x[0];
-      normal[1] = c.cross(b);
-      normal[2] = a.cross(c);
-      normal[3] = b.cross(a);
-      normal[0] = -(normal[1] + normal[2] + normal[3]);
-      for(int i = 0; i < 4; ++i)
-        area[i] = normal[i].length();
-    }
-
-    // Of the angle between the facets opposite to i and j, with respect to vertex m. A vertex off their common edge
-    // opens the angle along the normal of its facet; an end of the edge does the opposite, by its share of the lever.
-    Vector_3 gradient(int i, int j, int m) const
-    {
-      const int k = m != i && m != j ? m : other_than(i, j, -1), l = other_than(i, j, k);
-      const Vector_3 edge = x[k] - x[l];
-      const double length = edge.length();
-      const Vector_3 of_i = length / (area[j] * area[j]) * normal[j], of_j = length / (area[i] * area[i]) * normal[i];
-      if(m == i)
-        return of_i;
-      if(m == j)
-        return of_j;
-      return -((x[i] - x[l]).dot(edge) * of_i + (x[j] - x[l]).dot(edge) * of_j) / (length * length);
-    }
-
-    static int other_than(int i, int j, int k)
-    {
-      int n = 0;
-      while(n == i || n == j || n == k)
-        ++n;
-      return n;
-    }
-  };
-
   // Calls f(i, j, lack) for each angle, between the facets opposite to vertices i and j, that lacks something.
   template <class F>
-  void for_each_lack(const Facets& facets, const F& f) const
+  void for_each_lack(const Cell_facets_3& facets, const F& f) const
   {
     for(int i = 0; i < 3; ++i)
       for(int j = i + 1; j < 4; ++j)

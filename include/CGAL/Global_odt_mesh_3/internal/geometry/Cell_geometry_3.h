@@ -13,7 +13,6 @@
 #include <CGAL/license/Global_odt_mesh_3.h>
 
 #include <CGAL/Global_odt_mesh_3/internal/geometry/Site.h>
-#include <CGAL/Global_odt_mesh_3/internal/geometry/Vector_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/geometry/Vertex_tuples.h>
 
 #include <CGAL/number_utils.h>
@@ -88,6 +87,48 @@ struct Cell_products
   }
 };
 
+// The facets opposite to each vertex, by their outward normals, which are as long as twice the areas.
+struct Cell_facets_3
+{
+  std::array<Vector_3, 4> x, normal;
+  std::array<double, 4> area;
+
+  explicit Cell_facets_3(const std::array<Site, 4>& s)
+    : x{{ position(s[0]), position(s[1]), position(s[2]), position(s[3]) }}
+  {
+    const Vector_3 a = x[1] - x[0], b = x[2] - x[0], c = x[3] - x[0];
+    normal[1] = c.cross(b);
+    normal[2] = a.cross(c);
+    normal[3] = b.cross(a);
+    normal[0] = -(normal[1] + normal[2] + normal[3]);
+    for(int i = 0; i < 4; ++i)
+      area[i] = normal[i].length();
+  }
+
+  // Of the angle between the facets opposite to i and j, with respect to vertex m. A vertex off their common edge
+  // opens the angle along the normal of its facet; an end of the edge does the opposite, by its share of the lever.
+  Vector_3 gradient(int i, int j, int m) const
+  {
+    const int k = m != i && m != j ? m : other_than(i, j, -1), l = other_than(i, j, k);
+    const Vector_3 edge = x[k] - x[l];
+    const double length = edge.length();
+    const Vector_3 of_i = length / (area[j] * area[j]) * normal[j], of_j = length / (area[i] * area[i]) * normal[i];
+    if(m == i)
+      return of_i;
+    if(m == j)
+      return of_j;
+    return -((x[i] - x[l]).dot(edge) * of_i + (x[j] - x[l]).dot(edge) * of_j) / (length * length);
+  }
+
+  static int other_than(int i, int j, int k)
+  {
+    int n = 0;
+    while(n == i || n == j || n == k)
+      ++n;
+    return n;
+  }
+};
+
 // The six dihedral angles, in degrees, and 3 r / R of a tetrahedron.
 struct Cell_shape_3
 {
@@ -96,25 +137,19 @@ struct Cell_shape_3
 
   Cell_shape_3(const Site& s0, const Site& s1, const Site& s2, const Site& s3)
   {
-    const std::array<Vector_3, 4> s = {{ position(s0), position(s1), position(s2), position(s3) }};
-    // Inward normals of the facets opposite to each vertex; their lengths are
-    // twice the areas.
-    std::array<Vector_3, 4> normal;
-    double area = 0;
-    for(int i = 0; i < 4; ++i)
-    {
-      const Vector_3& a = s[(i + 1) % 4];
-      normal[i] = (i % 2 == 0 ? -1. : 1.) * (s[(i + 2) % 4] - a).cross(s[(i + 3) % 4] - a);
-      area += normal[i].length() / 2;
-    }
+    const Cell_facets_3 facets(std::array<Site, 4>{{ s0, s1, s2, s3 }});
     int n = 0;
+    // The angle between the facets is the supplement of that of the normals.
     for(int i = 0; i < 3; ++i)
       for(int j = i + 1; j < 4; ++j)
-        // The angle between the facets is the supplement of that of the normals.
-        angles[n++] = std::atan2(normal[i].cross(normal[j]).length(), -normal[i].dot(normal[j])) * 180 / CGAL_PI;
+      {
+        const Vector_3 &a = facets.normal[i], &b = facets.normal[j];
+        angles[n++] = std::atan2(a.cross(b).length(), -a.dot(b)) * 180 / CGAL_PI;
+      }
     // r = 3 V / area; R = |N| / (2 det) of the unweighted sites.
     const auto unweighted = [](Site p) { p.weight = 0; return p; };
     const Cell_products t(unweighted(s0), unweighted(s1), unweighted(s2), unweighted(s3));
+    const double area = (facets.area[0] + facets.area[1] + facets.area[2] + facets.area[3]) / 2;
     const double numerator = std::sqrt(t.nx * t.nx + t.ny * t.ny + t.nz * t.nz);
     radius_ratio = numerator > 0 && area > 0
                  ? (std::min)(1., 3 * t.determinant * t.determinant / (area * numerator)) : 0.;

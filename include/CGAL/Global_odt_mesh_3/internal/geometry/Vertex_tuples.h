@@ -121,18 +121,9 @@ private:
       hash = (hash ^ static_cast<std::uint64_t>(v)) * 0x9e3779b97f4a7c15u;
     const std::size_t last = places_.size() - 1;
     std::size_t p = static_cast<std::size_t>(hash >> 32) & last;
-    while(places_[p] != none && !are_equal(entries_[places_[p]].first, tuple))
+    while(places_[p] != none && entries_[places_[p]].first != tuple)
       p = (p + 1) & last;
     return p;
-  }
-
-  // The operator of std::array calls a function of the C library.
-  static bool are_equal(const Tuple& a, const Tuple& b)
-  {
-    for(std::size_t i = 0; i < a.size(); ++i)
-      if(a[i] != b[i])
-        return false;
-    return true;
   }
 
   void provide_places(std::size_t number)

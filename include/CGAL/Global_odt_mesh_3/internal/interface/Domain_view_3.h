@@ -14,23 +14,12 @@
 
 #include <CGAL/Global_odt_mesh_3/internal/geometry/Vector_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/parallel/Chunked_loops.h>
-#include <CGAL/Global_odt_mesh_3/internal/parallel/Thread_policy.h>
 
-#include <atomic>
 #include <cstddef>
 #include <limits>
 #include <vector>
 
 namespace CGAL::Global_odt_mesh_3::internal {
-
-// How often the domain was asked, by any thread.
-struct Oracle_statistics
-{
-  std::atomic<std::size_t> locations{ 0 };         // is_in_domain
-  std::atomic<std::size_t> intersections{ 0 };     // construct_intersection
-  std::atomic<std::size_t> projections{ 0 };       // closest points from the AABB tree
-  std::atomic<std::size_t> failures{ 0 };          // intersections and projections that found nothing of use
-};
 
 // The domain of the user, whatever its type, with numbers for subdomains (labels) and surface patches: those that the mesh
 // has, and one for all others, in which no cell and on which no facet of a valid mesh can be.
@@ -52,8 +41,6 @@ public:
   // Those that may ask the domain.
   const Thread_policy& threads() const { return threads_; }
 
-  const Oracle_statistics& statistics() const { return statistics_; }
-
   // Calls f(n) for the numbers n below `size`, on threads if these may ask the domain.
   template <class F>
   void for_each(std::size_t size, const F& f) const
@@ -69,39 +56,43 @@ public:
   }
 
   // Of the subdomain in which the point lies.
-  int label(const Vector& p) const
-  {
-    ++statistics_.locations;
-    return find_label(p);
-  }
+  virtual int label(const Vector& p) const = 0;
 
   // Moves `p` to the surface patch, by the closest point or along the normal, at
   // most as far as `reach`; false if there is no such point.
   bool project(Vector& p, const Vector& normal, double reach, int patch) const
   {
-    return has_tree_ ? project_by_tree(p, reach, patch) : project_along(p, normal, reach, patch);
+    Vector q = p;
+    int found;
+    if(has_tree_)
+    {
+      q = closest_point(p, found);
+      if((p - q).length() > reach)
+        return false;
+    }
+    // Short segments are cut faster, and rarely at another sheet of the surface.
+    else if(!intersect(q, normal, reach / 4, found) && !intersect(q, normal, reach, found))
+      return false;
+    if(found != patch || patch == other_patch)
+      return false;
+    p = q;
+    return true;
   }
 
   // How far `p` is from the surface, if that is easily found out, or else 0.
   double distance_to_surface(const Vector& p) const
   {
-    if(!has_tree_)
-      return 0;
-    ++statistics_.projections;
-    return (p - closest_point(p)).length();
+    int patch;
+    return has_tree_ ? (p - closest_point(p, patch)).length() : 0;
   }
 
   // Moves `p` to where the segment of that half length and direction around it
   // meets the surface, and tells on which patch.
   bool intersect(Vector& p, const Vector& direction, double half_length, int& patch) const
   {
-    ++statistics_.intersections;
     const Vector from = p - half_length * direction, to = p + half_length * direction;
     // That of cospherical cells is a point, which domains do not expect.
-    if((to - from).length() > 0 && find_intersection(from, to, p, patch))
-      return true;
-    ++statistics_.failures;
-    return false;
+    return (to - from).length() > 0 && find_intersection(from, to, p, patch);
   }
 
 protected:
@@ -113,46 +104,12 @@ protected:
 private:
   static constexpr int least_questions = 64;      // that are worth the trouble of a thread
 
-  virtual int find_label(const Vector& p) const = 0;
   virtual bool find_intersection(const Vector& from, const Vector& to, Vector& p, int& patch) const = 0;
   // Where there is a tree.
-  virtual Vector closest_point(const Vector& p) const = 0;
   virtual Vector closest_point(const Vector& p, int& patch) const = 0;
-
-  bool project_by_tree(Vector& p, double reach, int patch) const
-  {
-    ++statistics_.projections;
-    int found;
-    const Vector q = closest_point(p, found);
-    if((p - q).length() <= reach && found == patch && patch != other_patch)
-    {
-      p = q;
-      return true;
-    }
-    ++statistics_.failures;
-    return false;
-  }
-
-  // Short segments are cut faster, and rarely at another sheet of the surface.
-  bool project_along(Vector& p, const Vector& normal, double reach, int patch) const
-  {
-    for(double h : { reach / 4, reach })
-    {
-      Vector q = p;
-      int found;
-      if(!intersect(q, normal, h, found))
-        continue;
-      if(found != patch || patch == other_patch)
-        break;
-      p = q;
-      return true;
-    }
-    return false;
-  }
 
   bool has_tree_;
   Thread_policy threads_;
-  mutable Oracle_statistics statistics_;
 };
 
 } // namespace CGAL::Global_odt_mesh_3::internal

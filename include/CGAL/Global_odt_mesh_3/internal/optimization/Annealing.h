@@ -15,7 +15,6 @@
 #include <CGAL/Global_odt_mesh_3/internal/geometry/Random_source.h>
 #include <CGAL/Global_odt_mesh_3/internal/geometry/Vector_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/optimization/Odt_objective_3.h>
-#include <CGAL/Global_odt_mesh_3/internal/optimization/Vector_loop.h>
 #include <CGAL/Global_odt_mesh_3/internal/parallel/Chunked_loops.h>
 
 #include <CGAL/Annealing_schedules_3.h>
@@ -108,39 +107,25 @@ public:
   {
     const double left = std::pow((std::max)(0., 1 - done), schedule_.decay);
     prepare_step(f, left * schedule_.interior_amplitude, left * schedule_.surface_amplitude);
-    const Vector_loop loop(f.threads(), start_.size());
-    const bool is_taken = f.evaluate(trial_);
-    if(is_taken)
+    if(f.evaluate(trial_))
     {
       f.keep();
-      loop.run([&](Eigen::Index n, Eigen::Index l)
-      {
-        velocity_.segment(n, l) = f.point().segment(n, l) - start_.segment(n, l);
-      });
+      velocity_ = f.point() - start_;
+      return true;
     }
-    else
-    {
-      f.reject();
-      loop.run([&](Eigen::Index n, Eigen::Index l) { velocity_.segment(n, l) *= 0.5; });
-    }
-    return is_taken;
+    f.reject();
+    velocity_ *= 0.5;
+    return false;
   }
 
 private:
-  // Few vertices are not worth the trouble of a thread.
-  static constexpr int least_vertices = 2000, most_chunks = 16;
-
   void prepare_step(const Odt_objective_3& f, double interior_amplitude, double surface_amplitude)
   {
     start_.resize(f.point().size());
     trial_.resize(f.point().size());
     noise_.draw();
-    const Chunks vertices(f.number_of_vertices(), least_vertices, most_chunks);
-    f.threads().for_each_chunk(vertices.number(), [&](int n)
-    {
-      for(int v = vertices.begin(n); v < vertices.end(n); ++v)
-        prepare_step(f, v, interior_amplitude, surface_amplitude);
-    });
+    for_each_in_chunks(f.number_of_vertices(), f.threads(),
+                       [&](int v) { prepare_step(f, v, interior_amplitude, surface_amplitude); });
   }
 
   // The noise goes into the point from which the step starts, so that it gives no momentum.
@@ -169,8 +154,6 @@ private:
 class Metropolis_annealing
 {
 public:
-  static constexpr int usual_rounds = 20;
-
   explicit Metropolis_annealing(unsigned int seed,
                                 const Metropolis_annealing_schedule& schedule = Metropolis_annealing_schedule())
     : schedule_(schedule)

@@ -23,6 +23,22 @@
 
 namespace CGAL::Global_odt_mesh_3::internal {
 
+// How many rounds a search has unless the user says otherwise, of how many iterations, as facets on surfaces follow the vertices
+// only between rounds, and how many of the minimizer follow.
+struct Search_rounds
+{
+  int number, iterations, final_iterations;
+};
+
+inline Search_rounds usual_rounds(const Annealing_schedule& schedule)
+{
+  const auto* metropolis = std::get_if<Metropolis_annealing_schedule>(&schedule);
+  // Two rounds of momentum annealing end with 0.001 (ball) to 0.006 (image of a liver) less of 3r/R, in about four fifths of the
+  // time of the call; eight with up to 0.008 more (elephant), in one and a half times that.
+  return metropolis == nullptr ? Search_rounds{ 4, 50, 20 }
+                               : Search_rounds{ 20, metropolis->iterations_in_round, metropolis->final_iterations };
+}
+
 // Either of the global searches in rounds, between which the triangulation may become another.
 class Global_search
 {
@@ -36,27 +52,6 @@ public:
                                         : Metropolis_annealing_schedule())
     , minimizer_(minimizer_parameters, threads)
   {}
-
-  static int usual_rounds(const Annealing_schedule& schedule)
-  {
-    return std::holds_alternative<Metropolis_annealing_schedule>(schedule) ? int(Metropolis_annealing::usual_rounds)
-                                                                           : usual_rounds_of_momentum;
-  }
-
-  // Facets on surfaces follow the vertices only between rounds.
-  static int iterations_in_round(const Annealing_schedule& schedule)
-  {
-    const auto* metropolis = std::get_if<Metropolis_annealing_schedule>(&schedule);
-    return metropolis != nullptr ? metropolis->iterations_in_round
-                                 : int(iterations_in_round_of_momentum);
-  }
-
-  // Those of the minimizer that follow the search.
-  static int final_iterations(const Annealing_schedule& schedule)
-  {
-    const auto* metropolis = std::get_if<Metropolis_annealing_schedule>(&schedule);
-    return metropolis != nullptr ? metropolis->final_iterations : final_iterations_of_momentum;
-  }
 
   // One round, before which Algorithm 2 goes to a minimum if it is the first. `progress(n)` is the
   // fraction of the search that is behind at iteration n; `begin_iteration()`, asked before each, says whether there may
@@ -84,12 +79,6 @@ public:
   }
 
 private:
-  // Two rounds end with 0.001 (ball) to 0.006 (image of a liver) less of 3r/R, in about four fifths of the time of the call;
-  // eight with up to 0.008 more (elephant), in one and a half times that.
-  static constexpr int usual_rounds_of_momentum = 4;
-  static constexpr int iterations_in_round_of_momentum = 50;
-  static constexpr int final_iterations_of_momentum = 20;
-
   static constexpr int most_initial_iterations = 200;
 
   bool is_metropolis() const { return std::holds_alternative<Metropolis_annealing_schedule>(schedule_); }

@@ -13,7 +13,6 @@
 #include <CGAL/license/Global_odt_mesh_3.h>
 
 #include <CGAL/Global_odt_mesh_3/internal/geometry/Site.h>
-#include <CGAL/Global_odt_mesh_3/internal/geometry/Vector_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/triangulation/Moving_triangulation_3.h>
 
 #include <CGAL/assertions.h>
@@ -53,10 +52,7 @@ struct Tangential_motion
   // The tangential plane says little of the surface farther away.
   void hold_in_disk(Site& s) const { hold_near(position(center), radius, s); }
 
-  Vector_3 tangential_part(const Vector_3& g) const
-  {
-    return g - normal.dot(g) * normal;
-  }
+  Vector_3 tangential_part(const Vector_3& g) const { return g - normal.dot(g) * normal; }
 };
 
 // The energy of a moving triangulation, and perhaps another one, as a function of the coordinates of its
@@ -165,11 +161,36 @@ public:
     is_on_trial_ = false;
   }
 
+  struct Evaluation
+  {
+    double value = 0;
+    Eigen::VectorXd point, gradient, diagonal;
+
+    explicit Evaluation(int vertices) : point(3 * vertices), gradient(3 * vertices), diagonal(3 * vertices) {}
+  };
+
   // The current point with all that belongs to it.
-  struct State;
-  State state() const;
+  struct State
+  {
+    Moving_triangulation_3 mesh;
+    Evaluation evaluation;
+    std::vector<char> frozen;
+    std::vector<int> stops;
+    int number_of_frozen_vertices;
+  };
+
+  State state() const { return { mesh_, current_, frozen_, stops_, number_of_frozen_vertices_ }; }
+
   // Makes it the current point again, whatever has become of it.
-  void go_back(const State& s);
+  void go_back(const State& s)
+  {
+    mesh_.go_back(s.mesh);
+    current_ = s.evaluation;
+    frozen_ = s.frozen;
+    stops_ = s.stops;
+    number_of_frozen_vertices_ = s.number_of_frozen_vertices;
+    keep();
+  }
 
   const Thread_policy& threads() const { return mesh_.threads(); }
   int number_of_vertices() const { return mesh_.number_of_movable_vertices; }
@@ -192,7 +213,6 @@ public:
   }
 
 private:
-
   static constexpr int most_stops = 3;
 
   struct Without_evaluation {};
@@ -210,14 +230,6 @@ private:
       if(motion(v) == nullptr || motion(v)->is_at_rest())
         freeze(v);
   }
-
-  struct Evaluation
-  {
-    double value = 0;
-    Eigen::VectorXd point, gradient, diagonal;
-
-    explicit Evaluation(int vertices) : point(3 * vertices), gradient(3 * vertices), diagonal(3 * vertices) {}
-  };
 
   const Tangential_motion* motion(int v) const
   {
@@ -258,30 +270,6 @@ private:
   bool is_on_trial_ = false;
   bool is_feasible_ = false;
 };
-
-struct Odt_objective_3::State
-{
-  Moving_triangulation_3 mesh;
-  Evaluation evaluation;
-  std::vector<char> frozen;
-  std::vector<int> stops;
-  int number_of_frozen_vertices;
-};
-
-inline Odt_objective_3::State Odt_objective_3::state() const
-{
-  return { mesh_, current_, frozen_, stops_, number_of_frozen_vertices_ };
-}
-
-inline void Odt_objective_3::go_back(const State& s)
-{
-  mesh_.go_back(s.mesh);
-  current_ = s.evaluation;
-  frozen_ = s.frozen;
-  stops_ = s.stops;
-  number_of_frozen_vertices_ = s.number_of_frozen_vertices;
-  keep();
-}
 
 } // namespace CGAL::Global_odt_mesh_3::internal
 

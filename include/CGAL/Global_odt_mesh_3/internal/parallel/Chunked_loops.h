@@ -14,18 +14,12 @@
 
 #include <CGAL/Global_odt_mesh_3/internal/parallel/Thread_policy.h>
 
-#include <CGAL/assertions.h>
-
 #include <boost/config.hpp>
 
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
-#include <cstdlib>
-#include <cstring>
 #include <memory>
-#include <new>
-#include <type_traits>
 #include <vector>
 
 namespace CGAL::Global_odt_mesh_3::internal {
@@ -83,18 +77,16 @@ std::vector<T> collect_in_chunks(int size, const Thread_policy& threads, const F
 // added up in the order of the chunks when they are asked for.
 //
 // All of a chunk's sums lie in one array as long as if it added to all things, so that adding is nearly as fast as to a
-// plain array. Pages that a chunk adds nothing to are neither written nor read, and so take no memory on systems that
-// map memory at its first use; pages in use are zeroed when first written. Zero bytes have to mean an empty sum.
+// plain array. Blocks that a chunk adds nothing to are neither written nor read, and so take no memory on systems that
+// map memory at its first use; the others are zeroed when first written.
 template <class Value>
 class Chunked_sums
 {
-  static_assert(std::is_trivially_copyable<Value>::value, "sums are zeroed as bytes");
+  // In whole cache lines.
+  static constexpr int length_of_block = 16;
+  struct alignas(64) Block { Value values[length_of_block]; };
 
 public:
-  // Pages are zeroed one by one; sums over chunks are formed by blocks of pages.
-  static constexpr int pages_in_block = 8, page_bits = 3, page_length = 1 << page_bits,
-                       block_length = pages_in_block * page_length;
-
   Chunked_sums() {}
 
   // A copy has no sums.
@@ -105,121 +97,131 @@ public:
   class Part
   {
   public:
-    Part(Value* values, bool* is_used) : values_(values), is_used_(is_used) {}
+    Part(Block* blocks, char* is_used) : blocks_(blocks), is_used_(is_used) {}
 
     void add(int n, const Value& value) const
     {
-      if(BOOST_UNLIKELY(!is_used_[n >> page_bits]))
-        begin(n >> page_bits);
-      values_[n] += value;
+      const std::size_t b = std::size_t(n) / length_of_block;
+      if(BOOST_UNLIKELY(!is_used_[b]))
+        begin(b);
+      blocks_[b].values[std::size_t(n) % length_of_block] += value;
     }
 
   private:
-    BOOST_NOINLINE void begin(int page) const
+    BOOST_NOINLINE void begin(std::size_t block) const
     {
-      std::memset(static_cast<void*>(values_ + page * page_length), 0, page_length * sizeof(Value));
-      is_used_[page] = true;
+      blocks_[block] = Block();
+      is_used_[block] = true;
     }
 
-    Value* values_;
-    bool* is_used_;     // for each page
+    Block* blocks_;
+    char* is_used_;
   };
 
   // Nothing is kept when the numbers change.
   void resize(std::size_t size, int number_of_parts)
   {
-    if(size == size_ && number_of_parts == number_of_parts_)
+    if(size == size_ && number_of_parts == this->number_of_parts())
       return;
     size_ = size;
-    number_of_parts_ = number_of_parts;
-    length_ = std::size_t(number_of_blocks()) * block_length;
-    values_ = Memory<Value>(number_of_parts * length_);
-    is_used_ = Memory<bool>(number_of_parts * length_ / page_length);
-    for(int p = 0; p < number_of_parts; ++p)
-      clear(p);
+    parts_ = std::vector<Memory>(number_of_parts);
+    for(Memory& part : parts_)
+    {
+      part.blocks.reset(new Block[number_of_blocks()]);
+      part.is_used.resize(number_of_blocks());
+    }
   }
 
-  int number_of_parts() const { return number_of_parts_; }
-  int number_of_blocks() const { return static_cast<int>((size_ + block_length - 1) / block_length); }
+  int number_of_parts() const { return static_cast<int>(parts_.size()); }
+  int number_of_blocks() const { return static_cast<int>((size_ + length_of_block - 1) / length_of_block); }
 
-  Part part(int p)
-  {
-    CGAL_assertion(0 <= p && p < number_of_parts_);
-    return Part(values_.get() + p * length_, is_used(p));
-  }
+  Part part(int p) { return Part(parts_[p].blocks.get(), parts_[p].is_used.data()); }
 
   // Sets the sums of a part to zero.
-  void clear(int p) { std::memset(is_used(p), 0, length_ / page_length); }
+  void clear(int p) { std::fill(parts_[p].is_used.begin(), parts_[p].is_used.end(), char(false)); }
 
   // Calls f(n, sum) for the numbers n of blocks from `first` to `end`.
   template <class F>
   void for_each_sum(int first, int end, const F& f) const
   {
-    for(int block = first; block < end; ++block)
+    for(int b = first; b < end; ++b)
     {
-      const std::size_t begin = std::size_t(block) * block_length;
-      Value sums[block_length] = {};
-      for(int p = 0; p < number_of_parts_; ++p)
-        for_each_page(is_used(p), block, [&](std::size_t page)
-        {
-          const Value* const values = values_.get() + p * length_ + page * page_length;
-          Value* const s = sums + (page * page_length - begin);
-          for(int i = 0; i < page_length; ++i)
-            s[i] += values[i];
-        });
-      const int length = static_cast<int>((std::min)(size_ - begin, std::size_t(block_length)));
+      Block sums = {};
+      for(const Memory& part : parts_)
+        if(part.is_used[b])
+          for(int i = 0; i < length_of_block; ++i)
+            sums.values[i] += part.blocks[b].values[i];
+      const int begin = b * length_of_block, length = (std::min)(static_cast<int>(size_) - begin, int(length_of_block));
       for(int i = 0; i < length; ++i)
-        f(static_cast<int>(begin) + i, sums[i]);
+        f(begin + i, sums.values[i]);
     }
   }
 
 private:
-  // In whole cache lines.
-  template <class T>
-  class Memory
+  struct Memory
   {
-  public:
-    Memory() {}
-
-    explicit Memory(std::size_t size)
-      : bytes_(std::malloc(size * sizeof(T) + cache_line))
-    {
-      if(bytes_ == nullptr)
-        throw std::bad_alloc();
-    }
-
-    T* get() const
-    {
-      const std::uintptr_t p = reinterpret_cast<std::uintptr_t>(bytes_.get());
-      return reinterpret_cast<T*>((p + cache_line - 1) / cache_line * cache_line);
-    }
-
-  private:
-    static constexpr std::size_t cache_line = 64;
-    struct Free { void operator()(void* p) const { std::free(p); } };
-
-    std::unique_ptr<void, Free> bytes_;
+    std::unique_ptr<Block[]> blocks;
+    std::vector<char> is_used;        // for each block
   };
 
-  bool* is_used(int p) const { return is_used_.get() + p * (length_ / page_length); }
+  std::size_t size_ = 0;
+  std::vector<Memory> parts_;
+};
 
-  // Those of a block that are used, mostly none or all.
-  template <class F>
-  static void for_each_page(const bool* used, int block, const F& f)
+// The numbers below a size, distributed to buckets, in each of which they are in their order.
+class Buckets
+{
+public:
+  Buckets() {}
+
+  // bucket(n) is that of n, or negative if n is in none.
+  template <class Bucket>
+  Buckets(int size, int number_of_buckets, const Bucket& bucket, const Thread_policy& threads)
+    : first_(number_of_buckets + 1, 0)
   {
-    const std::size_t first = std::size_t(block) * pages_in_block;
-    std::uint64_t any;
-    static_assert(sizeof(any) == pages_in_block * sizeof(bool), "a block is looked at as a whole");
-    std::memcpy(&any, used + first, sizeof(any));
-    for(std::size_t page = first; any != 0 && page < first + pages_in_block; ++page)
-      if(used[page])
-        f(page);
+    // At least as long as there are buckets, as each chunk counts for all of them.
+    const Chunks chunks(size, (std::max)(int(least_length), number_of_buckets), most_chunks);
+    std::vector<std::vector<int> > place(chunks.number());      // in each bucket, of the next one of a chunk
+    threads.for_each_chunk(chunks.number(), [&](int k)
+    {
+      place[k].assign(number_of_buckets, 0);
+      for(int n = chunks.begin(k); n < chunks.end(k); ++n)
+        if(const int b = bucket(n); b >= 0)
+          ++place[k][b];
+    });
+    int places = 0;
+    for(int b = 0; b < number_of_buckets; ++b)
+    {
+      first_[b] = places;
+      for(std::vector<int>& p : place)
+      {
+        const int number = p[b];
+        p[b] = places;
+        places += number;
+      }
+    }
+    first_[number_of_buckets] = places;
+    numbers_.resize(places);
+    threads.for_each_chunk(chunks.number(), [&](int k)
+    {
+      for(int n = chunks.begin(k); n < chunks.end(k); ++n)
+        if(const int b = bucket(n); b >= 0)
+          numbers_[place[k][b]++] = n;
+    });
   }
 
-  std::size_t size_ = 0, length_ = 0;     // the length is that of a part, in whole blocks
-  int number_of_parts_ = 0;
-  Memory<Value> values_;
-  Memory<bool> is_used_;
+  int number_of_buckets() const { return static_cast<int>(first_.size()) - 1; }
+
+  // One after the other, the numbers of all buckets, and where those of a bucket are there.
+  const std::vector<int>& numbers() const { return numbers_; }
+  int begin(int bucket) const { return first_[bucket]; }
+  int end(int bucket) const { return first_[bucket + 1]; }
+  int size(int bucket) const { return end(bucket) - begin(bucket); }
+
+private:
+  static constexpr int least_length = 10000, most_chunks = 64;
+
+  std::vector<int> first_, numbers_;
 };
 
 } // namespace CGAL::Global_odt_mesh_3::internal

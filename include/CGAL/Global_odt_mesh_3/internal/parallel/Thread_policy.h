@@ -28,13 +28,13 @@
 #include <array>
 #include <chrono>
 #include <cstdint>
+#include <functional>
 #include <type_traits>
 #include <utility>
 
 namespace CGAL::Global_odt_mesh_3::internal {
 
-// Where the time of a call goes: the seconds that each stage takes, those of stages within it left out, and how many of
-// them are spent in loops that threads share.
+// Where the time of a call goes: the seconds that each stage takes, those of stages within it left out.
 class Stage_clock
 {
 public:
@@ -49,23 +49,14 @@ public:
     return names[stage];
   }
 
-  struct Seconds
-  {
-    double all = 0, in_loops = 0;
-  };
-
-  const Seconds& seconds(int stage) const { return seconds_[stage]; }
+  double seconds(int stage) const { return seconds_[stage]; }
 
   // From here to the end of the scope.
   class In_stage
   {
   public:
     // No clock: nobody wants to know.
-    In_stage(Stage_clock* clock, Stage stage) : clock_(clock), outer_(stage)
-    {
-      if(clock_ != nullptr)
-        outer_ = clock_->enter(stage);
-    }
+    In_stage(Stage_clock* clock, Stage stage) : clock_(clock), outer_(clock != nullptr ? clock->enter(stage) : stage) {}
     ~In_stage()
     {
       if(clock_ != nullptr)
@@ -79,43 +70,20 @@ public:
     Stage outer_;
   };
 
-  class In_loop
-  {
-  public:
-    explicit In_loop(Stage_clock* clock) : clock_(clock)
-    {
-      if(clock_ != nullptr)
-        begin_ = Clock::now();
-    }
-    ~In_loop()
-    {
-      if(clock_ != nullptr)
-        clock_->seconds_[clock_->stage_].in_loops += since(begin_);
-    }
-    In_loop(const In_loop&) = delete;
-    In_loop& operator=(const In_loop&) = delete;
-
-  private:
-    Stage_clock* clock_;
-    std::chrono::steady_clock::time_point begin_;
-  };
-
 private:
   typedef std::chrono::steady_clock Clock;
-
-  static double since(Clock::time_point begin) { return std::chrono::duration<double>(Clock::now() - begin).count(); }
 
   // Gives the stage before.
   Stage enter(Stage stage)
   {
-    seconds_[stage_].all += since(begin_);
-    begin_ = Clock::now();
+    const Clock::time_point begin = std::exchange(begin_, Clock::now());
+    seconds_[stage_] += std::chrono::duration<double>(begin_ - begin).count();
     return std::exchange(stage_, stage);
   }
 
   Stage stage_ = OTHER;
   Clock::time_point begin_ = Clock::now();
-  std::array<Seconds, NUMBER_OF_STAGES> seconds_;
+  std::array<double, NUMBER_OF_STAGES> seconds_ = {};
 };
 
 // Whether loops run on one thread or on those that TBB has for the caller, whose arena and limits they keep to.
@@ -139,7 +107,7 @@ public:
 
   bool is_parallel() const { return is_parallel_; }
 
-  // The same, with loops that tell the time to the clock.
+  // The same, with a clock for the stages of what uses it.
   Thread_policy with(Stage_clock& clock) const
   {
     Thread_policy policy = *this;
@@ -147,7 +115,7 @@ public:
     return policy;
   }
 
-  // What the loops tell the time to, or null.
+  // Or null.
   Stage_clock* clock() const { return clock_; }
 
   // Calls f(n) for the chunks n of a loop, with threads in any order and several at once. What f throws
@@ -155,13 +123,12 @@ public:
   template <class F>
   void for_each_chunk(int number_of_chunks, const F& f) const
   {
-    const Stage_clock::In_loop in_loop(number_of_chunks > 1 ? clock_ : nullptr);
 #ifdef CGAL_LINKED_WITH_TBB
-    run_chunks(number_of_chunks, &f, [](const void* g, int n) { (*static_cast<const F*>(g))(n); });
-#else
+    if(is_parallel_ && number_of_chunks > 1)
+      return run_chunks(number_of_chunks, std::cref(f));
+#endif
     for(int n = 0; n < number_of_chunks; ++n)
       f(n);
-#endif
   }
 
   // Calls f and g, which know nothing of each other, at the same time if there are threads. Only one of them may have loops.
@@ -198,7 +165,6 @@ public:
 #ifdef CGAL_LINKED_WITH_TBB
     if(is_parallel_)
     {
-      const Stage_clock::In_loop in_loop(clock_);
       tbb::parallel_sort(begin, end, less);
       return;
     }
@@ -212,18 +178,15 @@ private:
   static std::uintptr_t context_traits() { return tbb::task_group_context::default_traits | tbb::task_group_context::fp_settings; }
 
   // One function for all loops, as what TBB makes of each takes time to compile.
-  void run_chunks(int number_of_chunks, const void* f, void (*call)(const void*, int)) const
+  static void run_chunks(int number_of_chunks, const std::function<void(int)>& f)
   {
-    const auto run = [f, call](const tbb::blocked_range<int>& chunks)
+    const auto run = [&f](const tbb::blocked_range<int>& chunks)
     {
       for(int n = chunks.begin(); n < chunks.end(); ++n)
-        call(f, n);
+        f(n);
     };
-    const tbb::blocked_range<int> chunks(0, number_of_chunks, 1);
-    if(!is_parallel_ || number_of_chunks == 1)
-      return run(chunks);
     tbb::task_group_context context(tbb::task_group_context::bound, context_traits());
-    tbb::parallel_for(chunks, run, tbb::simple_partitioner(), context);
+    tbb::parallel_for(tbb::blocked_range<int>(0, number_of_chunks, 1), run, tbb::simple_partitioner(), context);
   }
 #endif
 

@@ -145,13 +145,8 @@ private:
     // On the convex hull, the outer pole is at infinity.
     Vector_3 axis = outward_normal(tr, star);
     if(axis == NULL_VECTOR)
-    {
-      const Cell_handle c = farthest(tr, sample, star, [](const Vector_3&) { return true; });
-      add(tr, c);
-      if(c != Cell_handle())
-        axis = tr.dual(c) - sample;
-    }
-    add(tr, farthest(tr, sample, star, [&axis](const Vector_3& x) { return x * axis < 0; }));
+      axis = add_farthest(tr, sample, star, [](const Vector_3&) { return true; });
+    add_farthest(tr, sample, star, [&axis](const Vector_3& x) { return x * axis < 0; });
   }
 
   // The sum of the normals of the convex hull's facets; the null vector inside.
@@ -169,37 +164,35 @@ private:
     return sum;
   }
 
+  // Gives the vector from the sample to the farthest dual point on a side, or the null vector if there is none.
   template <class Side>
-  static Cell_handle farthest(const Triangulation& tr, const Point_3& sample, const std::vector<Cell_handle>& star,
-                              const Side& is_on_side)
+  Vector_3 add_farthest(const Triangulation& tr, const Point_3& sample, const std::vector<Cell_handle>& star, const Side& is_on_side)
   {
-    Cell_handle result;
-    double largest = -1;
+    Cell_handle farthest;
+    Vector_3 way = NULL_VECTOR;
     for(Cell_handle c : star)
     {
       if(tr.is_infinite(c))
         continue;
       const Vector_3 x = tr.dual(c) - sample;
-      if(x.squared_length() > largest && is_on_side(x))
+      if(is_on_side(x) && (farthest == Cell_handle() || x.squared_length() > way.squared_length()))
       {
-        largest = x.squared_length();
-        result = c;
+        way = x;
+        farthest = c;
       }
     }
-    return result;
+    if(farthest != Cell_handle() && sees_samples_apart(tr, farthest))
+      poles_.push_back(tr.dual(farthest));
+    return way;
   }
 
-  void add(const Triangulation& tr, Cell_handle c)
+  static bool sees_samples_apart(const Triangulation& tr, Cell_handle c)
   {
-    if(c == Cell_handle())
-      return;
-    const Point_3 center = tr.dual(c);
     double widest = 0;
     for(int i = 0; i < 3; ++i)
       for(int j = i + 1; j < 4; ++j)
         widest = (std::max)(widest, CGAL::squared_distance(tr.point(c, i).point(), tr.point(c, j).point()));
-    if(widest >= CGAL::squared_distance(center, tr.point(c, 0).point()))
-      poles_.push_back(center);
+    return widest >= CGAL::squared_distance(tr.dual(c), tr.point(c, 0).point());
   }
 
   std::vector<Point_3> poles_;

@@ -14,7 +14,6 @@
 
 #include <CGAL/Global_odt_mesh_3/internal/geometry/Cell_geometry_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/geometry/Site.h>
-#include <CGAL/Global_odt_mesh_3/internal/geometry/Vector_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/geometry/Vertex_tuples.h>
 #include <CGAL/Global_odt_mesh_3/internal/interface/Domain_view_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/interface/Mesh_view_3.h>
@@ -179,17 +178,14 @@ public:
   std::vector<Violation> violations(const Mesh_table_3& mesh) const
   {
     std::vector<Violation> result;
-    const auto add = [&result](double excess, const Violation& v)
+    const auto add = [&result](const Violation& v)
     {
-      if(excess > 1 + tolerance)
+      if(v.excess > 1 + tolerance)
         result.push_back(v);
     };
     for(const Mesh_table_3::Cell& c : mesh.cells)
       if(c.label != Domain_view_3::outside)
-      {
-        const double excess = std::sqrt(squared_circumradius(mesh.cell_sites(c.vertices)) / squared_bound(mesh, c));
-        add(excess, { excess, c.vertices });
-      }
+        add({ std::sqrt(squared_circumradius(mesh.cell_sites(c.vertices)) / squared_bound(mesh, c)), c.vertices });
     for(const Mesh_table_3::Facet& f : mesh.facets)
     {
       const double excess = field_ || facet_radius_ == 0 ? 0 : facet_radius(mesh, f) / facet_radius_;
@@ -198,8 +194,8 @@ public:
       if(c.vertices < mesh.cells[c.neighbors[f.index]].vertices)
         continue;
       const bool is_inside = c.label != Domain_view_3::outside;
-      add(excess, is_inside ? Violation{ excess, c.vertices, f.index }
-                            : Violation{ excess, mesh.cells[c.neighbors[f.index]].vertices, mesh.mirror_index(f.cell, f.index) });
+      add(is_inside ? Violation{ excess, c.vertices, f.index }
+                    : Violation{ excess, mesh.cells[c.neighbors[f.index]].vertices, mesh.mirror_index(f.cell, f.index) });
     }
     std::sort(result.begin(), result.end());
     return result;
@@ -208,15 +204,9 @@ public:
 private:
   static constexpr double tolerance = 1e-6;
 
-  static Triple vertices(const Mesh_table_3& m, const Mesh_table_3::Facet& f)
-  {
-    const Quadruple& q = m.cells[f.cell].vertices;
-    return {{ q[(f.index + 1) % 4], q[(f.index + 2) % 4], q[(f.index + 3) % 4] }};
-  }
-
   static double facet_radius(const Mesh_table_3& m, const Mesh_table_3::Facet& f)
   {
-    const Triple t = vertices(m, f);
+    const Triple t = facet_vertices(m.cells[f.cell].vertices, f.index);
     const Vector_3 a = position(m.sites[t[1]]) - position(m.sites[t[0]]), b = position(m.sites[t[2]]) - position(m.sites[t[0]]);
     return a.length() * b.length() * (a - b).length() / (2 * a.cross(b).length());
   }

@@ -19,19 +19,16 @@
 
 #include <Eigen/Core>
 
-#include <boost/math/interpolators/cardinal_cubic_b_spline.hpp>
-
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <string>
 #include <vector>
 
 namespace CGAL::Global_odt_mesh_3::internal {
 
-// The tensor product of C2 cubic splines that interpolates values on a grid.
-//
-// At each node the spline and its mixed derivatives of order one in each variable are stored, in units
-// of nodes. They determine the spline in each box of eight nodes, as its Hermite interpolant.
+// The tensor product of C2 cubic splines that interpolates values on a grid, by its coefficients in the basis of B-splines, one
+// for each node and for those of a layer around the grid.
 class Tricubic_spline_3
 {
 public:
@@ -53,35 +50,15 @@ public:
     {
       for(int axis = 0; axis < 3; ++axis)
       {
-        CGAL_GLOBAL_ODT_MESH_3_CHECK_PARAMETER(nodes[axis] >= fewest_nodes, too_few_nodes(axis));
-        CGAL_GLOBAL_ODT_MESH_3_CHECK_PARAMETER(high[axis] > low[axis] && std::isfinite(high[axis] - low[axis]), bad_extent(axis));
+        const std::string along = std::string(" along ") + "xyz"[axis];
+        CGAL_GLOBAL_ODT_MESH_3_CHECK_PARAMETER(nodes[axis] >= fewest_nodes,
+                                               ("Spline_grid_field_3: fewer than 5 nodes" + along).c_str());
+        CGAL_GLOBAL_ODT_MESH_3_CHECK_PARAMETER(high[axis] > low[axis] && std::isfinite(high[axis] - low[axis]),
+                                               ("Spline_grid_field_3: the box is empty or not finite" + along).c_str());
       }
     }
 
-    static const char* too_few_nodes(int axis)
-    {
-      return axis == 0 ? "Spline_grid_field_3: fewer than 5 nodes along x"
-           : axis == 1 ? "Spline_grid_field_3: fewer than 5 nodes along y"
-                       : "Spline_grid_field_3: fewer than 5 nodes along z";
-    }
-
-    static const char* bad_extent(int axis)
-    {
-      return axis == 0 ? "Spline_grid_field_3: the box is empty or not finite along x"
-           : axis == 1 ? "Spline_grid_field_3: the box is empty or not finite along y"
-                       : "Spline_grid_field_3: the box is empty or not finite along z";
-    }
-
-    std::size_t number_of_nodes() const { return stride(3); }
-
-    // From a node to the next one along an axis.
-    std::size_t stride(int axis) const
-    {
-      std::size_t n = 1;
-      for(int a = 0; a < axis; ++a)
-        n *= static_cast<std::size_t>(nodes[a]);
-      return n;
-    }
+    std::size_t number_of_nodes() const { return nodes.cast<std::size_t>().prod(); }
 
     double coordinate(int axis, int i) const
     {
@@ -91,7 +68,6 @@ public:
 
   Tricubic_spline_3(const Grid& grid, const std::vector<double>& values)
     : grid_(grid)
-    , data_(values.size())
   {
     CGAL_GLOBAL_ODT_MESH_3_CHECK_PARAMETER(values.size() == grid.number_of_nodes(),
                                            "Spline_grid_field_3: the number of values is not the product of the numbers of nodes");
@@ -99,19 +75,22 @@ public:
                                            "Spline_grid_field_3: a value is not finite");
     for(int axis = 0; axis < 3; ++axis)
       scale_[axis] = (grid.nodes[axis] - 1) / (grid.high[axis] - grid.low[axis]);
-    for(std::size_t n = 0; n < values.size(); ++n)
-      data_[n][0] = values[n];
-    // Linear operators in different variables commute, so the order does not matter.
+    coefficients_ = Eigen::VectorXd::Zero(stride(3));
+    auto value = values.begin();
+    for(int k = 0; k < grid.nodes[2]; ++k)
+      for(int j = 0; j < grid.nodes[1]; ++j, value += grid.nodes[0])
+        std::copy(value, value + grid.nodes[0], coefficients_.data() + place(1, j + 1, k + 1));
     for(int axis = 0; axis < 3; ++axis)
-      for(int derivative = 0; derivative < 1 << axis; ++derivative)
-        differentiate(axis, derivative, derivative | 1 << axis);
+      for(std::ptrdiff_t start = 0; start < coefficients_.size(); ++start)
+        if(start / stride(axis) % (grid.nodes[axis] + 2) == 0)
+          fit(coefficients_.data() + start, stride(axis), grid.nodes[axis]);
   }
 
   // Points outside of the box are moved to the closest point of it.
   double value(const Triple& p) const
   {
     const Position q = locate(p);
-    return combine(q.node, values(q.t));
+    return combine(q, values(q.t));
   }
 
   Triple gradient(const Triple& p) const
@@ -122,7 +101,7 @@ public:
     {
       Weights w = values(q.t);
       w.col(axis) = slopes(q.t[axis]);
-      g[axis] = q.is_clamped[axis] ? 0 : scale_[axis] * combine(q.node, w);
+      g[axis] = q.is_clamped[axis] ? 0 : scale_[axis] * combine(q, w);
     }
     return g;
   }
@@ -133,24 +112,20 @@ public:
   }
 
 private:
-  // The bits of the index: in x, y, and z.
-  typedef Eigen::Array<double, 8, 1> Derivatives;
-
-  // Factors of value and derivative at the lower end of an interval, and of those at the upper one.
-  typedef Eigen::Vector4d Hermite;
-  typedef Eigen::Matrix<double, 4, 3> Weights;      // of the three axes
+  typedef Eigen::Vector4d Basis;                // the four B-splines that are not zero, or their slopes
+  typedef Eigen::Matrix<double, 4, 3> Weights;  // of the three axes
 
   struct Position
   {
-    std::size_t node;                   // the lowest of the box
+    Eigen::Vector3i node;               // the lowest of the box
     Triple t;                           // in [0, 1]
     Eigen::Array<bool, 3, 1> is_clamped;
   };
 
-  static Hermite values(double t)
+  static Basis values(double t)
   {
     const double s = 1 - t;
-    return { (1 + 2 * t) * s * s, t * s * s, t * t * (3 - 2 * t), -t * t * s };
+    return Basis(s * s * s, 4 - 3 * t * t * (1 + s), 4 - 3 * s * s * (1 + t), t * t * t) / 6;
   }
 
   static Weights values(const Triple& t)
@@ -160,74 +135,75 @@ private:
     return w;
   }
 
-  static Hermite slopes(double t)
+  static Basis slopes(double t)
   {
     const double s = 1 - t;
-    return { -6 * t * s, s * (1 - 3 * t), 6 * t * s, t * (3 * t - 2) };
+    return Basis(-s * s, t * (3 * t - 4), s * (4 - 3 * s), t * t) / 2;
   }
 
   Position locate(const Triple& p) const
   {
     Position q;
-    q.node = 0;
     for(int axis = 0; axis < 3; ++axis)
     {
       const double u = (p[axis] - grid_.low[axis]) * scale_[axis], last = grid_.nodes[axis] - 1;
       // What is not a number goes to the lower face.
       const double inside = u > 0 ? (std::min)(u, last) : 0;
-      const int i = (std::min)(static_cast<int>(inside), grid_.nodes[axis] - 2);
-      q.node += static_cast<std::size_t>(i) * grid_.stride(axis);
-      q.t[axis] = inside - i;
+      q.node[axis] = (std::min)(static_cast<int>(inside), grid_.nodes[axis] - 2);
+      q.t[axis] = inside - q.node[axis];
       q.is_clamped[axis] = p[axis] < grid_.low[axis] || p[axis] > grid_.high[axis];
     }
     return q;
   }
 
-  double combine(std::size_t node, const Weights& w) const
+  double combine(const Position& q, const Weights& w) const
   {
     double sum = 0;
-    for(int up = 0; up < 2; ++up)
-      for(int back = 0; back < 2; ++back)
-      {
-        const std::size_t n = node + (up == 0 ? 0 : grid_.stride(2)) + (back == 0 ? 0 : grid_.stride(1));
-        const Derivatives& left = data_[n];
-        const Derivatives& right = data_[n + 1];
-        const auto along_x = [&](int d)
-        { return w(0, 0) * left[d] + w(1, 0) * left[d + 1] + w(2, 0) * right[d] + w(3, 0) * right[d + 1]; };
-        const auto along_y = [&](int d) { return w(2 * back, 1) * along_x(d) + w(2 * back + 1, 1) * along_x(d + 2); };
-        sum += w(2 * up, 2) * along_y(0) + w(2 * up + 1, 2) * along_y(4);
-      }
+    for(int k = 0; k < 4; ++k)
+      for(int j = 0; j < 4; ++j)
+        sum += w(k, 2) * w(j, 1) * w.col(0).dot(coefficients_.segment<4>(place(q.node[0], q.node[1] + j, q.node[2] + k)));
     return sum;
   }
 
-  void differentiate(int axis, int from, int to)
+  std::ptrdiff_t place(int i, int j, int k) const { return i + j * stride(1) + k * stride(2); }
+
+  // From a coefficient to the next one along an axis.
+  std::ptrdiff_t stride(int axis) const
   {
-    const std::size_t stride = grid_.stride(axis), length = static_cast<std::size_t>(grid_.nodes[axis]);
-    std::vector<double> line(length);
-    for(std::size_t start = 0; start < data_.size(); ++start)
+    std::ptrdiff_t n = 1;
+    for(int a = 0; a < axis; ++a)
+      n *= grid_.nodes[a] + 2;
+    return n;
+  }
+
+  // Along a line, values c[1] to c[n] become coefficients c[0] to c[n + 1]: at node i, the spline is (c[i-1] + 4 c[i] + c[i+1])/6,
+  // and its slope (c[i+1] - c[i-1])/2, which is given at the ends.
+  static void fit(double* line, std::ptrdiff_t stride, int n)
+  {
+    const auto c = [=](int i) -> double& { return line[i * stride]; };
+    const double low = end_slope([&](int i) { return c(1 + i); }), high = -end_slope([&](int i) { return c(n - i); });
+    c(1) += low / 3;
+    c(n) -= high / 3;
+    Eigen::VectorXd above = Eigen::VectorXd::Zero(n + 1);     // the diagonal, in the elimination of Gauss
+    for(int i = 1; i <= n; ++i)
     {
-      if(start / stride % length != 0)
-        continue;
-      for(std::size_t i = 0; i < length; ++i)
-        line[i] = data_[start + i * stride][from];
-      // Some versions of Boost get the derivative at the upper end wrong when it is left to them.
-      const boost::math::interpolators::cardinal_cubic_b_spline<double>
-        spline(line.data(), length, 0., 1., end_slope(line.begin()), -end_slope(line.rbegin()));
-      for(std::size_t i = 0; i < length; ++i)
-        data_[start + i * stride][to] = spline.prime(double(i));
+      const double left = i == 1 ? 0 : i == n ? 2 : 1, right = i == 1 ? 2 : 1, pivot = 4 - left * above[i - 1];
+      above[i] = right / pivot;
+      c(i) = (6 * c(i) - left * c(i - 1)) / pivot;
     }
+    for(int i = n - 1; i >= 1; --i)
+      c(i) -= above[i] * c(i + 1);
+    c(0) = c(2) - 2 * low;
+    c(n + 1) = c(n - 1) + 2 * high;
   }
 
   // Of fourth order, so that cubic polynomials are reproduced and the spline is as accurate at the ends as elsewhere.
-  template <class Iterator>
-  static double end_slope(Iterator f)
-  {
-    return (-25 * f[0] + 48 * f[1] - 36 * f[2] + 16 * f[3] - 3 * f[4]) / 12;
-  }
+  template <class Values>
+  static double end_slope(const Values& f) { return (-25 * f(0) + 48 * f(1) - 36 * f(2) + 16 * f(3) - 3 * f(4)) / 12; }
 
   Grid grid_;
   Triple scale_;
-  std::vector<Derivatives> data_;
+  Eigen::VectorXd coefficients_;
 };
 
 } // namespace CGAL::Global_odt_mesh_3::internal

@@ -12,7 +12,6 @@
 
 #include <CGAL/license/Global_odt_mesh_3.h>
 
-#include <CGAL/Global_odt_mesh_3/internal/parallel/Buckets.h>
 #include <CGAL/Global_odt_mesh_3/internal/parallel/Chunked_loops.h>
 #include <CGAL/Global_odt_mesh_3/internal/parallel/Thread_policy.h>
 #include <CGAL/Global_odt_mesh_3/internal/triangulation/Indexed_triangulation_3.h>

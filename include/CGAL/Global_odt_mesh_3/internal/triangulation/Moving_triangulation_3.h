@@ -146,9 +146,6 @@ public:
   void set_quadrature(Density_quadrature_3* quadrature) { choice_.set_quadrature(quadrature); }
   Density_quadrature_3* quadrature() const { return choice_.quadrature(); }
 
-  // Instead of the energy of the optimal Delaunay triangulation, that of the centroidal Voronoi tessellation.
-  void set_voronoi_energy(bool is_voronoi) { choice_.set_voronoi(is_voronoi); }
-
   // One thread, unless this is called. What comes out does not depend on them.
   void set_threads(const Thread_policy& threads) { threads_ = threads; }
   const Thread_policy& threads() const { return threads_; }
@@ -232,8 +229,6 @@ public:
       return false;
     const bool is_regular = make_regular();
     CGAL_expensive_assertion(topology.is_valid());
-    if(!choice_.is_polynomial())
-      pass();
     return is_regular;
   }
 
@@ -268,11 +263,9 @@ private:
     pass_.lists(inverted_, irregular_);
   }
 
-  // Adds (or, with sign -1, removes) what a cell contributes. Energies with poles are left to a pass over the regular mesh.
+  // Adds (or, with sign -1, removes) what a cell contributes.
   void add_cell(int cell, int sign)
   {
-    if(!choice_.is_polynomial())
-      return;
     const int* const v = topology.vertices(cell);
     choice_.visit([&](auto energy)
     {
