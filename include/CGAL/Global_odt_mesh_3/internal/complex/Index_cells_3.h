@@ -26,6 +26,23 @@
 
 namespace CGAL::Global_odt_mesh_3::internal {
 
+// Puts sides of constrained facets in the place of neighbors of these slots; gives the number of facets.
+inline std::size_t number_constrained_facets(const std::vector<int>& slots, std::vector<int>& neighbors)
+{
+  int number = 0;
+  for(int s : slots)
+  {
+    const Half_facet across(neighbors[s]);
+    if(!across.is_none() && across.id() < s)
+      continue;
+    neighbors[s] = Half_facet::side(number, 0).id();
+    if(!across.is_none())
+      neighbors[across.id()] = Half_facet::side(number, 1).id();
+    ++number;
+  }
+  return number;
+}
+
 // Lays out the cells inside of subdomains, in an order that depends on their vertices alone. Facets between two labels are
 // constrained, as are those that `stay(f)`, asked from both sides.
 template <class Stay>
@@ -53,7 +70,7 @@ void index_cells(const Labelled_triangulation_3& tr, const Stay& stay, const Thr
     return Half_facet(n, i);
   };
   std::vector<int> neighbors(order.vertices().size());
-  std::vector<int> constrained = collect_in_chunks(order.number_of_cells(), threads, [&](int n, std::vector<int>& found)
+  const std::vector<int> constrained = collect_in_chunks(order.number_of_cells(), threads, [&](int n, std::vector<int>& found)
   {
     const int c = cells[order.number(n)];
     for(int k = 0; k < 4; ++k)
@@ -65,19 +82,9 @@ void index_cells(const Labelled_triangulation_3& tr, const Stay& stay, const Thr
         found.push_back(slot.id());
     }
   });
-  int sides = 0;
-  for(int s : constrained)
-  {
-    const Half_facet across(neighbors[s]);
-    if(!across.is_none() && across.id() < s)
-      continue;
-    neighbors[s] = Half_facet::side(sides, 0).id();
-    if(!across.is_none())
-      neighbors[across.id()] = Half_facet::side(sides, 1).id();
-    ++sides;
-  }
+  const std::size_t facets = number_constrained_facets(constrained, neighbors);
   indexed = Indexed_triangulation_3();
-  indexed.assign(order.take_vertices(), std::move(neighbors), tr.sites().size(), 2 * static_cast<std::size_t>(sides));
+  indexed.assign(order.take_vertices(), std::move(neighbors), tr.sites().size(), 2 * facets);
 }
 
 } // namespace CGAL::Global_odt_mesh_3::internal
