@@ -55,7 +55,7 @@ public:
   Tabulated_mesh_3(User_mesh_view_3& input, const Thread_policy& threads)
     : input_(input)
   {
-    set_state({ input.read(threads) });
+    state_ = { input.read(threads) };
     feature_edges_ = input.feature_edges();
     number_of_input_vertices_ = static_cast<int>(table().sites.size());
   }
@@ -72,7 +72,7 @@ public:
   bool is_changed() const { return state_.is_changed; }
 
   // To what it was once.
-  void return_to(State state) { set_state(std::move(state)); }
+  void return_to(State state) { state_ = std::move(state); }
 
   Mesh_table_3 read(const Thread_policy&) override { return table(); }
 
@@ -81,7 +81,6 @@ public:
 
   bool is_fixed(int v) const override { return v < number_of_input_vertices_ && input_.is_fixed(v); }
 
-  bool is_cell(const Quadruple& q) const override { return cells_.find(sorted(q)) != nullptr; }
 
   // The places of those that have been inserted before stay.
   void write(const Mesh_table_3& table) override
@@ -102,24 +101,14 @@ public:
     }
     std::sort(next.facets.begin(), next.facets.end(), [](const Mesh_table_3::Facet& a, const Mesh_table_3::Facet& b)
               { return std::make_pair(a.cell, a.index) < std::make_pair(b.cell, b.index); });
-    set_state({ std::move(next), true });
+    state_ = { std::move(next), true };
   }
 
 private:
-  void set_state(State state)
-  {
-    state_ = std::move(state);
-    cells_ = Tuple_table<Quadruple, int>();
-    cells_.reserve(table().cells.size());
-    for(const Mesh_table_3::Cell& c : table().cells)
-      cells_.insert(sorted(c.vertices), c.label);
-  }
-
   User_mesh_view_3& input_;
   State state_;
   std::vector<std::array<int, 2> > feature_edges_;
   int number_of_input_vertices_ = 0;
-  Tuple_table<Quadruple, int> cells_;
 };
 
 // Inserts vertices into a mesh, or removes them, as a stage of its own.

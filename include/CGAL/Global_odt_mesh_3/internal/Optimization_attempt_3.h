@@ -35,12 +35,12 @@
 #include <CGAL/Mesh_optimization_report_3.h>
 #include <CGAL/Mesh_optimization_return_code.h>
 
-#include <algorithm>
 #include <cstddef>
 #include <functional>
 #include <limits>
 #include <memory>
 #include <utility>
+#include <vector>
 
 namespace CGAL::Global_odt_mesh_3::internal {
 

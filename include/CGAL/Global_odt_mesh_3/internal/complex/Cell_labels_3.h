@@ -15,7 +15,6 @@
 #include <CGAL/Global_odt_mesh_3/internal/complex/Complex_candidate_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/complex/Complex_snapshot_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/complex/Defect_report_3.h>
-#include <CGAL/Global_odt_mesh_3/internal/complex/Exact_triangulation_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/geometry/Cell_geometry_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/geometry/Site.h>
 #include <CGAL/Global_odt_mesh_3/internal/interface/Domain_view_3.h>
@@ -137,11 +136,15 @@ private:
     const Quadruple& q = triangulation_.vertices(c);
     triangulation_.set_label(c, found.label);
     // What was wrong in the input may stay so.
-    if(!found.has_several_labels && candidate_.has_way_back && candidate_.numbering.is_input_cell(q, candidate_.sites))
+    if(!found.has_several_labels && candidate_.has_way_back && is_input_cell(q))
       triangulation_.set_flag(c, IS_LABELLED);
     else
       report.revert_or_retreat(q, found.has_several_labels ? centroid(sorted(q)) : dual_point(sorted(q)));
   }
+
+  // One that is left in the snapshot.
+  bool is_input_cell(const Quadruple& q) const
+  { return candidate_.numbering.are_at_input(q, candidate_.sites) && candidate_.snapshot.triangulation.find_cell(q) >= 0; }
 
   // In that order of the vertices.
   Vector_3 dual_point(const Quadruple& q) const { return position(candidate_.sites[q[0]]) + products(q).to_dual(); }

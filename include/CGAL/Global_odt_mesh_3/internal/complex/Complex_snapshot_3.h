@@ -12,8 +12,8 @@
 
 #include <CGAL/license/Global_odt_mesh_3.h>
 
-#include <CGAL/Global_odt_mesh_3/internal/geometry/Cell_geometry_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/complex/Labelled_triangulation_3.h>
+#include <CGAL/Global_odt_mesh_3/internal/geometry/Cell_geometry_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/geometry/Site.h>
 #include <CGAL/Global_odt_mesh_3/internal/geometry/Vector_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/geometry/Vertex_tuples.h>
@@ -27,9 +27,7 @@
 
 #include <algorithm>
 #include <cstddef>
-#include <map>
 #include <memory>
-#include <set>
 #include <vector>
 
 namespace CGAL::Global_odt_mesh_3::internal {
@@ -132,13 +130,6 @@ struct Vertex_numbering_3
   {
     const Input_cell* const c = input_boundary_cells.find(sorted(q));
     return c != nullptr && are_at_input(q, sites) ? c : nullptr;
-  }
-
-  // Whether there is one, on the boundary or not. Threads must not ask.
-  bool is_input_cell(const Quadruple& q, const std::vector<Site>& sites) const
-  {
-    return are_at_input(q, sites)
-           && input->is_cell({{ input_numbers[q[0]], input_numbers[q[1]], input_numbers[q[2]], input_numbers[q[3]] }});
   }
 };
 

@@ -91,7 +91,6 @@ public:
     return true;
   }
 
-
   void apply(Editable_complex_3& complex) const { complex.boundary.exchange(removed_, added_); }
 
 private:

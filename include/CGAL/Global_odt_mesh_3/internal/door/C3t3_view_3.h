@@ -140,12 +140,6 @@ public:
 
   int patch(int vertex) const override { return domain_.patch_at(vertices_[vertex]->index()); }
 
-  bool is_cell(const Quadruple& v) const override
-  {
-    Cell_handle c;
-    return c3t3_.triangulation().is_cell(vertices_[v[0]], vertices_[v[1]], vertices_[v[2]], vertices_[v[3]], c);
-  }
-
   bool is_changed() const override { return is_changed_; }
   bool keeps_cells() const override { return constraints_.has_cells(); }
 

@@ -26,7 +26,6 @@
 #include <limits>
 #include <map>
 #include <numeric>
-#include <utility>
 #include <vector>
 
 namespace CGAL::Global_odt_mesh_3::internal {

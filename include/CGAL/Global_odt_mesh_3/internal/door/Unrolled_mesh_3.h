@@ -82,7 +82,6 @@ public:
   Mesh_table_3 read(const Thread_policy&) override { return table_; }
   int patch(int v) const override { return complex_.patches[original_[v]]; }
   bool is_fixed(int v) const override { return static_cast<std::size_t>(v) >= size_ || !is_movable_[v]; }
-  bool is_cell(const Quadruple& v) const override { return cells_.find(sorted(v)) != nullptr; }
   std::vector<std::array<int, 2> > feature_edges() const override { return {}; }
 
   void write(const Mesh_table_3& table) override
@@ -208,7 +207,6 @@ private:
     const std::vector<typename Triangulation::Cell_handle> cells = all_cells(tr);
     for(std::size_t n = 0; n < cells.size(); ++n)
       cells[n]->info() = static_cast<int>(n);
-    cells_.reserve(cells.size());
     for(typename Triangulation::Cell_handle c : cells)
     {
       Mesh_table_3::Cell cell;
@@ -218,7 +216,6 @@ private:
         cell.neighbors[i] = c->neighbor(i)->info();
       }
       cell.label = Domain_view_3::outside;
-      cells_.insert(sorted(cell.vertices), c->info());
       table_.cells.push_back(cell);
     }
     is_faithful_ = label_cells();
@@ -303,7 +300,6 @@ private:
   std::vector<int> original_;               // of which vertices are copies
   std::vector<Periods> periods_;            // from these
   Mesh_table_3 table_;
-  Tuple_table<Quadruple, int> cells_;
   std::vector<Site> moved_;
   std::vector<int> vertices_of_large_cells_;
   bool is_faithful_ = false;

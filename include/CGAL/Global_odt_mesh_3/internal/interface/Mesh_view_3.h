@@ -136,9 +136,6 @@ public:
   // Whether a vertex stays, whatever surrounds it: on a feature or with a weight, or because the user wants it so.
   virtual bool is_fixed(int vertex) const = 0;
 
-  // Not to be asked by several threads, as CGAL marks cells while it looks.
-  virtual bool is_cell(const Quadruple& vertices) const = 0;
-
   // Of a table for the same vertices, some of which are removed, and those that have been inserted; nothing has changed if that
   // throws.
   virtual void write(const Mesh_table_3& table) = 0;

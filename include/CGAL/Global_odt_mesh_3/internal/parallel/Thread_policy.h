@@ -27,7 +27,6 @@
 #include <algorithm>
 #include <array>
 #include <chrono>
-#include <cstdint>
 #include <functional>
 #include <type_traits>
 #include <utility>
