@@ -40,7 +40,7 @@ struct Opened_complex
   // To be called once.
   const C3t3& write()
   {
-    input.write(Snapshot_tabulation_3(complex.snapshot(), complex.snapshot().triangulation, Thread_policy())());
+    input.write(Snapshot_tabulation_3(complex.snapshot(), Thread_policy())());
     return c3t3;
   }
 };

@@ -200,7 +200,7 @@ void complexes(const std::string& name, const C3t3& c3t3, const Domain& domain, 
     for(const Complex_snapshot_3* s : { &a, &b })
       for(int c : s->triangulation.cells())
         labels[s == &b].emplace(sorted(s->triangulation.vertices(c)), s->triangulation.label(c));
-    check::that(a.has_positions(b.sites) && labels[0] == labels[1], name, ": the complexes have other cells");
+    check::that(a.has_positions(b.sites()) && labels[0] == labels[1], name, ": the complexes have other cells");
     std::set<std::array<int, 3> > facets[2];
     for(const Boundary_facet& f : a.boundary.complex().facets())
       facets[0].insert(sorted(f.vertices));

@@ -421,7 +421,7 @@ struct Candidate_at_rest
     : Opened_complex(from, of, true)
   {
     const odt::Complex_snapshot_3& snapshot = complex.snapshot();
-    candidate = std::make_unique<odt::Complex_candidate_3>(snapshot, snapshot.sites, true, true, odt::Thread_policy());
+    candidate = std::make_unique<odt::Complex_candidate_3>(snapshot, snapshot.sites(), true, true, odt::Thread_policy());
     candidate->build(nullptr);
   }
 };
@@ -476,7 +476,7 @@ static void missed_surface_centers(const Ellipsoid_domain& domain, const Ellipso
   // One between finite cells.
   const odt::Labelled_triangulation_3& tr = snapshot.triangulation;
   const odt::Surface_center_search_3 search(tr, at_rest.domain);
-  const std::vector<odt::Half_facet> facets = odt::find_boundary_facets(snapshot, tr, odt::Thread_policy());
+  const std::vector<odt::Half_facet> facets = odt::find_boundary_facets(snapshot, odt::Thread_policy());
   const auto is_inside = [&](odt::Half_facet f) { return !tr.is_infinite(f.cell()) && !tr.is_infinite(tr.mirror(f).cell()); };
   const std::size_t facet = std::find_if(facets.begin(), facets.end(), is_inside) - facets.begin();
   check::that(facet < facets.size(), "there is no facet between finite cells");

@@ -106,7 +106,7 @@ static std::vector<double> contents(Complex_updater_3& complex)
   const Complex_snapshot_3& snapshot = complex.snapshot();
   const Labelled_triangulation_3& tr = snapshot.triangulation;
   std::vector<double> c = { double(snapshot.is_input) };
-  for(const Site& s : snapshot.sites)
+  for(const Site& s : snapshot.sites())
     c.insert(c.end(), { s.x, s.y, s.z, s.weight });
   for(const auto& center : snapshot.centers)
     c.insert(c.end(), { center.point[0], center.point[1], center.point[2], double(center.is_exact) });
@@ -120,7 +120,7 @@ static std::vector<double> contents(Complex_updater_3& complex)
   }
   for(const auto& cell : labelled_cells(tr))
     c.insert(c.end(), cell.begin(), cell.end());
-  for(Half_facet f : find_boundary_facets(snapshot, tr, Thread_policy()))
+  for(Half_facet f : find_boundary_facets(snapshot, Thread_policy()))
     for(Half_facet g : { f, tr.mirror(f) })
     {
       const Triple vertices = tr.facet_vertices(g);
@@ -134,7 +134,7 @@ static std::vector<double> contents(Complex_updater_3& complex)
 static std::vector<Site> displaced(const Complex_snapshot_3& snapshot, double amount, unsigned int seed)
 {
   Random_source random(seed);
-  std::vector<Site> sites = snapshot.sites;
+  std::vector<Site> sites = snapshot.sites();
   for(int v = 0; v < snapshot.numbering->number_of_movable_vertices; ++v)
   {
     Vector_3 by = amount * random.uniform() * random.direction();
@@ -195,7 +195,7 @@ static void misleading_planes()
   const std::vector<Site> target = displaced(opened->complex.snapshot(), 1e-7, 1);
   check::that(opened->complex.advance(target, false), "a tiny displacement leads to no valid complex");
   for(int v = 0; v < opened->complex.snapshot().numbering->number_of_interior_vertices; ++v)
-    check::that(same_place(opened->complex.snapshot().sites[v], target[v]), "vertex ", v, " has gone back without need");
+    check::that(same_place(opened->complex.snapshot().sites()[v], target[v]), "vertex ", v, " has gone back without need");
 }
 
 // A snapshot whose trials are given up, or have moved nothing, is as it was: the triangulation that it has lent is found again, with its

@@ -108,7 +108,7 @@ public:
     mesh_ = Moving_triangulation_3();
     if(complex_.snapshot().is_input)
       return true;
-    const Mesh_table_3 table = Snapshot_tabulation_3(complex_.snapshot(), complex_.snapshot().triangulation, threads_)();
+    const Mesh_table_3 table = Snapshot_tabulation_3(complex_.take_snapshot(), threads_)();
     if(!is_acceptable(table, slivers_of_input_, parameters_, may_be_worse, removes_slivers() && control_.is_stopped()))
     {
       const bool is_worse = !slivers(table).is_not_worse_than(slivers_of_input_, true);

@@ -63,11 +63,11 @@ public:
     };
     for(const Boundary_facet& f : facets)
       if(!is_of_cut(f))
-        smallest_angle_ = (std::min)(smallest_angle_, smallest_angle_of_facet(f.vertices, input.sites));
+        smallest_angle_ = (std::min)(smallest_angle_, smallest_angle_of_facet(f.vertices, input.sites()));
     if(!domain_.tells_distances())
       return;
     std::vector<double> distances(facets.size());
-    domain_.for_each(facets.size(), [&](int n) { distances[n] = distance(sorted(facets[n].vertices), input.sites); });
+    domain_.for_each(facets.size(), [&](int n) { distances[n] = distance(sorted(facets[n].vertices), input.sites()); });
     for(double d : distances)
       farthest_centroid_ = (std::max)(farthest_centroid_, d);
   }
@@ -189,7 +189,7 @@ inline Defect_report_3 check_topology(const Complex_candidate_3& candidate)
 template <class Vertices>
 std::vector<int> intruders(const Complex_candidate_3& candidate, const Vertices& around, const Vector_3& center)
 {
-  const Site& s = candidate.snapshot.sites[around[0]];
+  const Site& s = candidate.snapshot.sites()[around[0]];
   const double radius = squared_distance(s, center) - s.weight;
   Vertex_rings_3 region(candidate.triangulation, around);
   for(int ring = 0; ring < 2; ++ring)

@@ -74,7 +74,7 @@ struct Complex_candidate_3
     , has_way_back(is_snapshot_valid)
     , threads(policy)
     , sites(target)
-    , revert_sites(from.sites)
+    , revert_sites(from.sites())
   {
     measure();
   }
@@ -112,7 +112,7 @@ struct Complex_candidate_3
   template <class Vertices>
   bool is_unchanged(const Vertices& vertices) const
   {
-    return std::all_of(vertices.begin(), vertices.end(), [this](int v) { return same_place(sites[v], snapshot.sites[v]); });
+    return std::all_of(vertices.begin(), vertices.end(), [this](int v) { return same_place(sites[v], snapshot.sites()[v]); });
   }
 
   // From now on, the vertex reverts to where it was in the input.
@@ -125,7 +125,6 @@ struct Complex_candidate_3
     Complex_snapshot_3 next;
     next.numbering = snapshot.numbering;
     next.has_labels_of_domain = is_final;
-    next.sites = std::move(sites);
     for(int c : triangulation.cells())
       triangulation.clear_flags(c);
     next.triangulation = std::move(triangulation);

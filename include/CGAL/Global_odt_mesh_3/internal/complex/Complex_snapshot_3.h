@@ -151,7 +151,6 @@ struct Complex_snapshot_3
 
   std::shared_ptr<const Vertex_numbering_3> numbering;
   bool is_input = false;
-  std::vector<Site> sites;
   Labelled_triangulation_3 triangulation;
   Boundary_geometry_3 boundary;
   std::vector<Surface_center> centers;
@@ -159,10 +158,12 @@ struct Complex_snapshot_3
   bool has_unseparating_facets = false;
   bool has_labels_of_domain = false;                // also of cells with all vertices on the boundary
 
+  const std::vector<Site>& sites() const { return triangulation.sites(); }
+
   // Whether the vertices are there.
   bool has_positions(const std::vector<Site>& positions) const
   {
-    return std::equal(sites.begin(), sites.end(), positions.begin(), positions.end(), same_place);
+    return std::equal(sites().begin(), sites().end(), positions.begin(), positions.end(), same_place);
   }
 
   // Whether this is the input, and no vertex has moved since.

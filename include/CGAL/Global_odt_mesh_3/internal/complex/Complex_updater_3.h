@@ -60,11 +60,13 @@ public:
   void start(Complex_snapshot_3 input)
   {
     snapshot_ = std::move(input);
-    if(boundary_moves_ && !snapshot_.sites.empty())
+    if(boundary_moves_ && !snapshot_.sites().empty())
       bounds_.measure(snapshot_);
   }
 
   const Complex_snapshot_3& snapshot() const { return snapshot_; }
+  // Comes last.
+  Complex_snapshot_3 take_snapshot() { return std::move(snapshot_); }
   const Domain_view_3& domain() const { return domain_; }
 
   // Loads the snapshot into a mesh.
@@ -78,7 +80,7 @@ public:
   // coordinates or a mesh that has been deformed, need not be regular. False if that cannot be had.
   bool make_regular()
   {
-    return !snapshot_.is_input || is_regular(snapshot_.triangulation, threads_) || advance(snapshot_.sites, nullptr, true, false) || advance(snapshot_.sites, true);
+    return !snapshot_.is_input || is_regular(snapshot_.triangulation, threads_) || advance(snapshot_.sites(), nullptr, true, false) || advance(snapshot_.sites(), true);
   }
 
   // A copy of the complex for trials of single vertices.
@@ -145,7 +147,7 @@ private:
     snapshot_ = candidate.finish();
     is_made_regular_ = is_made_regular_ || !has_way_back;
     if(!has_way_back)
-      snapshot_.numbering = std::make_shared<Vertex_numbering_3>(snapshot_.numbering->with_input_at(snapshot_.sites));
+      snapshot_.numbering = std::make_shared<Vertex_numbering_3>(snapshot_.numbering->with_input_at(snapshot_.sites()));
     return true;
   }
 

@@ -101,7 +101,7 @@ struct Editable_complex_3
   }
 
   // Whether the snapshot does not have the vertex.
-  bool is_inserted(int v) const { return v >= static_cast<int>(snapshot.sites.size()); }
+  bool is_inserted(int v) const { return v >= static_cast<int>(snapshot.sites().size()); }
 
   // The next one, out of the triangulation.
   int add_vertex(const Site& s)

@@ -95,12 +95,12 @@ public:
     tr.copy(table_);
     // Which vertices move is seen from the cells and facets around them.
     number_vertices(Boundary_complex_3(boundary(boundary_facets()), table_.sites.size(), threads_), boundary_moves);
-    tr.renumber(numbers_, snapshot_.sites);
+    tr.renumber(numbers_, numbering_->input_sites);
     std::vector<Half_facet> facets = boundary_facets();
     threads_.sort(facets.begin(), facets.end(), [&tr](Half_facet f, Half_facet g)
                   { return sorted(tr.facet_vertices(f)) < sorted(tr.facet_vertices(g)); });
     snapshot_.boundary = Boundary_geometry_3(
-      std::make_shared<const Boundary_complex_3>(boundary(facets), snapshot_.sites.size(), threads_), snapshot_.sites);
+      std::make_shared<const Boundary_complex_3>(boundary(facets), snapshot_.sites().size(), threads_), snapshot_.sites());
     snapshot_.number_facets();
     snapshot_.mark_facets(facets);
     read_surface_centers(facets);
@@ -170,12 +170,11 @@ private:
     numbers_.assign(table_.sites.size(), -1);
     for(std::size_t n : order)
     {
-      numbers_[n] = static_cast<int>(snapshot_.sites.size());
+      numbers_[n] = static_cast<int>(numbering_->input_sites.size());
       numbering_->input_numbers.push_back(static_cast<int>(n));
       numbering_->dimensions.push_back(table_.dimensions[n]);
-      snapshot_.sites.push_back(table_.sites[n]);
+      numbering_->input_sites.push_back(table_.sites[n]);
     }
-    numbering_->input_sites = snapshot_.sites;
   }
 
   // Those of the user's mesh go back to facets that stay, and otherwise do not count: files do not keep them, and a complex that
@@ -188,7 +187,7 @@ private:
       // One that has been found since the user's mesh is right, even if it is on another patch.
       const bool is_found = on_surface != nullptr && on_surface->source == Mesh_table_3::no_facet;
       const Vector_3 point = is_found ? on_surface->center
-                                      : estimated_surface_center(snapshot_.triangulation.facet_vertices(f), snapshot_.boundary, snapshot_.sites);
+                                      : estimated_surface_center(snapshot_.triangulation.facet_vertices(f), snapshot_.boundary, snapshot_.sites());
       const int patch = is_found ? on_surface->patch_of_center
                                  : on_surface != nullptr ? on_surface->patch : int(Boundary_facet::no_patch);
       const int source = on_surface != nullptr ? on_surface->source : int(Mesh_table_3::no_facet);
@@ -200,7 +199,7 @@ private:
   {
     snapshot_.has_labels_of_domain = true;
     std::vector<int>& subdomain = numbering_->subdomain;
-    subdomain.assign(snapshot_.sites.size(), int(Complex_snapshot_3::no_subdomain));
+    subdomain.assign(snapshot_.sites().size(), int(Complex_snapshot_3::no_subdomain));
     const Labelled_triangulation_3& tr = snapshot_.triangulation;
     for(std::size_t n = 0; n < table_.cells.size(); ++n)
       for(int v : tr.vertices(static_cast<int>(n)))

@@ -36,9 +36,9 @@
 namespace CGAL::Global_odt_mesh_3::internal {
 
 // The boundary facets of a snapshot, by their numbers and on side 0, in its triangulation.
-inline std::vector<Half_facet> find_boundary_facets(const Complex_snapshot_3& snapshot, const Labelled_triangulation_3& triangulation,
-                                                    const Thread_policy& threads)
+inline std::vector<Half_facet> find_boundary_facets(const Complex_snapshot_3& snapshot, const Thread_policy& threads)
 {
+  const Labelled_triangulation_3& triangulation = snapshot.triangulation;
   const std::vector<Boundary_facet>& boundary = snapshot.boundary.complex().facets();
   std::vector<Half_facet> facets(boundary.size());
   const std::vector<int>& cells = triangulation.cells();
@@ -57,7 +57,7 @@ inline std::vector<Half_facet> find_boundary_facets(const Complex_snapshot_3& sn
 
 inline void load_positions(const Complex_snapshot_3& snapshot, Moving_triangulation_3& mesh)
 {
-  mesh.sites = snapshot.sites;
+  mesh.sites = snapshot.sites();
   mesh.number_of_interior_vertices = snapshot.numbering->number_of_interior_vertices;
   mesh.number_of_movable_vertices = snapshot.numbering->number_of_movable_vertices;
 }
@@ -75,11 +75,10 @@ inline void index_snapshot(const Complex_snapshot_3& snapshot, const Thread_poli
 class Snapshot_tabulation_3
 {
 public:
-  // The triangulation is that of the snapshot.
-  Snapshot_tabulation_3(const Complex_snapshot_3& snapshot, Labelled_triangulation_3 triangulation, const Thread_policy& threads)
-    : snapshot_(snapshot)
-    , numbering_(*snapshot.numbering)
-    , triangulation_(std::move(triangulation))
+  Snapshot_tabulation_3(Complex_snapshot_3 snapshot, const Thread_policy& threads)
+    : snapshot_(std::move(snapshot))
+    , numbering_(*snapshot_.numbering)
+    , triangulation_(snapshot_.triangulation)
     , threads_(threads)
     , cells_(triangulation_.cells())
   {}
@@ -87,13 +86,13 @@ public:
   Mesh_table_3 operator()()
   {
     restore_orders();
-    facets_ = find_boundary_facets(snapshot_, triangulation_, threads_);
+    facets_ = find_boundary_facets(snapshot_, threads_);
     Mesh_table_3 table;
     table.sites.resize(numbering_.number_in_table);
     table.dimensions.assign(numbering_.number_in_table, int(Mesh_table_3::removed));
-    for(std::size_t v = 0; v < snapshot_.sites.size(); ++v)
+    for(std::size_t v = 0; v < snapshot_.sites().size(); ++v)
     {
-      table.sites[input_number(static_cast<int>(v))] = snapshot_.sites[v];
+      table.sites[input_number(static_cast<int>(v))] = snapshot_.sites()[v];
       table.dimensions[input_number(static_cast<int>(v))] = numbering_.dimensions[v];
     }
     measure_circumradii(table);
@@ -125,7 +124,7 @@ private:
     for(const auto& entry : numbering_.input_boundary_cells.entries())
     {
       const Vertex_numbering_3::Input_cell& from = entry.second;
-      if(!numbering_.are_at_input(from.vertices, snapshot_.sites))
+      if(!numbering_.are_at_input(from.vertices, snapshot_.sites()))
         continue;
       // An input from elsewhere may have inverted cells.
       const int to = triangulation_.find_cell(from.vertices);
@@ -140,7 +139,7 @@ private:
     constexpr int least_length = 10000, most_chunks = 16;
     const Chunks chunks(static_cast<int>(cells_.size()), least_length, most_chunks);
     Chunked_sums<Circumradii> circumradii;
-    circumradii.resize(snapshot_.sites.size(), chunks.number());
+    circumradii.resize(snapshot_.sites().size(), chunks.number());
     threads_.for_each_chunk(chunks.number(), [&](int k)
     {
       for(int n = chunks.begin(k); n < chunks.end(k); ++n)
@@ -159,7 +158,7 @@ private:
   {
     const Vector_3 p = triangulation_.dual_point(c);
     for(int v : triangulation_.vertices(c))
-      sums.add(v, { std::sqrt(squared_distance(snapshot_.sites[v], p)), 1 });
+      sums.add(v, { std::sqrt(squared_distance(snapshot_.sites()[v], p)), 1 });
   }
 
   // There are no gaps between them in the table.
@@ -195,9 +194,9 @@ private:
     }
   }
 
-  const Complex_snapshot_3& snapshot_;
+  Complex_snapshot_3 snapshot_;
   const Vertex_numbering_3& numbering_;
-  Labelled_triangulation_3 triangulation_;
+  Labelled_triangulation_3& triangulation_;
   const Thread_policy threads_;
   const std::vector<int>& cells_;
   std::vector<int> places_;                   // of cells, in the table

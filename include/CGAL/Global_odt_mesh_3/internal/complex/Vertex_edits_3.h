@@ -162,7 +162,8 @@ public:
   {
     Complex_snapshot_3 refined;
     std::vector<int> numbers;
-    refined.numbering = keep_visible(numbers, refined.sites);
+    std::vector<Site> sites;
+    refined.numbering = keep_visible(numbers, sites);
     const auto renumber = [&numbers](auto& vertices)
     {
       for(int& v : vertices)
@@ -176,17 +177,18 @@ public:
       renumber(facets.back().vertices);
     }
     refined.boundary = Boundary_geometry_3(
-      std::make_shared<const Boundary_complex_3>(std::move(facets), refined.sites.size(), complex().threads), refined.sites);
+      std::make_shared<const Boundary_complex_3>(std::move(facets), sites.size(), complex().threads), sites);
     for(std::size_t n = 0; n < found.size(); ++n)
     {
       const Triple& t = refined.boundary.complex().facets()[n].vertices;
-      refined.centers.push_back(center(found[n], estimated_surface_center(t, refined.boundary, refined.sites)));
+      refined.centers.push_back(center(found[n], estimated_surface_center(t, refined.boundary, sites)));
       if(!refined.centers.back().is_exact)
         return std::nullopt;
     }
     refined.number_facets();
-    complex_.triangulation.renumber(numbers, refined.sites);
-    Mesh_table_3 table = Snapshot_tabulation_3(refined, std::move(complex_.triangulation), complex().threads)();
+    complex_.triangulation.renumber(numbers, sites);
+    refined.triangulation = std::move(complex_.triangulation);
+    Mesh_table_3 table = Snapshot_tabulation_3(std::move(refined), complex().threads)();
     table.inserted = places_;
     return table;
   }
