@@ -67,7 +67,8 @@ struct Complex_candidate_3
   std::unordered_map<Triple, double, boost::hash<Triple> > known_distances;
   std::map<int, int> times_reverted;     // and how often
 
-  Complex_candidate_3(const Complex_snapshot_3& from, const std::vector<Site>& target, bool is_last, bool is_snapshot_valid, const Thread_policy& policy)
+  Complex_candidate_3(const Complex_snapshot_3& from, const std::vector<Site>& target, bool is_last, bool is_snapshot_valid,
+                      const Thread_policy& policy)
     : snapshot(from)
     , numbering(*from.numbering)
     , is_final(is_last)

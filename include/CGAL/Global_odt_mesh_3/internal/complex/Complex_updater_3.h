@@ -80,7 +80,8 @@ public:
   // coordinates or a mesh that has been deformed, need not be regular. False if that cannot be had.
   bool make_regular()
   {
-    return !snapshot_.is_input || is_regular(snapshot_.triangulation, threads_) || advance(snapshot_.sites(), nullptr, true, false) || advance(snapshot_.sites(), true);
+    return !snapshot_.is_input || is_regular(snapshot_.triangulation, threads_)
+           || advance(snapshot_.sites(), nullptr, true, false) || advance(snapshot_.sites(), true);
   }
 
   // A copy of the complex for trials of single vertices.
@@ -92,7 +93,8 @@ public:
     return Editable_complex_3(snapshot_, numbering, domain_, bounds_, boundary_moves_, threads_);
   }
 
-  // Goes to where trials of this snapshot have led, which come to an end. False if that cannot be done: then the snapshot is as it was.
+  // Goes to where trials of this snapshot have led, which come to an end. False if that cannot be done: then the snapshot is as
+  // it was.
   bool adopt(Editable_complex_3& trials)
   {
     if(snapshot_.has_positions(trials.sites))

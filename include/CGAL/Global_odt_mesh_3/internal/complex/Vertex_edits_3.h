@@ -82,7 +82,7 @@ inline std::optional<New_vertex_3> middle_of_edge(const Editable_complex_3& comp
   return New_vertex_3{ p, 2, facets[0].patch, n };
 }
 
-// Inserts vertices into the exact triangulation of a snapshot, or removes some that can move. Inside, that leaves the boundary as it
+// Inserts vertices into a copy of a snapshot, or removes some that can move. Inside, that leaves the boundary as it
 // is; on a surface, the facets of a disk of its patch are replaced. None is inserted into a protecting ball.
 class Vertex_edits_3
 {
