@@ -412,8 +412,12 @@ static void bounds_stay(const Polyhedral_c3t3& c3t3, const Polyhedral_domain& do
 {
   Opened_complex<Polyhedral_c3t3, Polyhedral_domain> setting(c3t3, domain, true);
   Complex_snapshot_3 worse = setting.complex.snapshot();
-  for(Site& s : worse.sites)
+  for(int v = 0; v < static_cast<int>(worse.sites().size()); ++v)
+  {
+    Site s = worse.sites()[v];
     s.z *= 0.1;
+    worse.triangulation.set_site(v, s);
+  }
   Facet_bounds_3 of_worse(setting.domain);
   of_worse.measure(worse);
   const double angle = setting.bounds.smallest_angle();
@@ -421,7 +425,7 @@ static void bounds_stay(const Polyhedral_c3t3& c3t3, const Polyhedral_domain& do
   int far = 0;
   for(const Boundary_facet& f : worse.boundary.complex().facets())
   {
-    const Vector_3 c = centroid(f.vertices, worse.sites);
+    const Vector_3 c = centroid(f.vertices, worse.sites());
     far += !setting.bounds.is_close(c);
     check::that(of_worse.is_close(c), "the bounds are not those of the first mesh");
   }
