@@ -49,7 +49,7 @@ inline bool is_regular_triangulation_of_cgal(const Labelled_triangulation_3& tr)
   Exact_triangulation_3 exact;
   exact.insert_sites(visible, tr.sites());
   Labelled_triangulation_3 anew;
-  anew.assign(Labelled_triangulation_3::numbered_cells(exact), tr.sites());
+  anew.assign(exact, tr.sites());
   const std::set<Quadruple> cells = cells_of(tr);
   return cells.size() == tr.cells().size() && cells == cells_of(anew) && is_regular(tr, Thread_policy());
 }

@@ -478,7 +478,7 @@ C3t3 shuffled(const C3t3& c3t3, unsigned int seed)
       table.cells.back().neighbors[i] = place[c->neighbor(order[i])];
     }
   }
-  odt::connect_cells(table, new_vertices, new_cells, odt::Thread_policy(), tr);
+  odt::connect_cells(table, new_vertices, new_cells, tr);
   check::that(tr.is_valid(), "a mesh in another order is not valid");
   result.rescan_after_load_of_triangulation();
   return result;

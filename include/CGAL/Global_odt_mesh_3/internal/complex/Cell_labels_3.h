@@ -177,12 +177,12 @@ private:
   {
     if(!candidate_.is_unchanged(q))
       return no_subdomain;
-    const int of_snapshot = candidate_.snapshot.label_of_cell(q);
-    if(candidate_.snapshot.has_labels_of_domain && is_dual_point_certain(q))
-      return of_snapshot;
+    const Complex_snapshot_3& snapshot = candidate_.snapshot;
+    if(snapshot.has_labels_of_domain && is_dual_point_certain(q))
+      return snapshot.label_of_cell(q);
     if(const Vertex_numbering_3::Input_cell* const c = candidate_.numbering.input_cell(q, candidate_.sites))
       return c->label;
-    return candidate_.snapshot.has_labels_of_domain && !candidate_.boundary_moves() ? of_snapshot : no_subdomain;
+    return snapshot.has_labels_of_domain && !candidate_.boundary_moves() ? snapshot.label_of_cell(q) : no_subdomain;
   }
 
   bool is_dual_point_certain(const Quadruple& q) const

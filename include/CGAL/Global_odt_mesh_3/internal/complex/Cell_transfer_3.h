@@ -246,7 +246,7 @@ private:
     tr_.insert_sites(transferred_.take_news(), sites_);
     if(tr_.dimension() < 3 || tr_.number_of_vertices() != static_cast<std::size_t>(transferred_.number_of_inserted_vertices()))
       return false;
-    cells_ = Labelled_triangulation_3::numbered_cells(tr_);
+    inserted_.assign(tr_, sites_);
     return true;
   }
 
@@ -260,10 +260,10 @@ private:
     numbers.reserve(border_.size());
     for(std::size_t n = 0; n < border_.size(); ++n)
       numbers.insert(rotated(transferred_.indexed().facet(border_[n])), static_cast<int>(n));
-    for_each_in_chunks(static_cast<int>(cells_.size()), threads_, [&](int c)
+    for_each_in_chunks(static_cast<int>(inserted_.cells().size()), threads_, [&](int c)
     {
       for(int i = 0; i < 4; ++i)
-        if(const int* const n = numbers.find(rotated(facet_vertices(cells_[c].vertices, i))))
+        if(const int* const n = numbers.find(rotated(facet_vertices(inserted_.vertices(c), i))))
           inner_[*n] = Half_facet(c, i);
     });
     const auto find_wrong_facets = [this](int n, std::vector<int>& wrong)
@@ -278,22 +278,19 @@ private:
     return wrong.empty();
   }
 
-  Half_facet mirror(Half_facet f) const { return Half_facet(cells_[f.cell()].neighbors[f.index()]); }
-
   bool is_border_regular(int n) const
   {
     if(inner_[n].is_none())
       return false;
-    const Half_facet outer = mirror(inner_[n]);
-    const int beyond = cells_[outer.cell()].vertices[outer.index()];
+    const int beyond = inserted_.vertex(inserted_.mirror(inner_[n]));
     return beyond < 0 || Exact_cell_3(sites_, transferred_.indexed().vertices(border_[n].cell())).is_outside(sites_[beyond]);
   }
 
   // Finds the cells that give way; false if the border does not bound them.
   bool find_inside()
   {
-    std::vector<char> is_border(4 * cells_.size(), false);
-    gives_way_.assign(cells_.size(), false);
+    std::vector<char> is_border(4 * inserted_.cells().size(), false);
+    gives_way_.assign(inserted_.cells().size(), false);
     for(Half_facet f : inner_)
       if(std::exchange(is_border[f.id()], true))
         return false;
@@ -308,12 +305,12 @@ private:
     for(std::size_t n = 0; n < inside.size(); ++n)
       for(int i = 0; i < 4; ++i)
       {
-        if(cells_[inside[n]].vertices[i] < 0)
+        if(inserted_.vertices(inside[n])[i] < 0)
           return false;
         if(const Half_facet f(inside[n], i); !is_border[f.id()])
-          add(mirror(f).cell());
+          add(inserted_.mirror(f).cell());
       }
-    return std::none_of(inner_.begin(), inner_.end(), [this](Half_facet f) { return gives_way_[mirror(f).cell()]; });
+    return std::none_of(inner_.begin(), inner_.end(), [this](Half_facet f) { return gives_way_[inserted_.mirror(f).cell()]; });
   }
 
   // Whether all vertices of cells that give way are vertices of cells that are transferred.
@@ -323,8 +320,8 @@ private:
     for(int c : transferred_.cells())
       for(int v : transferred_.indexed().cell(c))
         stays[v] = true;
-    for(std::size_t c = 0; c < cells_.size(); ++c)
-      for(int v : cells_[c].vertices)
+    for(std::size_t c = 0; c < inserted_.cells().size(); ++c)
+      for(int v : inserted_.vertices(c))
         if(gives_way_[c] && !stays[v])
           return false;
     return true;
@@ -333,21 +330,21 @@ private:
   // Puts the cells that are transferred in the place of those that give way.
   void transplant(Labelled_triangulation_3& result) const
   {
-    std::vector<int> place(cells_.size(), -1), place_of_transferred(transferred_.indexed().number_of_cell_slots(), -1);
+    std::vector<int> place(inserted_.cells().size(), -1), place_of_transferred(transferred_.indexed().number_of_cell_slots(), -1);
     int number = 0;
-    for(std::size_t c = 0; c < cells_.size(); ++c)
+    for(std::size_t c = 0; c < inserted_.cells().size(); ++c)
       if(!gives_way_[c])
         place[c] = number++;
     const int first = number;
     for(int c : transferred_.cells())
       place_of_transferred[c] = number++;
     std::vector<Cell> cells(number);
-    for_each_in_chunks(static_cast<int>(cells_.size()), threads_, [&](int c)
+    for_each_in_chunks(static_cast<int>(inserted_.cells().size()), threads_, [&](int c)
     {
       for(int i = 0; place[c] >= 0 && i < 4; ++i)
       {
-        const Half_facet across = mirror(Half_facet(c, i));
-        cells[place[c]].vertices[i] = cells_[c].vertices[i];
+        const Half_facet across = inserted_.mirror(Half_facet(c, i));
+        cells[place[c]].vertices[i] = inserted_.vertices(c)[i];
         if(place[across.cell()] >= 0)
           cells[place[c]].neighbors[i] = Half_facet(place[across.cell()], across.index()).id();
       }
@@ -364,7 +361,7 @@ private:
     });
     for(std::size_t n = 0; n < border_.size(); ++n)
     {
-      const Half_facet outer = mirror(inner_[n]), here(place_of_transferred[border_[n].cell()], border_[n].index()),
+      const Half_facet outer = inserted_.mirror(inner_[n]), here(place_of_transferred[border_[n].cell()], border_[n].index()),
                        there(place[outer.cell()], outer.index());
       cells[here.cell()].neighbors[here.index()] = there.id();
       cells[there.cell()].neighbors[there.index()] = here.id();
@@ -376,8 +373,8 @@ private:
   const Thread_policy threads_;
   Exact_triangulation_3 tr_;
   Transferred_cells_3 transferred_;
-  std::vector<Cell> cells_;             // of the triangulation,
-  std::vector<char> gives_way_;         // some of which give way
+  Labelled_triangulation_3 inserted_;   // the same in numbers
+  std::vector<char> gives_way_;         // of its cells
   std::vector<Half_facet> border_;      // facets of cells that are transferred,
   std::vector<Half_facet> inner_;       // and where they are in the triangulation, on the side that gives way
 };

@@ -181,25 +181,12 @@ public:
     std::iota(all.begin(), all.end(), 0);
     Exact_triangulation_3 tr;
     tr.insert_sites(all, sites);
-    assign(tr.dimension() == 3 ? numbered_cells(tr) : std::vector<Cell>(), sites);
+    assign(tr, sites);
   }
 
-  // The cells of CGAL's triangulation, which get numbers from 0 on.
-  static std::vector<Cell> numbered_cells(Exact_triangulation_3& tr)
-  {
-    std::vector<Cell> cells;
-    for(Exact_triangulation_3::Cell_handle c : tr.all_cell_handles())
-    {
-      c->set_number(static_cast<int>(cells.size()));
-      cells.emplace_back();
-      for(int i = 0; i < 4; ++i)
-        cells.back().vertices[i] = c->vertex(i)->number();
-    }
-    for(Exact_triangulation_3::Cell_handle c : tr.all_cell_handles())
-      for(int i = 0; i < 4; ++i)
-        cells[c->number()].neighbors[i] = Half_facet(c->neighbor(i)->number(), tr.mirror_index(c, i)).id();
-    return cells;
-  }
+  // Becomes CGAL's triangulation, whose cells get numbers from 0 on, of those of the sites that are its vertices.
+  void assign(Exact_triangulation_3& tr, const std::vector<Site>& sites)
+  { assign(tr.dimension() == 3 ? numbered_cells(tr) : std::vector<Cell>(), sites); }
 
   // Becomes a triangulation of these cells.
   void assign(std::vector<Cell> cells, const std::vector<Site>& sites)
@@ -316,6 +303,22 @@ public:
 
 private:
   static constexpr int no_vertex = -2;
+
+  static std::vector<Cell> numbered_cells(Exact_triangulation_3& tr)
+  {
+    std::vector<Cell> cells;
+    for(Exact_triangulation_3::Cell_handle c : tr.all_cell_handles())
+    {
+      c->set_number(static_cast<int>(cells.size()));
+      cells.emplace_back();
+      for(int i = 0; i < 4; ++i)
+        cells.back().vertices[i] = c->vertex(i)->number();
+    }
+    for(Exact_triangulation_3::Cell_handle c : tr.all_cell_handles())
+      for(int i = 0; i < 4; ++i)
+        cells[c->number()].neighbors[i] = Half_facet(c->neighbor(i)->number(), tr.mirror_index(c, i)).id();
+    return cells;
+  }
 
   void set_cell_of_vertices(int c)
   {

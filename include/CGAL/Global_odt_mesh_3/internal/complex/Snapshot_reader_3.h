@@ -134,8 +134,11 @@ private:
     const Labelled_triangulation_3& tr = snapshot_.triangulation;
     std::vector<Boundary_facet> result;
     for(Half_facet f : facets)
+    {
+      const Mesh_table_3::Facet* const on_surface = this->on_surface(f);
       result.push_back({ tr.facet_vertices(f), {{ tr.label(f.cell()), tr.label(tr.mirror(f).cell()) }},
-                         on_surface(f) != nullptr ? on_surface(f)->patch : int(Boundary_facet::no_patch) });
+                         on_surface != nullptr ? on_surface->patch : int(Boundary_facet::no_patch) });
+    }
     return result;
   }
 

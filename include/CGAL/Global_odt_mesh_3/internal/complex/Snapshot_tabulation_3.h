@@ -55,21 +55,16 @@ inline std::vector<Half_facet> find_boundary_facets(const Complex_snapshot_3& sn
   return facets;
 }
 
-inline void load_positions(const Complex_snapshot_3& snapshot, Moving_triangulation_3& mesh)
-{
-  mesh.sites = snapshot.sites();
-  mesh.number_of_interior_vertices = snapshot.numbering->number_of_interior_vertices;
-  mesh.number_of_movable_vertices = snapshot.numbering->number_of_movable_vertices;
-}
-
-// Loads the snapshot, whose triangulation is given, into a mesh: all cells that are in the complex, in canonical order; the
+// Loads the snapshot into a mesh: all cells that are in the complex, in canonical order; the
 // boundary facets, and those of cells that are kept, are constrained.
 inline void index_snapshot(const Complex_snapshot_3& snapshot, const Thread_policy& threads, Moving_triangulation_3& mesh)
 {
   const Labelled_triangulation_3& tr = snapshot.triangulation;
   const auto stays = [&](Half_facet f) { return tr.is_in_complex(f) || snapshot.numbering->is_kept(tr.vertices(f.cell())); };
   index_cells(tr, stays, threads, mesh.topology);
-  load_positions(snapshot, mesh);
+  mesh.sites = snapshot.sites();
+  mesh.number_of_interior_vertices = snapshot.numbering->number_of_interior_vertices;
+  mesh.number_of_movable_vertices = snapshot.numbering->number_of_movable_vertices;
 }
 
 class Snapshot_tabulation_3

@@ -31,12 +31,10 @@ namespace CGAL::Global_odt_mesh_3::internal {
 
 // Moves single vertices of a triangulation, wherever they go.
 class Vertex_moves_3
-  : private Trial_predicates_3
 {
 public:
   explicit Vertex_moves_3(Labelled_triangulation_3& triangulation)
-    : Trial_predicates_3(triangulation.sites())
-    , triangulation_(triangulation)
+    : triangulation_(triangulation)
     , cavity_(triangulation)
   {}
 
@@ -77,7 +75,7 @@ private:
   bool is_beyond(const Site& s, const Quadruple& q, int i) const
   {
     const Triple t = facet_vertices(q, i);
-    const auto point = [this](int v) { return weighted_point(site(v)).point(); };
+    const auto point = [this](int v) { return weighted_point(triangulation_.sites()[v]).point(); };
     return CGAL::orientation(point(t[0]), point(t[1]), point(t[2]), weighted_point(s).point()) == POSITIVE;
   }
 
@@ -104,47 +102,30 @@ inline bool move_vertices(const std::vector<Site>& sites, Labelled_triangulation
 
 // Whether a triangulation is regular, of which there are several where a sphere passes through five vertices. One that is read need
 // not be, or is another than CGAL's functions make, and then to move vertices is of no use.
-class Regularity_check_3
-  : private Trial_predicates_3
+inline bool is_regular(const Labelled_triangulation_3& triangulation, const Thread_policy& threads)
 {
-public:
-  explicit Regularity_check_3(const Labelled_triangulation_3& triangulation)
-    : Trial_predicates_3(triangulation.sites())
-    , triangulation_(triangulation)
-  {}
-
-  bool operator()(const Thread_policy& threads) const
+  const Trial_predicates_3 predicates(triangulation.sites());
+  const std::vector<int>& cells = triangulation.cells();
+  const auto is_everywhere = [&](const auto& holds)
   {
-    const std::vector<int>& cells = triangulation_.cells();
-    const auto is_everywhere = [&](const auto& holds)
+    return collect_in_chunks(static_cast<int>(cells.size()), threads, [&](int n, std::vector<int>& wrong)
     {
-      return collect_in_chunks(static_cast<int>(cells.size()), threads, [&](int n, std::vector<int>& wrong)
-      {
-        if(!holds(cells[n]))
-          wrong.push_back(n);
-      }).empty();
-    };
-    // Only positive cells have spheres.
-    return is_everywhere([this](int c) { return is_positive(triangulation_.vertices(c)); })
-           && is_everywhere([this](int c) { return is_locally_regular(c); });
-  }
-
-private:
-  bool is_locally_regular(int c) const
+      if(!holds(cells[n]))
+        wrong.push_back(n);
+    }).empty();
+  };
+  const auto is_locally_regular = [&](int c)
   {
-    const Sphere s = sphere(triangulation_.vertices(c));
+    const auto sphere = predicates.sphere(triangulation.vertices(c));
     for(int i = 0; i < 4; ++i)
-      if(const Half_facet f(c, i); triangulation_.is_first_side(f))
-        if(const int v = triangulation_.vertex(triangulation_.mirror(f)); v >= 0 && is_in_conflict(s, v, false))
+      if(const Half_facet f(c, i); triangulation.is_first_side(f))
+        if(const int v = triangulation.vertex(triangulation.mirror(f)); v >= 0 && predicates.is_in_conflict(sphere, v, false))
           return false;
     return true;
-  }
-
-  const Labelled_triangulation_3& triangulation_;
-};
-
-inline bool is_regular(const Labelled_triangulation_3& triangulation, const Thread_policy& threads)
-{ return Regularity_check_3(triangulation)(threads); }
+  };
+  // Only positive cells have spheres.
+  return is_everywhere([&](int c) { return predicates.is_positive(triangulation.vertices(c)); }) && is_everywhere(is_locally_regular);
+}
 
 } // namespace CGAL::Global_odt_mesh_3::internal
 

@@ -213,7 +213,7 @@ public:
     cells.insert(cells.end(), created.cells().begin(), created.cells().end());
     take_out_of_complex(cells, c3t3_);
     renew_cells(table.cells.size(), cells);
-    connect_cells(table, vertices_, cells, Thread_policy(), tr);
+    connect_cells(table, vertices_, cells, tr);
     for(std::size_t v = 0; v < vertices_.size(); ++v)
       if(table.dimensions[v] != Mesh_table_3::removed)
         write_vertex(vertices_[v], table.sites[v], table.mean_circumradii[v]);

@@ -16,7 +16,6 @@
 #include <CGAL/Global_odt_mesh_3/internal/geometry/Vector_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/geometry/Vertex_tuples.h>
 #include <CGAL/Global_odt_mesh_3/internal/interface/User_field_3.h>
-#include <CGAL/Global_odt_mesh_3/internal/parallel/Chunked_loops.h>
 #include <CGAL/Global_odt_mesh_3/internal/parallel/Thread_policy.h>
 
 #include <CGAL/assertions.h>
@@ -88,24 +87,21 @@ struct Mesh_table_3
 };
 
 // Makes `tr` the triangulation of the table. Its infinite vertex, these finite ones, by their numbers, and these cells,
-// by their places, are there already. With one thread, nothing throws.
+// by their places, are there already. Nothing throws.
 template <class Triangulation>
 void connect_cells(const Mesh_table_3& table, const std::vector<typename Triangulation::Vertex_handle>& vertices,
-                   const std::vector<typename Triangulation::Cell_handle>& cells, const Thread_policy& threads, Triangulation& tr)
+                   const std::vector<typename Triangulation::Cell_handle>& cells, Triangulation& tr)
 {
   CGAL_precondition(cells.size() == table.cells.size());
   const auto vertex = [&](int v) { return v == Mesh_table_3::infinite ? tr.infinite_vertex() : vertices[v]; };
   for(std::size_t n = 0; n < cells.size(); ++n)
-    for(int v : table.cells[n].vertices)
-      vertex(v)->set_cell(cells[n]);
-  for_each_in_chunks(static_cast<int>(cells.size()), threads, [&](int n)
-  {
     for(int i = 0; i < 4; ++i)
     {
-      cells[n]->set_vertex(i, vertex(table.cells[n].vertices[i]));
+      const auto v = vertex(table.cells[n].vertices[i]);
+      v->set_cell(cells[n]);
+      cells[n]->set_vertex(i, v);
       cells[n]->set_neighbor(i, cells[table.cells[n].neighbors[i]]);
     }
-  });
   CGAL_expensive_assertion(tr.tds().is_valid());
 }
 

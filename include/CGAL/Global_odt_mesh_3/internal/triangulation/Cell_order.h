@@ -12,6 +12,7 @@
 
 #include <CGAL/license/Global_odt_mesh_3.h>
 
+#include <CGAL/Global_odt_mesh_3/internal/geometry/Vertex_tuples.h>
 #include <CGAL/Global_odt_mesh_3/internal/parallel/Chunked_loops.h>
 #include <CGAL/Global_odt_mesh_3/internal/parallel/Thread_policy.h>
 #include <CGAL/Global_odt_mesh_3/internal/triangulation/Indexed_triangulation_3.h>
@@ -31,20 +32,17 @@ namespace CGAL::Global_odt_mesh_3::internal {
 class Canonical_order
 {
 public:
-  typedef std::array<int, 4> Quadruple;
-
   // The vertices of each cell are in their canonical order; cells whose first one is negative are left out.
   Canonical_order(std::vector<Quadruple> cells, int number_of_vertices, const Thread_policy& threads)
-    : threads_(threads)
-    , by_first_vertex_(static_cast<int>(cells.size()), number_of_vertices, [&cells](int n) { return cells[n][0]; }, threads)
-    , chunks_(number_of_vertices, least_vertices, most_chunks)
+    : by_first_vertex_(static_cast<int>(cells.size()), number_of_vertices, [&cells](int n) { return cells[n][0]; }, threads)
     , numbers_(by_first_vertex_.numbers().size())
     , vertices_(4 * numbers_.size())
   {
-    threads_.for_each_chunk(chunks_.number(), [&](int chunk)
+    const Chunks chunks(number_of_vertices, least_vertices, most_chunks);
+    threads.for_each_chunk(chunks.number(), [&](int chunk)
     {
       std::vector<std::pair<Quadruple, int> > around;
-      for(int v = chunks_.begin(chunk); v < chunks_.end(chunk); ++v)
+      for(int v = chunks.begin(chunk); v < chunks.end(chunk); ++v)
         sort_around(v, cells, around);
     });
   }
@@ -80,9 +78,7 @@ private:
     }
   }
 
-  const Thread_policy threads_;
   Buckets by_first_vertex_;
-  Chunks chunks_;               // of vertices
   std::vector<int> numbers_;    // of the cells, in order
   std::vector<int> vertices_;   // of the slots
 };

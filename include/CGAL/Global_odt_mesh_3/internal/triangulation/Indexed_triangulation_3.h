@@ -366,13 +366,6 @@ public:
       if(Half_facet(neighbors[s]).is_side())
         constrained_slots[Half_facet(neighbors[s]).side_id()] = s;
     }
-    assign(std::move(cell_vertices), std::move(neighbors), std::move(vertex_cell), std::move(constrained_slots));
-  }
-
-  // The same with a cell of each vertex, or -1, and the slot at each side, or none.
-  void assign(std::vector<int> cell_vertices, std::vector<int> neighbors, std::vector<int> vertex_cell,
-              std::vector<int> constrained_slots)
-  {
     end_trial();
     arrays_.unguarded(CELL_VERTICES).swap(cell_vertices);
     arrays_.unguarded(NEIGHBORS).swap(neighbors);
