@@ -17,6 +17,7 @@
 #include <map>
 #include <type_traits>
 #include <utility>
+#include <variant>
 #include <vector>
 
 namespace CGAL::Global_odt_mesh_3::internal {
