@@ -320,7 +320,7 @@ private:
     for(int c : transferred_.cells())
       for(int v : transferred_.indexed().cell(c))
         stays[v] = true;
-    for(std::size_t c = 0; c < inserted_.cells().size(); ++c)
+    for(int c = 0; c < static_cast<int>(inserted_.cells().size()); ++c)
       for(int v : inserted_.vertices(c))
         if(gives_way_[c] && !stays[v])
           return false;
@@ -332,7 +332,7 @@ private:
   {
     std::vector<int> place(inserted_.cells().size(), -1), place_of_transferred(transferred_.indexed().number_of_cell_slots(), -1);
     int number = 0;
-    for(std::size_t c = 0; c < inserted_.cells().size(); ++c)
+    for(int c = 0; c < static_cast<int>(inserted_.cells().size()); ++c)
       if(!gives_way_[c])
         place[c] = number++;
     const int first = number;
