@@ -30,6 +30,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstddef>
 #include <map>
 #include <set>
@@ -41,6 +42,9 @@ namespace CGAL::Global_odt_mesh_3::internal {
 // What boundary facets may be in all of a call, by the facets of its input: no centroid is farther from the surface than the
 // worst, where the domain can measure distances, and no angle falls below the smallest, or below 30 degrees if that is less. Later
 // meshes have no say, since slivers may leave facets that are worse.
+//
+// Where all facets of the input are on the surface, as in a mesh that is its own domain, that surface is known up to the distance
+// between its facets and a sphere that turns as they do.
 class Facet_bounds_3
 {
 public:
@@ -70,6 +74,9 @@ public:
     domain_.for_each(facets.size(), [&](int n) { distances[n] = distance(sorted(facets[n].vertices), input.sites()); });
     for(double d : distances)
       farthest_centroid_ = (std::max)(farthest_centroid_, d);
+    measure_bends(input);
+    if(farthest_centroid_ > share_of_bend * largest_bend_)
+      bends_.clear();
   }
 
   // Where there are to be so many times fewer vertices. With angles of 30 degrees, an elephant that loses two thirds of its vertices
@@ -77,16 +84,17 @@ public:
   void permit_coarsening(double factor)
   {
     farthest_centroid_ *= factor;
+    coarsening_ = factor;
     smallest_angle_ = (std::min)(smallest_angle_, (std::max)(20., 30 / factor));
   }
 
   // What angles may be, in degrees.
   double smallest_angle() const { return smallest_angle_; }
 
-  // Whether a boundary facet may have its centroid there.
-  bool is_close(const Vector_3& point) const
+  // Whether a boundary facet with these vertices may have its centroid there.
+  bool is_close(const Triple& facet, const Vertex_numbering_3& numbering, const Vector_3& centroid) const
   {
-    return !domain_.tells_distances() || domain_.distance_to_surface(point) <= farthest_centroid_;
+    return !domain_.tells_distances() || domain_.distance_to_surface(centroid) <= farthest(facet, numbering);
   }
 
   // Reverts vertices of facets that have become too thin.
@@ -130,7 +138,7 @@ public:
     {
       if(candidate.centers[n].is_faithful)
         continue;
-      candidate.centers[n].is_faithful = distances[n] <= farthest_centroid_;
+      candidate.centers[n].is_faithful = distances[n] <= farthest(vertices(n), candidate.numbering);
       if(!candidate.centers[n].is_faithful)
         report.revert(candidate.boundary_complex->facets()[n].vertices);
     }
@@ -138,6 +146,44 @@ public:
   }
 
 private:
+  // Below which all facets are on the surface, up to roundings.
+  static constexpr double share_of_bend = 1e-3;
+
+  // How far a centroid may be from the surface.
+  double farthest(const Triple& facet, const Vertex_numbering_3& numbering) const
+  {
+    if(bends_.empty())
+      return farthest_centroid_;
+    double bend = -1;
+    for(int v : facet)
+      if(const std::size_t n = numbering.input_numbers[v]; n < bends_.size())
+        bend = (std::max)(bend, bends_[n]);
+    return (std::max)(farthest_centroid_, coarsening_ * (bend < 0 ? largest_bend_ : bend));
+  }
+
+  // At each vertex, by the edge and the angle between normals of two facets: a sphere that goes through the vertices of two
+  // regular triangles is sqrt(3) / 6 of the product away from their centroids.
+  void measure_bends(const Complex_snapshot_3& input)
+  {
+    const Boundary_complex_3& boundary = input.boundary.complex();
+    const std::vector<Site>& sites = input.sites();
+    bends_.assign(input.numbering->number_in_table, 0);
+    for(int corner = 0; corner < 3 * static_cast<int>(boundary.facets().size()); ++corner)
+    {
+      const int beyond = boundary.facet_beyond(corner);
+      if(beyond < corner / 3)
+        continue;
+      const Triple& t = boundary.facets()[corner / 3].vertices;
+      const Facet_dual_3 facet(t, sites), other(boundary.facets()[beyond].vertices, sites);
+      const double angle = std::acos((std::min)(1., std::abs(facet.normal.dot(other.normal))));
+      const int u = t[(corner + 1) % 3], v = t[(corner + 2) % 3];
+      const double bend = std::sqrt(3.) / 6 * angle * (position(sites[u]) - position(sites[v])).length();
+      for(int w : { u, v })
+        bends_[input.numbering->input_numbers[w]] = (std::max)(bends_[input.numbering->input_numbers[w]], bend);
+      largest_bend_ = (std::max)(largest_bend_, bend);
+    }
+  }
+
   bool has_good_angles(const Triple& facet, const std::vector<Site>& sites) const
   {
     return smallest_angle_of_facet(facet, sites) >= smallest_angle_;
@@ -150,7 +196,9 @@ private:
 
   const Domain_view_3& domain_;
   bool are_measured_ = false;
-  double farthest_centroid_ = 0, smallest_angle_ = 30;
+  double farthest_centroid_ = 0, smallest_angle_ = 30, coarsening_ = 1;
+  std::vector<double> bends_;           // by vertices' numbers in the input; or none
+  double largest_bend_ = 0;
 };
 
 // The vertices at which the boundary of the candidate is not what it has to be.

@@ -67,7 +67,7 @@ public:
     return std::all_of(facets.begin(), facets.end(), [&](const Triple& t)
     {
       const std::array<Site, 3> s = cavity_.sites(t);
-      return smallest_angle_of_facet(s) >= least && complex_.bounds.is_close(centroid(s));
+      return smallest_angle_of_facet(s) >= least && complex_.bounds.is_close(t, complex_.numbering, centroid(s));
     });
   }
 
