@@ -32,6 +32,7 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <limits>
 #include <map>
 #include <set>
 #include <utility>
@@ -237,7 +238,7 @@ inline Defect_report_3 check_topology(const Complex_candidate_3& candidate)
 template <class Vertices>
 std::vector<int> intruders(const Complex_candidate_3& candidate, const Vertices& around, const Vector_3& center)
 {
-  const Site& s = candidate.snapshot.sites()[around[0]];
+  const Site& s = candidate.sites[around[0]];
   const double radius = squared_distance(s, center) - s.weight;
   Vertex_rings_3 region(candidate.triangulation, around);
   for(int ring = 0; ring < 2; ++ring)
@@ -272,6 +273,42 @@ inline int label_beyond(const Complex_snapshot_3& snapshot, const Labelled_trian
   return labels[0] == label ? labels[1] : labels[0];
 }
 
+// What the vertices of a facet have to gain in weight for a sphere through them, orthogonally, that none of the vertices around it
+// is in which stay where they are; 0 if there is one. Powers with respect to these spheres are linear along the dual line.
+inline double lacking_weight(const Complex_candidate_3& candidate, const Triple& facet)
+{
+  constexpr int rings = 2, bisections = 40;
+  constexpr double margin = 1e-3, most_radii = 10;
+  const std::vector<Site>& sites = candidate.sites;
+  const Facet_dual_3 dual(facet, sites);
+  const double squared_radius = squared_distance(sites[facet[0]], dual.center) - sites[facet[0]].weight;
+  Vertex_rings_3 region(candidate.triangulation, facet);
+  for(int ring = 0; ring < rings; ++ring)
+    region.grow();
+  std::vector<std::array<double, 2> > powers;            // in the plane of the facet, and their slopes
+  for(int v : region.vertices())
+    if(!candidate.numbering.is_movable(v) && std::find(facet.begin(), facet.end(), v) == facet.end())
+      powers.push_back({{ squared_distance(sites[v], dual.center) - sites[v].weight - squared_radius, -2 * dual.height(position(sites[v])) }});
+  if(powers.empty())
+    return 0;
+  const auto least = [&powers](double height)
+  {
+    const auto at = [height](const std::array<double, 2>& p) { return p[0] + height * p[1]; };
+    return *std::min_element(powers.begin(), powers.end(), [&at](const auto& p, const auto& q) { return at(p) < at(q); });
+  };
+  // Where the least one rises is the way to the best.
+  double low = -most_radii * dual.radius, high = -low, best = (std::numeric_limits<double>::lowest)();
+  for(int n = 0; n < bisections; ++n)
+  {
+    const double height = (low + high) / 2;
+    const std::array<double, 2> p = least(height);
+    best = (std::max)(best, p[0] + height * p[1]);
+    (p[1] > 0 ? low : high) = height;
+  }
+  const double wanted = margin * dual.radius * dual.radius;
+  return best < wanted / 2 ? wanted - best : 0;
+}
+
 // Whether a boundary at rest has the facets of the snapshot. One that is missing has a vertex in its surface
 // Delaunay ball; another has other subdomains on its sides.
 inline Defect_report_3 check_facets_stay(const Complex_candidate_3& candidate)
@@ -289,7 +326,11 @@ inline Defect_report_3 check_facets_stay(const Complex_candidate_3& candidate)
       report.revert(f.vertices);
   }
   for(std::size_t n = 0; n < is_found.size(); ++n)
-    if(!is_found[n])
+    if(is_found[n])
+      continue;
+    else if(const double weight = lacking_weight(candidate, facets[n].vertices); weight > 0)
+      report.add_weight(facets[n].vertices, weight);
+    else
       revert_intruders(candidate, facets[n].vertices, candidate.snapshot.centers[n].point, report);
   return report;
 }

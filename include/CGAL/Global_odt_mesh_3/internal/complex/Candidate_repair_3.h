@@ -155,7 +155,7 @@ public:
   bool apply(const Defect_report_3& report, int attempt)
   {
     const std::map<int, Vector_3>& retreats = report.retreats();
-    if(report.is_beyond_repair() && (candidate_.has_way_back || retreats.empty()))
+    if(report.is_beyond_repair() && (candidate_.has_way_back || retreats.empty()) && report.weights().empty())
       return false;
     for(int v : report.offending_vertices())
       if(candidate_.is_reverted(v))
@@ -165,7 +165,12 @@ public:
     for(int v : offending)
       if(candidate_.numbering.is_movable(v) && !candidate_.is_reverted(v) && retreats.count(v) == 0)
         revert(v, attempt);
-    if(!move_vertices(candidate_.sites, candidate_.triangulation))
+    for(const auto& w : report.weights())
+    {
+      candidate_.sites[w.first].weight += w.second;
+      candidate_.revert_sites[w.first].weight += w.second;
+    }
+    if(!report.weights().empty() || !move_vertices(candidate_.sites, candidate_.triangulation))
       rebuild_();
     const auto has_moved = [&](int v) { return offending.count(v) > 0 || retreats.count(v) > 0; };
     for(auto it = candidate_.known_distances.begin(); it != candidate_.known_distances.end(); )

@@ -83,7 +83,7 @@ public:
   {}
 
   // Whether nothing is wrong, not even something that no vertex can undo by going back.
-  bool is_clean() const { return offending_vertices_.empty() && retreats_.empty() && !is_beyond_repair_; }
+  bool is_clean() const { return offending_vertices_.empty() && retreats_.empty() && weights_.empty() && !is_beyond_repair_; }
   bool is_beyond_repair() const { return is_beyond_repair_; }
 
   const std::set<int>& offending_vertices() const { return offending_vertices_; }
@@ -126,6 +126,25 @@ public:
   // The displacements of the vertices that retreat.
   const std::map<int, Vector_3>& retreats() const { return retreats_; }
 
+  // More weight for vertices that stay, if that does not make balls as large as others are far away.
+  template <class Vertices>
+  void add_weight(const Vertices& vertices, double weight)
+  {
+    constexpr double largest_ball = 0.4;                // over the shortest edge
+    for(int v : vertices)
+    {
+      double squared_edge = (std::numeric_limits<double>::max)();
+      for(int w : candidate_.triangulation.neighbors(v))
+        squared_edge = (std::min)(squared_edge, squared_distance(candidate_.sites[w], position(candidate_.sites[v])));
+      if(candidate_.numbering.is_movable(v) || candidate_.sites[v].weight + weight > largest_ball * largest_ball * squared_edge)
+        return revert(vertices);
+    }
+    for(int v : vertices)
+      weights_[v] = (std::max)(weights_[v], weight);
+  }
+
+  const std::map<int, double>& weights() const { return weights_; }
+
   // Those only that have not reverted, or else those around them; whether there are any. Numbers below zero, of the infinite
   // vertex, do not matter.
   template <class Vertices>
@@ -147,6 +166,8 @@ public:
     offending_vertices_.insert(later.offending_vertices_.begin(), later.offending_vertices_.end());
     for(const auto& r : later.retreats_)
       add_retreat(r.first, r.second);
+    for(const auto& w : later.weights_)
+      weights_[w.first] = (std::max)(weights_[w.first], w.second);
   }
 
 private:
@@ -199,6 +220,7 @@ private:
   const Complex_candidate_3& candidate_;
   std::set<int> offending_vertices_, obstacles_;
   std::map<int, Vector_3> retreats_;
+  std::map<int, double> weights_;           // that are added
   bool is_beyond_repair_ = false;
 };
 

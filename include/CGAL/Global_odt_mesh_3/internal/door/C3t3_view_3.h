@@ -386,8 +386,8 @@ private:
   // One that has not moved keeps its point. The radius is what CGAL's optimizers leave there.
   static void write_vertex(Vertex_handle v, const Site& s, double mean_circumradius)
   {
-    if(!same_place(s, weighted_site(v->point())))
-      v->set_point(typename Triangulation::Weighted_point(Bare_point(s.x, s.y, s.z)));
+    if(const Site before = weighted_site(v->point()); !same_place(s, before) || s.weight != before.weight)
+      v->set_point(typename Triangulation::Weighted_point(Bare_point(s.x, s.y, s.z), s.weight));
     if(mean_circumradius > 0)
       v->set_meshing_info(mean_circumradius);
   }
