@@ -32,6 +32,7 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <iterator>
 #include <limits>
 #include <map>
 #include <set>
@@ -273,65 +274,72 @@ inline int label_beyond(const Complex_snapshot_3& snapshot, const Labelled_trian
   return labels[0] == label ? labels[1] : labels[0];
 }
 
-// What the vertices of a facet have to gain in weight for a sphere through them, orthogonally, that none of the vertices around it
-// is in which stay where they are; 0 if there is one. Powers with respect to these spheres are linear along the dual line.
-inline double lacking_weight(const Complex_candidate_3& candidate, const Triple& facet)
+// Among the spheres that pass through the vertices of a facet, orthogonally, the one that is the farthest from those vertices around
+// it that stay. Powers with respect to these spheres are linear along the dual line.
+struct Emptiest_sphere_3
 {
-  constexpr int rings = 2, bisections = 40;
-  constexpr double margin = 1e-3, most_radii = 10;
-  const std::vector<Site>& sites = candidate.sites;
-  const Facet_dual_3 dual(facet, sites);
-  const double squared_radius = squared_distance(sites[facet[0]], dual.center) - sites[facet[0]].weight;
-  Vertex_rings_3 region(candidate.triangulation, facet);
-  for(int ring = 0; ring < rings; ++ring)
-    region.grow();
-  std::vector<std::array<double, 2> > powers;            // in the plane of the facet, and their slopes
-  for(int v : region.vertices())
-    if(!candidate.numbering.is_movable(v) && std::find(facet.begin(), facet.end(), v) == facet.end())
-      powers.push_back({{ squared_distance(sites[v], dual.center) - sites[v].weight - squared_radius, -2 * dual.height(position(sites[v])) }});
-  if(powers.empty())
-    return 0;
-  const auto least = [&powers](double height)
-  {
-    const auto at = [height](const std::array<double, 2>& p) { return p[0] + height * p[1]; };
-    return *std::min_element(powers.begin(), powers.end(), [&at](const auto& p, const auto& q) { return at(p) < at(q); });
-  };
-  // Where the least one rises is the way to the best.
-  double low = -most_radii * dual.radius, high = -low, best = (std::numeric_limits<double>::lowest)();
-  for(int n = 0; n < bisections; ++n)
-  {
-    const double height = (low + high) / 2;
-    const std::array<double, 2> p = least(height);
-    best = (std::max)(best, p[0] + height * p[1]);
-    (p[1] > 0 ? low : high) = height;
-  }
-  const double wanted = margin * dual.radius * dual.radius;
-  return best < wanted / 2 ? wanted - best : 0;
-}
+  Vector_3 center;
+  double power = (std::numeric_limits<double>::max)();    // the least of these vertices
+  std::array<double, 3> shares = {{ 0, 0, 0 }};           // barycentric, of the point in the facet's plane that keeps it from growing
 
-// Whether a boundary at rest has the facets of the snapshot. One that is missing has a vertex in its surface
-// Delaunay ball; another has other subdomains on its sides.
-inline Defect_report_3 check_facets_stay(const Complex_candidate_3& candidate)
-{
-  Defect_report_3 report(candidate);
-  const std::vector<Boundary_facet>& facets = candidate.snapshot.boundary.complex().facets();
-  std::vector<char> is_found(facets.size(), false);
-  for(std::size_t n = 0; n < candidate.old_facets.size(); ++n)
+  Emptiest_sphere_3(const Complex_candidate_3& candidate, const Triple& facet)
   {
-    const int old = candidate.old_facets[n];
-    const Boundary_facet& f = candidate.boundary_complex->facets()[n];
-    if(old >= 0)
-      is_found[old] = true;
+    constexpr int rings = 2, bisections = 50;
+    constexpr double most_radii = 10;
+    const std::vector<Site>& sites = candidate.sites;
+    const Facet_dual_3 dual(facet, sites);
+    const double squared_radius = squared_distance(sites[facet[0]], dual.center) - sites[facet[0]].weight;
+    Vertex_rings_3 region(candidate.triangulation, facet);
+    for(int ring = 0; ring < rings; ++ring)
+      region.grow();
+    std::vector<int> around;
+    std::copy_if(region.vertices().begin(), region.vertices().end(), std::back_inserter(around), [&](int v)
+                 { return !candidate.numbering.is_movable(v) && std::find(facet.begin(), facet.end(), v) == facet.end(); });
+    const auto slope = [&](int v) { return -2 * dual.height(position(sites[v])); };
+    const auto power_at = [&](double height, int v)
+    { return squared_distance(sites[v], dual.center) - sites[v].weight - squared_radius + height * slope(v); };
+    // To where the least power rises. On either side, one vertex is the nearest in the end.
+    double low = -most_radii * dual.radius, high = -low;
+    std::array<int, 2> nearest = {{ -1, -1 }};
+    for(int n = 0; n < bisections && !around.empty(); ++n)
+    {
+      const double height = (low + high) / 2;
+      const int v = *std::min_element(around.begin(), around.end(), [&](int a, int b) { return power_at(height, a) < power_at(height, b); });
+      (slope(v) > 0 ? low : high) = height;
+      nearest[slope(v) > 0] = v;
+    }
+    center = dual.point_at((low + high) / 2);
+    for(int v : nearest)
+      if(v >= 0)
+        power = (std::min)(power, power_at((low + high) / 2, v));
+    if(nearest[0] >= 0 || nearest[1] >= 0)
+      find_shares(facet, sites, nearest, dual);
+  }
+
+private:
+  void find_shares(const Triple& facet, const std::vector<Site>& sites, const std::array<int, 2>& nearest, const Facet_dual_3& dual)
+  {
+    const Vector_3 p = position(sites[nearest[nearest[0] < 0]]), q = position(sites[nearest[nearest[1] >= 0]]);
+    const double a = dual.height(p), b = dual.height(q);
+    const Vector_3 r = a == b ? p : Vector_3((b * p - a * q) / (b - a));
+    double sum = 0;
+    for(int i = 0; i < 3; ++i)
+    {
+      const Vector_3 u = position(sites[facet[(i + 1) % 3]]), v = position(sites[facet[(i + 2) % 3]]);
+      sum += shares[i] = dual.normal.dot((u - r).cross(v - r));
+    }
+    for(double& share : shares)
+      share /= sum;
+  }
+};
+
+ true;
     if(old < 0 || !Boundary_complex_3::same_labels(f.labels, facets[old].labels))
       report.revert(f.vertices);
   }
   for(std::size_t n = 0; n < is_found.size(); ++n)
-    if(is_found[n])
-      continue;
-    else if(const double weight = lacking_weight(candidate, facets[n].vertices); weight > 0)
-      report.add_weight(facets[n].vertices, weight);
-    else
-      revert_intruders(candidate, facets[n].vertices, candidate.snapshot.centers[n].point, report);
+    if(!is_found[n])
+      make_room(candidate, facets[n].vertices, report);
   return report;
 }
 

@@ -126,21 +126,22 @@ public:
   // The displacements of the vertices that retreat.
   const std::map<int, Vector_3>& retreats() const { return retreats_; }
 
-  // More weight for vertices that stay, if that does not make balls as large as others are far away.
-  template <class Vertices>
-  void add_weight(const Vertices& vertices, double weight)
+  // More weight for vertices of a facet that stay, unless that makes balls as large as others are far away.
+  void add_weight(const Triple& facet, const std::vector<int>& vertices, double weight)
   {
     constexpr double largest_ball = 0.4;                // over the shortest edge
-    for(int v : vertices)
+    const auto has_room = [&](int v)
     {
       double squared_edge = (std::numeric_limits<double>::max)();
       for(int w : candidate_.triangulation.neighbors(v))
         squared_edge = (std::min)(squared_edge, squared_distance(candidate_.sites[w], position(candidate_.sites[v])));
-      if(candidate_.numbering.is_movable(v) || candidate_.sites[v].weight + weight > largest_ball * largest_ball * squared_edge)
-        return revert(vertices);
-    }
-    for(int v : vertices)
-      weights_[v] = (std::max)(weights_[v], weight);
+      return !candidate_.numbering.is_movable(v) && candidate_.sites[v].weight + weight < largest_ball * largest_ball * squared_edge;
+    };
+    if(!std::all_of(vertices.begin(), vertices.end(), has_room))
+      revert(facet);
+    else
+      for(int v : vertices)
+        weights_[v] = (std::max)(weights_[v], weight);
   }
 
   const std::map<int, double>& weights() const { return weights_; }
