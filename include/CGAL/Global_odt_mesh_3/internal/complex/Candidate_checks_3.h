@@ -333,7 +333,39 @@ private:
   }
 };
 
- true;
+// For a facet that stays: those of its vertices gain weight of which others that stay are in the way, or else vertices that are not to
+// stay go back.
+inline void make_room(const Complex_candidate_3& candidate, const Triple& facet, Defect_report_3& report)
+{
+  constexpr double margin = 1e-3;                // over the squared radius
+  const Emptiest_sphere_3 sphere(candidate, facet);
+  const double wanted = margin * squared_distance(candidate.sites[facet[0]], Facet_dual_3(facet, candidate.sites).center);
+  if(!(sphere.power < wanted / 2))
+    return revert_intruders(candidate, facet, sphere.center, report);
+  std::vector<int> heavier;
+  double sum = 0;
+  for(int i = 0; i < 3; ++i)
+    if(sphere.shares[i] > 0)
+    {
+      heavier.push_back(facet[i]);
+      sum += sphere.shares[i];
+    }
+  report.add_weight(facet, heavier, (wanted - sphere.power) / sum);
+}
+
+// Whether a boundary at rest has the facets of the snapshot. One that is missing has a vertex in each sphere through its vertices;
+// another has other subdomains on its sides.
+inline Defect_report_3 check_facets_stay(const Complex_candidate_3& candidate)
+{
+  Defect_report_3 report(candidate);
+  const std::vector<Boundary_facet>& facets = candidate.snapshot.boundary.complex().facets();
+  std::vector<char> is_found(facets.size(), false);
+  for(std::size_t n = 0; n < candidate.old_facets.size(); ++n)
+  {
+    const int old = candidate.old_facets[n];
+    const Boundary_facet& f = candidate.boundary_complex->facets()[n];
+    if(old >= 0)
+      is_found[old] = true;
     if(old < 0 || !Boundary_complex_3::same_labels(f.labels, facets[old].labels))
       report.revert(f.vertices);
   }
