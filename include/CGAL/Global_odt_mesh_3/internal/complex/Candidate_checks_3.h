@@ -274,83 +274,99 @@ inline int label_beyond(const Complex_snapshot_3& snapshot, const Labelled_trian
   return labels[0] == label ? labels[1] : labels[0];
 }
 
-// Among the spheres that pass through the vertices of a facet, orthogonally, the one that is the farthest from those vertices around
-// it that stay. Powers with respect to these spheres are linear along the dual line.
-struct Emptiest_sphere_3
+// The smallest of the spheres that pass through the vertices of a facet, orthogonally, from which those vertices around it that stay
+// are far enough away or, if there is none, the one from which they are the farthest. Powers with respect to these spheres are linear
+// along the dual line.
+class Empty_sphere_3
 {
-  Vector_3 center;
-  double power = (std::numeric_limits<double>::max)();    // the least of these vertices
-  std::array<double, 3> shares = {{ 0, 0, 0 }};           // barycentric, of the point in the facet's plane that keeps it from growing
-
-  Emptiest_sphere_3(const Complex_candidate_3& candidate, const Triple& facet)
+public:
+  Empty_sphere_3(const Complex_candidate_3& candidate, const Triple& facet)
+    : facet_(facet)
+    , sites_(candidate.sites)
+    , dual_(facet, sites_)
+    , squared_radius_(squared_distance(sites_[facet[0]], dual_.center) - sites_[facet[0]].weight)
   {
-    constexpr int rings = 2, bisections = 50;
-    constexpr double most_radii = 10;
-    const std::vector<Site>& sites = candidate.sites;
-    const Facet_dual_3 dual(facet, sites);
-    const double squared_radius = squared_distance(sites[facet[0]], dual.center) - sites[facet[0]].weight;
+    constexpr int rings = 2;
     Vertex_rings_3 region(candidate.triangulation, facet);
     for(int ring = 0; ring < rings; ++ring)
       region.grow();
-    std::vector<int> around;
-    std::copy_if(region.vertices().begin(), region.vertices().end(), std::back_inserter(around), [&](int v)
+    std::copy_if(region.vertices().begin(), region.vertices().end(), std::back_inserter(around_), [&](int v)
                  { return !candidate.numbering.is_movable(v) && std::find(facet.begin(), facet.end(), v) == facet.end(); });
-    const auto slope = [&](int v) { return -2 * dual.height(position(sites[v])); };
-    const auto power_at = [&](double height, int v)
-    { return squared_distance(sites[v], dual.center) - sites[v].weight - squared_radius + height * slope(v); };
-    // To where the least power rises. On either side, one vertex is the nearest in the end.
-    double low = -most_radii * dual.radius, high = -low;
-    std::array<int, 2> nearest = {{ -1, -1 }};
-    for(int n = 0; n < bisections && !around.empty(); ++n)
+    if(!around_.empty() && power() < least_power())
+      find_height();
+  }
+
+  Vector_3 center() const { return dual_.point_at(height_); }
+  bool is_empty() const { return around_.empty() || power() >= least_power() / 2; }
+
+  // What the vertices of the facet have to gain in weight so that the sphere is empty: those on whose side nothing is too close.
+  std::array<double, 3> lacking_weights() const
+  {
+    const Vector_3 p = position(sites_[nearest_[nearest_[0] < 0]]), q = position(sites_[nearest_[nearest_[1] >= 0]]);
+    const double a = dual_.height(p), b = dual_.height(q);
+    // The point in the plane of the facet of which the power does not depend on the sphere.
+    const Vector_3 r = a == b ? p : Vector_3((b * p - a * q) / (b - a));
+    std::array<double, 3> shares;
+    double sum = 0, positive = 0;
+    for(int i = 0; i < 3; ++i)
     {
-      const double height = (low + high) / 2;
-      const int v = *std::min_element(around.begin(), around.end(), [&](int a, int b) { return power_at(height, a) < power_at(height, b); });
-      (slope(v) > 0 ? low : high) = height;
-      nearest[slope(v) > 0] = v;
+      const Vector_3 u = position(sites_[facet_[(i + 1) % 3]]), v = position(sites_[facet_[(i + 2) % 3]]);
+      sum += shares[i] = dual_.normal.dot((u - r).cross(v - r));
     }
-    center = dual.point_at((low + high) / 2);
-    for(int v : nearest)
-      if(v >= 0)
-        power = (std::min)(power, power_at((low + high) / 2, v));
-    if(nearest[0] >= 0 || nearest[1] >= 0)
-      find_shares(facet, sites, nearest, dual);
+    for(double share : shares)
+      positive += (std::max)(0., share / sum);
+    for(double& share : shares)
+      share = share / sum > 0 ? (least_power() - power()) / positive : 0;
+    return shares;
   }
 
 private:
-  void find_shares(const Triple& facet, const std::vector<Site>& sites, const std::array<int, 2>& nearest, const Facet_dual_3& dual)
+  static constexpr double margin = 1e-3;              // over the squared radius, as all that follow
+  static constexpr double most_radii = 1;
+  static constexpr int bisections = 40;
+
+  double least_power() const { return margin * dual_.radius * dual_.radius; }
+  double slope(int v) const { return -2 * dual_.height(position(sites_[v])); }
+  double power(int v) const
+  { return squared_distance(sites_[v], dual_.center) - sites_[v].weight - squared_radius_ + height_ * slope(v); }
+
+  int nearest() const
+  { return *std::min_element(around_.begin(), around_.end(), [this](int a, int b) { return power(a) < power(b); }); }
+
+  double power() const { return power(nearest()); }
+
+  // Toward where the least power rises, to where it is enough. On either side, one vertex is the nearest in the end.
+  void find_height()
   {
-    const Vector_3 p = position(sites[nearest[nearest[0] < 0]]), q = position(sites[nearest[nearest[1] >= 0]]);
-    const double a = dual.height(p), b = dual.height(q);
-    const Vector_3 r = a == b ? p : Vector_3((b * p - a * q) / (b - a));
-    double sum = 0;
-    for(int i = 0; i < 3; ++i)
+    double low = -most_radii * dual_.radius, high = -low;
+    for(int n = 0; n < bisections; ++n)
     {
-      const Vector_3 u = position(sites[facet[(i + 1) % 3]]), v = position(sites[facet[(i + 2) % 3]]);
-      sum += shares[i] = dual.normal.dot((u - r).cross(v - r));
+      const int v = nearest();
+      const bool rises = slope(v) > 0;
+      nearest_[rises] = v;
+      // Back toward the facet, if there is room.
+      const bool goes_up = power(v) < least_power() ? rises : height_ < 0;
+      (goes_up ? low : high) = height_;
+      height_ = (low + high) / 2;
     }
-    for(double& share : shares)
-      share /= sum;
   }
+
+  const Triple facet_;
+  const std::vector<Site>& sites_;
+  const Facet_dual_3 dual_;
+  double squared_radius_, height_ = 0;
+  std::vector<int> around_;
+  std::array<int, 2> nearest_ = {{ -1, -1 }};
 };
 
-// For a facet that stays: those of its vertices gain weight of which others that stay are in the way, or else vertices that are not to
-// stay go back.
+// For a facet that stays: if others that stay are in the way, its vertices gain weight, or else those that are not to stay go back.
 inline void make_room(const Complex_candidate_3& candidate, const Triple& facet, Defect_report_3& report)
 {
-  constexpr double margin = 1e-3;                // over the squared radius
-  const Emptiest_sphere_3 sphere(candidate, facet);
-  const double wanted = margin * squared_distance(candidate.sites[facet[0]], Facet_dual_3(facet, candidate.sites).center);
-  if(!(sphere.power < wanted / 2))
-    return revert_intruders(candidate, facet, sphere.center, report);
-  std::vector<int> heavier;
-  double sum = 0;
-  for(int i = 0; i < 3; ++i)
-    if(sphere.shares[i] > 0)
-    {
-      heavier.push_back(facet[i]);
-      sum += sphere.shares[i];
-    }
-  report.add_weight(facet, heavier, (wanted - sphere.power) / sum);
+  const Empty_sphere_3 sphere(candidate, facet);
+  if(sphere.is_empty())
+    revert_intruders(candidate, facet, sphere.center(), report);
+  else
+    report.add_weights(facet, sphere.lacking_weights());
 }
 
 // Whether a boundary at rest has the facets of the snapshot. One that is missing has a vertex in each sphere through its vertices;

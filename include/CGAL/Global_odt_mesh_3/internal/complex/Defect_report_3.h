@@ -22,6 +22,7 @@
 #include <CGAL/Global_odt_mesh_3/internal/surface/Boundary_geometry_3.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <limits>
@@ -127,21 +128,21 @@ public:
   const std::map<int, Vector_3>& retreats() const { return retreats_; }
 
   // More weight for vertices of a facet that stay, unless that makes balls as large as others are far away.
-  void add_weight(const Triple& facet, const std::vector<int>& vertices, double weight)
+  void add_weights(const Triple& facet, const std::array<double, 3>& weights)
   {
     constexpr double largest_ball = 0.4;                // over the shortest edge
-    const auto has_room = [&](int v)
+    for(int i = 0; i < 3; ++i)
     {
       double squared_edge = (std::numeric_limits<double>::max)();
-      for(int w : candidate_.triangulation.neighbors(v))
-        squared_edge = (std::min)(squared_edge, squared_distance(candidate_.sites[w], position(candidate_.sites[v])));
-      return !candidate_.numbering.is_movable(v) && candidate_.sites[v].weight + weight < largest_ball * largest_ball * squared_edge;
-    };
-    if(!std::all_of(vertices.begin(), vertices.end(), has_room))
-      revert(facet);
-    else
-      for(int v : vertices)
-        weights_[v] = (std::max)(weights_[v], weight);
+      for(int w : candidate_.triangulation.neighbors(facet[i]))
+        squared_edge = (std::min)(squared_edge, squared_distance(candidate_.sites[w], position(candidate_.sites[facet[i]])));
+      const double weight = candidate_.sites[facet[i]].weight + weights[i];
+      if(candidate_.numbering.is_movable(facet[i]) || weight > largest_ball * largest_ball * squared_edge)
+        return revert(facet);
+    }
+    for(int i = 0; i < 3; ++i)
+      if(weights[i] > 0)
+        weights_[facet[i]] = (std::max)(weights_[facet[i]], weights[i]);
   }
 
   const std::map<int, double>& weights() const { return weights_; }
