@@ -130,7 +130,7 @@ public:
   // More weight for vertices of a facet that stay, unless that makes balls as large as others are far away.
   void add_weights(const Triple& facet, const std::array<double, 3>& weights)
   {
-    constexpr double largest_ball = 0.6;                // over the shortest edge
+    constexpr double largest_ball = 0.75;                // over the shortest edge
     for(int i = 0; i < 3; ++i)
     {
       double squared_edge = (std::numeric_limits<double>::max)();
