@@ -123,7 +123,7 @@ public:
       if(table.cells[n].is_kept)
         kept_cells_.push_back(sites_of(*cells[n]));
       for(int i = 0; i < 4; ++i)
-        if(const Facet f(cells[n], i); f.first->is_facet_on_surface(f.second))
+        if(const Facet f(cells[n], is_mirrored_ && i < 2 ? 1 - i : i); f.first->is_facet_on_surface(f.second))
         {
           table.cells[n].facets |= 1 << i;
           table.facets.push_back(read_facet(f, static_cast<int>(n), i));
@@ -330,7 +330,7 @@ private:
   }
 
   // Their vertices keep the order that they have there, on which dual points of flat cells depend.
-  std::vector<Cell_handle> read_cells(const Thread_policy& threads, Mesh_table_3& table) const
+  std::vector<Cell_handle> read_cells(const Thread_policy& threads, Mesh_table_3& table)
   {
     const Vertex_numbers vertex_number = vertex_numbers();
     std::vector<Cell_handle> cells = all_cells(c3t3_.triangulation());
@@ -355,7 +355,27 @@ private:
       for(int i = 0; i < 4; ++i)
         table.cells[n].neighbors[i] = number[cells[n]->neighbor(i)];
     });
+    turn_over_mirrored(table);
     return cells;
+  }
+
+  // Some programs number the vertices of their tetrahedra the other way round.
+  void turn_over_mirrored(Mesh_table_3& table)
+  {
+    double volume = 0;
+    for(const Mesh_table_3::Cell& c : table.cells)
+      if(index_of(c.vertices, int(Mesh_table_3::infinite)) == 4)
+      {
+        const std::array<Site, 4> s = table.cell_sites(c.vertices);
+        volume += Cell_products(s[0], s[1], s[2], s[3]).determinant;
+      }
+    is_mirrored_ = volume < 0;
+    for(Mesh_table_3::Cell& c : table.cells)
+      if(is_mirrored_)
+      {
+        std::swap(c.vertices[0], c.vertices[1]);
+        std::swap(c.neighbors[0], c.neighbors[1]);
+      }
   }
 
   Mesh_table_3::Facet read_facet(const Facet& f, int n, int i)
@@ -396,6 +416,7 @@ private:
   Mesh_domain_view_3<Mesh_domain>& domain_;
   User_constraints_3<C3t3> constraints_;
   std::function<void(Vertex_handle)> before_removal_;
+  bool is_mirrored_ = false;                  // the input
   std::vector<Vertex_handle> vertices_;
   std::vector<Center> centers_;               // by the numbers of facets in the table
   std::vector<std::array<Site, 4> > kept_cells_;
