@@ -38,7 +38,6 @@
 #include <set>
 #include <utility>
 #include <vector>
-#include <iostream>
 
 namespace CGAL::Global_odt_mesh_3::internal {
 
@@ -321,7 +320,7 @@ public:
     return shares;
   }
 
-public:
+private:
   static constexpr double margin = 1e-3;              // over the squared radius, as all that follow
   static constexpr double most_radii = 1;
   static constexpr int bisections = 40;
@@ -364,7 +363,6 @@ public:
 inline void make_room(const Complex_candidate_3& candidate, const Triple& facet, Defect_report_3& report)
 {
   const Empty_sphere_3 sphere(candidate, facet);
-  std::cerr << "   facet " << facet[0] << ' ' << facet[1] << ' ' << facet[2] << " empty " << sphere.is_empty() << " h/R " << sphere.height_/sphere.dual_.radius << " power " << (sphere.around_.empty()?0:sphere.power())/sphere.least_power() << " intruders " << intruders(candidate, facet, sphere.center()).size() << "\n";
   if(sphere.is_empty())
     revert_intruders(candidate, facet, sphere.center(), report);
   else

@@ -31,7 +31,6 @@
 #include <cstddef>
 #include <memory>
 #include <set>
-#include <iostream>
 #include <utility>
 #include <vector>
 
@@ -158,7 +157,6 @@ private:
   bool complete(Complex_candidate_3& candidate, const Moving_triangulation_3* mesh)
   {
     put_on_surfaces(candidate, domain_);
-    std::cerr << "complete " << candidate.has_way_back << " final " << candidate.is_final << "\n";
     build(candidate, mesh);
     Candidate_repair_3 repair(candidate, domain_, [&] { build(candidate, nullptr); });
     for(int attempt = 0; attempt < most_attempts; ++attempt)
@@ -198,15 +196,11 @@ private:
     if(!candidate.triangulation.is_complete())
       return hidden_vertices(candidate);
     Defect_report_3 report = Cell_labels_3(candidate, domain_).label_cells();
-    std::cerr << "  labels " << report.offending_vertices().size() << " retreats " << report.retreats().size() << " beyond " << report.is_beyond_repair() << "\n";
     Boundary_extraction_3 extraction(candidate, domain_);
     extraction.find_boundary();
     report.add(check_kept_cells(candidate));
-    std::cerr << " kept " << report.offending_vertices().size();
     report.add(candidate.boundary_moves() ? check_topology(candidate) : check_facets_stay(candidate));
-    std::cerr << " topology " << report.offending_vertices().size()<< " retreats " << report.retreats().size() << " beyond " << report.is_beyond_repair() << " weights " << report.weights().size();
     report.add(Surface_centers_3(candidate, domain_).find_surface_centers());
-    std::cerr << " centers " << report.offending_vertices().size()<< " beyond " << report.is_beyond_repair() << "\n";
     if(!candidate.boundary_moves())
       return report;
     report.add(bounds_.check_distances(candidate));

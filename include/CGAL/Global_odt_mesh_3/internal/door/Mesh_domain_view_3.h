@@ -22,6 +22,7 @@
 
 #include <boost/variant/get.hpp>
 
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <tuple>
@@ -51,10 +52,10 @@ template <class T>
 struct Is_mesh_domain<T, std::void_t<typename T::Index, typename T::Subdomain_index, typename T::Surface_patch_index,
                                      decltype(std::declval<const T&>().is_in_domain_object())> > : std::true_type {};
 
-// Whether the domain agrees about the subdomains of most cells of a mesh, of which a thousand are asked about at most. `dual(c)` is
-// the dual point of a cell, or not finite.
-template <class C3t3, class Domain_view, class Dual>
-bool is_domain_of_mesh(const C3t3& c3t3, Domain_view& domain, const Dual& dual)
+// Whether the domain agrees about the subdomains of most cells of a mesh, of which a thousand are asked about at most. `points(c)` are
+// those of which one at least has to be in the subdomain of a cell; it does not count if the first one is not finite.
+template <class C3t3, class Domain_view, class Points>
+bool is_domain_of_mesh(const C3t3& c3t3, Domain_view& domain, const Points& points)
 {
   constexpr std::size_t most_questions = 1000;
   const std::size_t step = c3t3.number_of_cells_in_complex() / most_questions + 1;
@@ -63,10 +64,10 @@ bool is_domain_of_mesh(const C3t3& c3t3, Domain_view& domain, const Dual& dual)
     if(number++ % step == 0)
     {
       const int label = domain.number_subdomain(c->subdomain_index());
-      const Vector_3 p = dual(c);
-      if(!std::isfinite(p.squared_length()))
+      const auto p = points(c);
+      if(!std::isfinite(p.front().squared_length()))
         continue;
-      agreements += domain.label(p) == label;
+      agreements += std::any_of(p.begin(), p.end(), [&](const Vector_3& q) { return domain.label(q) == label; });
       ++questions;
     }
   return 2 * agreements >= questions;

@@ -111,7 +111,7 @@ public:
 
   Mesh_optimization_return_code operator()()
   {
-    CGAL_GLOBAL_ODT_MESH_3_CHECK_PARAMETER(is_domain_of_mesh(c3t3_, domain_, dual_point), wrong_domain);
+    CGAL_GLOBAL_ODT_MESH_3_CHECK_PARAMETER(is_domain_of_mesh(c3t3_, domain_, dual_point_and_centroid), wrong_domain);
     const User_field_3 field = fields_.of_mesh([this](int v) { return mesh_.vertex(v); },
                                                [this](const Vertex_stratum& s) { return domain_.index(s.dimension, s.place); });
     return optimize_mesh(mesh_, domain_, task_, parameters_, field, visitor_, threads());
@@ -135,11 +135,12 @@ public:
   const Stage_clock& clock() const { return clock_; }
 
 private:
-  // A mesh from elsewhere may have inverted cells, of which CGAL gives none.
-  static Vector_3 dual_point(typename C3t3::Cell_handle c)
+  // A mesh from elsewhere may have inverted cells, of which CGAL gives no dual point, or flat ones, of which it is anywhere.
+  static std::array<Vector_3, 2> dual_point_and_centroid(typename C3t3::Cell_handle c)
   {
     const std::array<Site, 4> s = sites_of(*c);
-    return position(s[0]) + Cell_products(s[0], s[1], s[2], s[3]).to_dual();
+    const Vector_3 dual = position(s[0]) + Cell_products(s[0], s[1], s[2], s[3]).to_dual();
+    return {{ dual, (position(s[0]) + position(s[1]) + position(s[2]) + position(s[3])) / 4 }};
   }
 
   Thread_policy threads() { return Thread_policy::for_tag<typename C3t3::Triangulation::Concurrency_tag>().with(clock_); }

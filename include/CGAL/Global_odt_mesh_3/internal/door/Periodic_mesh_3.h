@@ -120,7 +120,7 @@ public:
   bool is_domain_of_mesh() const
   {
     const Triangulation& tr = c3t3_.triangulation();
-    return internal::is_domain_of_mesh(c3t3_, domain_, [&tr](Cell_handle c) { return coordinates(tr.dual(c)); });
+    return internal::is_domain_of_mesh(c3t3_, domain_, [&tr](Cell_handle c) { return std::array<Vector_3, 1>{{ coordinates(tr.dual(c)) }}; });
   }
 
   bool is_one_sheeted() const { return c3t3_.triangulation().number_of_vertices() > 0 && c3t3_.triangulation().is_1_cover(); }
