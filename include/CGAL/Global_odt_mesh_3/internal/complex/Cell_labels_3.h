@@ -113,11 +113,10 @@ private:
       return found;
     const bool is_boundary_cell = found.label == no_subdomain;
     if(is_boundary_cell)
-      found.label_of_dual = candidate_.boundary_moves() ? known_label_of_dual(q) : label_by_facets(c);
-    if(is_boundary_cell && found.label_of_dual == no_subdomain)
       found.label_of_dual = known_label_of_dual(q);
     if(found.label_of_dual == no_subdomain)
-      found.label_of_dual = domain_.label(triangulation_.dual_point(c));
+      found.label_of_dual = domain_.label_of_cell(triangulation_.cell_sites(c), triangulation_.dual_point(c), found.label, no_subdomain,
+                                                    !candidate_.boundary_moves());
     return found;
   }
 
@@ -185,21 +184,6 @@ private:
     if(const Vertex_numbering_3::Input_cell* const c = candidate_.numbering.input_cell(q, candidate_.sites))
       return c->label;
     return snapshot.has_labels_of_domain && !candidate_.boundary_moves() ? snapshot.label_of_cell(q) : no_subdomain;
-  }
-
-  // Where the boundary stays, that of the side of one of its facets on which the cell is, if it has one.
-  int label_by_facets(int c) const
-  {
-    for(int i = 0; i < 4; ++i)
-    {
-      const Triple t = triangulation_.facet_vertices(Half_facet(c, i));
-      if(const int n = candidate_.snapshot.facet_number(t); n >= 0)
-      {
-        const Boundary_facet& f = candidate_.snapshot.boundary.complex().facets()[n];
-        return f.labels[rotated(f.vertices) == t ? 0 : 1];
-      }
-    }
-    return no_subdomain;
   }
 
   bool is_dual_point_certain(const Quadruple& q) const

@@ -402,7 +402,8 @@ private:
     if(c.is_asked || *std::min_element(c.vertices.begin(), c.vertices.end()) < 0)
       return c.fits;
     c.dual = exact_dual_point(cavity_.sites(c.vertices));
-    const int label = complex_.domain.label(c.dual);
+    const int label = complex_.domain.label_of_cell(cavity_.sites(c.vertices), c.dual, c.label, Editable_complex_3::unknown,
+                                                    !complex_.boundary_moves);
     c.fits = c.label == Editable_complex_3::unknown || c.label == label;
     c.label = label;
     c.is_asked = true;

@@ -111,7 +111,10 @@ public:
 
   Mesh_optimization_return_code operator()()
   {
-    CGAL_GLOBAL_ODT_MESH_3_CHECK_PARAMETER(is_domain_of_mesh(c3t3_, domain_, dual_point_and_centroid), wrong_domain);
+    const Domain_agreement agreement(c3t3_, domain_, dual_point_and_centroid);
+    CGAL_GLOBAL_ODT_MESH_3_CHECK_PARAMETER(agreement.is_domain_of_mesh(), wrong_domain);
+    if(agreement.dual_points < agreement.either && has_facets_of_mesh(domain_, c3t3_))
+      domain_.set_cells_of_mesh();
     const User_field_3 field = fields_.of_mesh([this](int v) { return mesh_.vertex(v); },
                                                [this](const Vertex_stratum& s) { return domain_.index(s.dimension, s.place); });
     return optimize_mesh(mesh_, domain_, task_, parameters_, field, visitor_, threads());
@@ -140,7 +143,7 @@ private:
   {
     const std::array<Site, 4> s = sites_of(*c);
     const Vector_3 dual = position(s[0]) + Cell_products(s[0], s[1], s[2], s[3]).to_dual();
-    return {{ dual, (position(s[0]) + position(s[1]) + position(s[2]) + position(s[3])) / 4 }};
+    return {{ dual, centroid(s) }};
   }
 
   Thread_policy threads() { return Thread_policy::for_tag<typename C3t3::Triangulation::Concurrency_tag>().with(clock_); }

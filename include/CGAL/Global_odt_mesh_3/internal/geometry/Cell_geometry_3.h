@@ -189,6 +189,8 @@ struct Facet_dual_3
 
 inline Vector_3 centroid(const std::array<Site, 3>& s) { return (position(s[0]) + position(s[1]) + position(s[2])) / 3; }
 
+inline Vector_3 centroid(const std::array<Site, 4>& s) { return (position(s[0]) + position(s[1]) + position(s[2]) + position(s[3])) / 4; }
+
 inline Vector_3 centroid(const Triple& t, const std::vector<Site>& s)
 { return centroid(std::array<Site, 3>{{ s[t[0]], s[t[1]], s[t[2]] }}); }
 
