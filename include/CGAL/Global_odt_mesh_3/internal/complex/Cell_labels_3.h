@@ -114,9 +114,11 @@ private:
     const bool is_boundary_cell = found.label == no_subdomain;
     if(is_boundary_cell)
       found.label_of_dual = known_label_of_dual(q);
-    if(found.label_of_dual == no_subdomain)
-      found.label_of_dual = domain_.label_of_cell(triangulation_.cell_sites(c), triangulation_.dual_point(c), found.label, no_subdomain,
-                                                    !candidate_.boundary_moves());
+    if(found.label_of_dual != no_subdomain)
+      return found;
+    found.label_of_dual = domain_.label(triangulation_.dual_point(c));
+    if(domain_.has_cells_of_mesh() && (is_boundary_cell ? !may_flip(c) : found.label_of_dual != found.label))
+      found.label_of_dual = domain_.label(internal::centroid(triangulation_.cell_sites(c)));
     return found;
   }
 
@@ -184,6 +186,22 @@ private:
     if(const Vertex_numbering_3::Input_cell* const c = candidate_.numbering.input_cell(q, candidate_.sites))
       return c->label;
     return snapshot.has_labels_of_domain && !candidate_.boundary_moves() ? snapshot.label_of_cell(q) : no_subdomain;
+  }
+
+  // Whether the boundary may have the other two facets of a cell instead of two that it has. Where vertices move, others tell.
+  bool may_flip(int c) const
+  {
+    const Quadruple& q = triangulation_.vertices(c);
+    const Complex_snapshot_3& snapshot = candidate_.snapshot;
+    std::vector<int> off_boundary, on_boundary;
+    for(int i = 0; i < 4; ++i)
+      (snapshot.facet_number(triangulation_.facet_vertices(Half_facet(c, i))) < 0 ? off_boundary : on_boundary).push_back(i);
+    if(!candidate_.boundary_moves())
+      return false;
+    if(on_boundary.size() != 2)
+      return std::any_of(q.begin(), q.end(), [this](int v) { return candidate_.numbering.is_movable(v); });
+    const auto [u, v] = std::minmax(q[off_boundary[0]], q[off_boundary[1]]);
+    return !snapshot.boundary.complex().is_junction(u, v);
   }
 
   bool is_dual_point_certain(const Quadruple& q) const

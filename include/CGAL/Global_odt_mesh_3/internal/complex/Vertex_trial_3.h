@@ -402,9 +402,11 @@ private:
     if(c.is_asked || *std::min_element(c.vertices.begin(), c.vertices.end()) < 0)
       return c.fits;
     c.dual = exact_dual_point(cavity_.sites(c.vertices));
-    const int label = complex_.domain.label_of_cell(cavity_.sites(c.vertices), c.dual, c.label, Editable_complex_3::unknown,
-                                                    !complex_.boundary_moves);
-    c.fits = c.label == Editable_complex_3::unknown || c.label == label;
+    const bool is_unknown = c.label == Editable_complex_3::unknown;
+    int label = complex_.domain.label(c.dual);
+    if(complex_.domain.has_cells_of_mesh() && (is_unknown ? !complex_.boundary_moves : label != c.label))
+      label = complex_.domain.label(centroid(cavity_.sites(c.vertices)));
+    c.fits = is_unknown || c.label == label;
     c.label = label;
     c.is_asked = true;
     return c.fits;

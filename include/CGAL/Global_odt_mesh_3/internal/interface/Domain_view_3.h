@@ -12,12 +12,9 @@
 
 #include <CGAL/license/Global_odt_mesh_3.h>
 
-#include <CGAL/Global_odt_mesh_3/internal/geometry/Cell_geometry_3.h>
-#include <CGAL/Global_odt_mesh_3/internal/geometry/Site.h>
 #include <CGAL/Global_odt_mesh_3/internal/geometry/Vector_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/parallel/Chunked_loops.h>
 
-#include <array>
 #include <cstddef>
 #include <limits>
 #include <vector>
@@ -61,19 +58,9 @@ public:
   // Of the subdomain in which the point lies.
   virtual int label(const Vector& p) const = 0;
 
-  // Of a cell of which the vertices tell one, or `unknown`: that of the dual point, as in all restricted Delaunay triangulations. The
-  // boundary of a mesh that is its own domain need not be sampled well enough for that, but no cell passes through it: there, the
-  // centroid may tell as well, and does so where facets stay.
-  int label_of_cell(const std::array<Site, 4>& cell, const Vector& dual, int expected, int unknown, bool facets_stay) const
-  {
-    if(!has_cells_of_mesh_)
-      return label(dual);
-    if(expected == unknown)
-      return label(facets_stay ? centroid(cell) : dual);
-    const int found = label(dual);
-    return found == expected ? found : label(centroid(cell));
-  }
-
+  // Whether the mesh is its own domain. Then no cell passes through the surface, which need not be sampled well enough for a restricted
+  // Delaunay triangulation, and the centroid of a cell tells its subdomain as well as the dual point does.
+  bool has_cells_of_mesh() const { return has_cells_of_mesh_; }
   void set_cells_of_mesh() { has_cells_of_mesh_ = true; }
 
   // Moves `p` to the surface patch, by the closest point or along the normal, at

@@ -74,6 +74,11 @@ public:
 
   const std::vector<Facet>& facets() const { return facets_; }
   const std::vector<Junction>& junctions() const { return junctions_; }
+  bool is_junction(int u, int v) const
+  {
+    const auto j = std::lower_bound(junctions_.begin(), junctions_.end(), Junction(Edge(u, v), 0));
+    return j != junctions_.end() && j->first == Edge(u, v);
+  }
   // The facet beyond the edge opposite to vertex k of facet n, for corner 3 n + k, or -1 for a junction.
   int facet_beyond(int corner) const { return beyond_[corner]; }
   int number_of_vertices() const { return static_cast<int>(first_umbrella_.size()) - 1; }
