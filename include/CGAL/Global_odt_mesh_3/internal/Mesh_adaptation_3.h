@@ -41,7 +41,7 @@
 
 namespace CGAL::Global_odt_mesh_3::internal {
 
-// A mesh that is a table: that of the user between the stages of an optimization which inserts vertices.
+// A mesh that is a table: that of the user between the stages of an optimization which makes it regular, or inserts vertices.
 class Tabulated_mesh_3
   : public Mesh_view_3
 {
@@ -52,11 +52,11 @@ public:
     bool is_changed = false;                // since it was read
   };
 
-  Tabulated_mesh_3(User_mesh_view_3& input, const Thread_policy& threads)
+  Tabulated_mesh_3(Mesh_view_3& input, const Thread_policy& threads, std::vector<std::array<int, 2> > feature_edges = {})
     : input_(input)
+    , feature_edges_(std::move(feature_edges))
   {
     state_ = { input.read(threads) };
-    feature_edges_ = input.feature_edges();
     number_of_input_vertices_ = static_cast<int>(table().sites.size());
   }
 
@@ -79,8 +79,7 @@ public:
   int patch(int v) const override
   { return v < number_of_input_vertices_ ? input_.patch(v) : table().inserted[v - number_of_input_vertices_]; }
 
-  bool is_fixed(int v) const override { return v < number_of_input_vertices_ && input_.is_fixed(v); }
-
+  bool is_fixed(int v) const override { return table().sites[v].weight != 0 || (v < number_of_input_vertices_ && input_.is_fixed(v)); }
 
   // The places of those that have been inserted before stay.
   void write(const Mesh_table_3& table) override
@@ -105,7 +104,7 @@ public:
   }
 
 private:
-  User_mesh_view_3& input_;
+  Mesh_view_3& input_;
   State state_;
   std::vector<std::array<int, 2> > feature_edges_;
   int number_of_input_vertices_ = 0;

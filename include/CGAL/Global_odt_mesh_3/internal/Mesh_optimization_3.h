@@ -21,6 +21,7 @@
 #include <CGAL/Global_odt_mesh_3/internal/complex/Complex_updater_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/complex/Labelled_triangulation_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/complex/Snapshot_reader_3.h>
+#include <CGAL/Global_odt_mesh_3/internal/complex/Snapshot_tabulation_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/geometry/Angle_deficit_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/interface/Domain_view_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/interface/Mesh_view_3.h>
@@ -97,16 +98,57 @@ private:
   {
     std::optional<Outcome> outcome;
     if(parameters_.optimize_boundary)
-      outcome = attempt(mesh, task, true);
+    {
+      bool has_way_back = true;
+      outcome = attempt(mesh, task, true, &has_way_back);
+      if(!has_way_back)
+        outcome = optimize_regular(mesh, task);
+    }
     if(!outcome && task != Odt_task::REMESH_BOUNDARY)
       outcome = attempt(mesh, task, false);
     return outcome;
   }
 
-  std::optional<Outcome> attempt(Mesh_view_3& mesh, Odt_task task, bool boundary_moves)
+  // Of a mesh that is not regular unless its vertices stay that are on the surface: those that need a weight for that stay, and the
+  // others move. Where there is no such mesh either, moves may still lead to a valid complex.
+  std::optional<Outcome> optimize_regular(Mesh_view_3& mesh, Odt_task task)
+  {
+    Tabulated_mesh_3 regular(mesh, threads_);
+    const Sliver_census_3 slivers = Optimization_attempt_3::slivers_of_input(regular.table(), threads_);
+    if(!make_regular(regular))
+      return attempt(mesh, task, true);
+    const std::optional<Outcome> outcome = attempt(regular, task, true);
+    if(!outcome || !regular.is_changed())
+      return outcome;
+    const bool may_be_worse = task == Odt_task::REMESH_BOUNDARY || this->may_be_worse();
+    const bool is_cut_short = parameters_.do_remove_slivers && control_.is_stopped();
+    if(!Optimization_attempt_3::is_acceptable(regular.table(), slivers, parameters_, may_be_worse, is_cut_short))
+      return std::nullopt;
+    mesh.write(regular.table());
+    return outcome;
+  }
+
+  // With a boundary that stays.
+  bool make_regular(Tabulated_mesh_3& mesh)
+  {
+    Moving_triangulation_3 indexed;
+    Complex_updater_3 complex(domain_, bounds_, false, threads_);
+    complex.start(Snapshot_reader_3(mesh, threads_).read(indexed, false));
+    if(!complex.make_regular() || complex.snapshot().is_input)
+      return false;
+    mesh.write(Snapshot_tabulation_3(complex.take_snapshot(), threads_)());
+    mesh.return_to({ mesh.table() });
+    return true;
+  }
+
+  // If it is asked for, nothing is done where vertices would have no way back to a regular mesh.
+  std::optional<Outcome> attempt(Mesh_view_3& mesh, Odt_task task, bool boundary_moves, bool* has_way_back = nullptr)
   {
     Optimization_attempt_3 attempt(mesh, domain_, bounds_, task, parameters_, field_, control_, threads_, boundary_moves);
-    const bool is_made = attempt.run(), is_committed = is_made && attempt.commit(task == Odt_task::REMESH_BOUNDARY || may_be_worse());
+    const bool is_made = attempt.run(has_way_back != nullptr);
+    const bool is_committed = is_made && attempt.commit(task == Odt_task::REMESH_BOUNDARY || may_be_worse());
+    if(has_way_back != nullptr)
+      *has_way_back = attempt.has_way_back();
     reason_ = !is_made ? Summary::NO_VALID_MESH : control_.is_stopped() ? Summary::OUT_OF_TIME : attempt.reason();
     if(!is_made)
     {
@@ -176,7 +218,7 @@ private:
   // large and at the slivers that are left.
   std::optional<Outcome> adapt_and_optimize(User_mesh_view_3& mesh, Odt_task task)
   {
-    Tabulated_mesh_3 adapted(mesh, threads_);
+    Tabulated_mesh_3 adapted(mesh, threads_, mesh.feature_edges());
     control_.has_read(0);
     const auto is_inside = [](const Mesh_table_3::Cell& c) { return c.label != Domain_view_3::outside; };
     if(std::none_of(adapted.table().cells.begin(), adapted.table().cells.end(), is_inside))

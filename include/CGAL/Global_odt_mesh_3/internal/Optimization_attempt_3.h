@@ -80,15 +80,21 @@ public:
   Optimization_attempt_3(const Optimization_attempt_3&) = delete;
   Optimization_attempt_3& operator=(const Optimization_attempt_3&) = delete;
 
-  // False if no valid complex could be made.
-  bool run()
+  // False if no valid complex could be made. If vertices have to have a way back, that is seen before any of them moves.
+  bool run(bool needs_way_back)
   {
     if(mesh_.number_of_movable_vertices == 0)
       return true;
     control_.start(plan_->usual_most_iterations(), removes_slivers());
     // So that vertices have a way back; where that is not to be had, moves may still lead to a valid complex.
-    if(slivers_of_input_.is_of_deformed_mesh && complex_.make_regular())
-      complex_.load_into(mesh_);
+    if(slivers_of_input_.is_of_deformed_mesh)
+    {
+      has_way_back_ = complex_.make_regular();
+      if(has_way_back_)
+        complex_.load_into(mesh_);
+      else if(needs_way_back)
+        return false;
+    }
     if(plan_->is_done())
     {
       bound_sizes();
@@ -118,6 +124,9 @@ public:
     input_.write(table);
     return true;
   }
+
+  // Whether the mesh is regular, or could be made so.
+  bool has_way_back() const { return has_way_back_; }
 
   // Why the mesh stays as it was.
   Mesh_optimization_summary_3::Reason reason() const { return reason_; }
@@ -269,6 +278,7 @@ private:
   std::unique_ptr<Optimization_rounds_3> rounds_;
   std::unique_ptr<Largest_cells_3> largest_cells_;
   Mesh_optimization_return_code code_;
+  bool has_way_back_ = true;
   Mesh_optimization_summary_3::Reason reason_ = Mesh_optimization_summary_3::NOTHING_TO_DO;
 };
 
