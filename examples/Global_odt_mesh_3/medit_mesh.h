@@ -57,6 +57,8 @@ public:
       throw std::runtime_error("is a binary file; \"gmsh in.meshb -save -o out.mesh -format mesh\" makes one of text");
     if(!next() || keyword() != "meshversionformatted")
       throw std::runtime_error("does not begin with MeshVersionFormatted, as files of Medit do");
+    section_ = word();
+    integer();
     while(next() && keyword() != "end")
       read_section(keyword());
     check_vertices();
