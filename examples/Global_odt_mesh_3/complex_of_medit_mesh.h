@@ -26,12 +26,15 @@ class Reference_table
 public:
   typedef Medit_mesh::Reference Reference;
 
-  template <class Elements>
-  explicit Reference_table(const Elements& elements)
+  Reference_table() = default;
+
+  // Of elements that are given along with their references.
+  template <class Element>
+  explicit Reference_table(const std::vector<std::pair<Element, Reference> >& elements)
   {
     std::set<Reference> references;
     for(const auto& e : elements)
-      references.insert(e.reference);
+      references.insert(e.second);
     constexpr Reference most = 1000000000;
     const bool are_indices = references.empty() || (*references.begin() > 0 && *references.rbegin() <= most);
     for(Reference r : references)
@@ -68,9 +71,6 @@ public:
   Complex_of_medit_mesh(const Medit_mesh& mesh, C3t3& c3t3, double feature_angle)
     : mesh_(mesh)
     , c3t3_(c3t3)
-    , labels_(mesh.tetrahedra)
-    , patches_(mesh.triangles)
-    , curves_(mesh.edges)
   {
     build();
     add_triangles();
@@ -153,7 +153,7 @@ private:
 
   // By their vertices.
   template <std::size_t n>
-  static std::map<std::array<int, n>, Medit_mesh::Reference> references(const std::vector<Medit_mesh::Element<n> >& elements)
+  static std::map<std::array<int, n>, Medit_mesh::Reference> references_of(const std::vector<Medit_mesh::Element<n> >& elements)
   {
     std::map<std::array<int, n>, Medit_mesh::Reference> result;
     for(const auto& e : elements)
@@ -166,51 +166,58 @@ private:
     std::vector<Point> points;
     for(const auto& p : mesh_.points)
       points.emplace_back(p[0], p[1], p[2]);
-    std::vector<std::array<int, 4> > cells;
+    std::vector<std::array<int, 4> > vertices;
     for(const auto& t : mesh_.tetrahedra)
-      cells.push_back(t.vertices);
-    Triangulation_of_cells<Triangulation> builder(points, cells);
+      vertices.push_back(t.vertices);
+    Triangulation_of_cells<Triangulation> builder(points, vertices);
     builder.build(c3t3_.triangulation());
-    for(std::size_t n = 0; n < cells.size(); ++n)
-      c3t3_.add_to_complex(builder.cells[n], labels_.index(mesh_.tetrahedra[n].reference));
+    std::vector<std::pair<typename C3t3::Cell_handle, Medit_mesh::Reference> > cells;
+    for(std::size_t n = 0; n < vertices.size(); ++n)
+      cells.emplace_back(builder.cells[n], mesh_.tetrahedra[n].reference);
+    labels_ = Reference_table(cells);
+    for(const auto& c : cells)
+      c3t3_.add_to_complex(c.first, labels_.index(c.second));
     vertices_ = std::move(builder.vertices);
     for(std::size_t v = 0; v < vertices_.size(); ++v)
       if(vertices_[v] != Vertex_handle())
         numbers_[vertices_[v]] = v;
   }
 
+  // Triangles and edges of no tetrahedron are left out.
   void add_triangles()
   {
-    auto triangles = references(mesh_.triangles);
+    const auto references = references_of(mesh_.triangles);
+    std::vector<std::pair<Facet, Medit_mesh::Reference> > facets;
     const Triangulation& tr = c3t3_.triangulation();
     for(auto f = tr.finite_facets_begin(); f != tr.finite_facets_end(); ++f)
     {
       const auto number = [&](int k) { return static_cast<int>(numbers_.at(f->first->vertex((f->second + k) % 4))); };
-      const auto it = triangles.find(sorted(std::array<int, 3>{{ number(1), number(2), number(3) }}));
-      if(it == triangles.end())
-        continue;
-      c3t3_.add_to_complex(*f, patches_.index(it->second));
-      triangles.erase(it);
+      const auto it = references.find(sorted(std::array<int, 3>{{ number(1), number(2), number(3) }}));
+      if(it != references.end())
+        facets.emplace_back(*f, it->second);
     }
-    lost_triangles_ = triangles.size();
+    lost_triangles_ = references.size() - facets.size();
+    patches_ = Reference_table(facets);
+    for(const auto& f : facets)
+      c3t3_.add_to_complex(f.first, patches_.index(f.second));
   }
 
   void add_edges()
   {
-    auto edges = references(mesh_.edges);
-    const std::size_t number = edges.size();
-    std::size_t added = 0;
+    const auto references = references_of(mesh_.edges);
+    std::vector<std::pair<std::pair<Vertex_handle, Vertex_handle>, Medit_mesh::Reference> > edges;
     const Triangulation& tr = c3t3_.triangulation();
     for(auto e = tr.finite_edges_begin(); e != tr.finite_edges_end(); ++e)
     {
       const Vertex_handle v = e->first->vertex(e->second), w = e->first->vertex(e->third);
-      const auto it = edges.find(sorted(std::array<int, 2>{{ static_cast<int>(numbers_.at(v)), static_cast<int>(numbers_.at(w)) }}));
-      if(it == edges.end())
-        continue;
-      c3t3_.add_to_complex(v, w, curves_.index(it->second));
-      ++added;
+      const auto it = references.find(sorted(std::array<int, 2>{{ static_cast<int>(numbers_.at(v)), static_cast<int>(numbers_.at(w)) }}));
+      if(it != references.end())
+        edges.emplace_back(std::make_pair(v, w), it->second);
     }
-    lost_edges_ = number - added;
+    lost_edges_ = references.size() - edges.size();
+    curves_ = Reference_table(edges);
+    for(const auto& e : edges)
+      c3t3_.add_to_complex(e.first.first, e.first.second, curves_.index(e.second));
   }
 
   // Returns the numbers that vertices of the file have now, or -1. Points that no tetrahedron has stay.
@@ -284,7 +291,7 @@ private:
 
   const Medit_mesh& mesh_;
   C3t3& c3t3_;
-  const Reference_table labels_, patches_, curves_;
+  Reference_table labels_, patches_, curves_;
   std::vector<Vertex_handle> vertices_;               // by their numbers in the file, if there are any
   std::map<Vertex_handle, std::size_t> numbers_;
   std::set<Vertex_handle> required_;

@@ -21,6 +21,7 @@
 #include <CGAL/Mesh_triangulation_3.h>
 #include <CGAL/Real_timer.h>
 #include <CGAL/Tetrahedral_mesh_domain_3.h>
+#include <CGAL/exceptions.h>
 #include <CGAL/odt_optimize_mesh_3.h>
 #include <CGAL/property_map.h>
 #include <CGAL/remove_slivers_mesh_3.h>
@@ -170,11 +171,15 @@ inline Exit_status run(const Optimize_mesh_options& options)
     std::cerr << reason.str().substr(0, reason.str().find('\n')) << '\n';
     return UNCHANGED;
   }
+  catch(const CGAL::Failure_exception& e)
+  {
+    std::cerr << file << ": " << e.message() << '\n';
+  }
   catch(const std::exception& e)
   {
     std::cerr << file << ": " << e.what() << '\n';
-    return NOT_GOOD;
   }
+  return NOT_GOOD;
 }
 
 int main(int argc, char* argv[])
