@@ -45,6 +45,7 @@ public:
   {
     auto& tds = tr.tds();
     tds.clear();
+    tds.set_dimension(3);
     tr.set_infinite_vertex(tds.create_vertex());
     vertices.resize(points_.size());
     for(std::size_t v = 0; v < points_.size(); ++v)
@@ -64,7 +65,6 @@ public:
     }
     for(const auto& n : neighbors_)
       tds.set_adjacency(cells[n.first.cell], n.first.index, cells[n.second.cell], n.second.index);
-    tds.set_dimension(3);
     cells.resize(number_of_finite_cells_);
   }
 
