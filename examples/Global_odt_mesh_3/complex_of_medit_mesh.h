@@ -114,11 +114,15 @@ public:
     std::map<Vertex_handle, int> numbers;
     const std::vector<int> renumbered = write_vertices(out, numbers);
     for(auto c = c3t3_.cells_in_complex_begin(); c != c3t3_.cells_in_complex_end(); ++c)
-      out.tetrahedra.push_back({ {{ numbers[c->vertex(0)], numbers[c->vertex(1)], numbers[c->vertex(2)], numbers[c->vertex(3)] }},
-                                 labels_.reference(c3t3_.subdomain_index(c)) });
+    {
+      out.tetrahedra.push_back({ {}, labels_.reference(c3t3_.subdomain_index(c)) });
+      for(int i = 0; i < 4; ++i)
+        out.tetrahedra.back().vertices[static_cast<std::size_t>(i)] = numbers[c->vertex(i)];
+    }
     write_triangles(out, numbers);
     for(auto e = c3t3_.edges_in_complex_begin(); e != c3t3_.edges_in_complex_end(); ++e)
-      out.edges.push_back({ {{ numbers[e->first->vertex(e->second)], numbers[e->first->vertex(e->third)] }}, curves_.reference(c3t3_.curve_index(*e)) });
+      out.edges.push_back({ {{ numbers[e->first->vertex(e->second)], numbers[e->first->vertex(e->third)] }},
+                            curves_.reference(c3t3_.curve_index(*e)) });
     for(auto v = c3t3_.vertices_in_complex_begin(); v != c3t3_.vertices_in_complex_end(); ++v)
       out.corners.push_back(numbers[v]);
     std::sort(out.corners.begin(), out.corners.end());
@@ -137,6 +141,7 @@ private:
   typedef typename Triangulation::Bare_point Point;
 
   Vertex_handle vertex(int n) const { return vertices_[static_cast<std::size_t>(n)]; }
+  int number(Vertex_handle v) const { return static_cast<int>(numbers_.at(v)); }
 
   void require(int n)
   {
@@ -153,7 +158,8 @@ private:
 
   // By their vertices.
   template <std::size_t n>
-  static std::map<std::array<int, n>, Medit_mesh::Reference> references_of(const std::vector<Medit_mesh::Element<n> >& elements)
+  static std::map<std::array<int, n>, Medit_mesh::Reference>
+  references_of(const std::vector<Medit_mesh::Element<n> >& elements)
   {
     std::map<std::array<int, n>, Medit_mesh::Reference> result;
     for(const auto& e : elements)
@@ -191,8 +197,8 @@ private:
     const Triangulation& tr = c3t3_.triangulation();
     for(auto f = tr.finite_facets_begin(); f != tr.finite_facets_end(); ++f)
     {
-      const auto number = [&](int k) { return static_cast<int>(numbers_.at(f->first->vertex((f->second + k) % 4))); };
-      const auto it = references.find(sorted(std::array<int, 3>{{ number(1), number(2), number(3) }}));
+      const auto at = [&](int k) { return number(f->first->vertex((f->second + k) % 4)); };
+      const auto it = references.find(sorted(std::array<int, 3>{{ at(1), at(2), at(3) }}));
       if(it != references.end())
         facets.emplace_back(*f, it->second);
     }
@@ -210,7 +216,7 @@ private:
     for(auto e = tr.finite_edges_begin(); e != tr.finite_edges_end(); ++e)
     {
       const Vertex_handle v = e->first->vertex(e->second), w = e->first->vertex(e->third);
-      const auto it = references.find(sorted(std::array<int, 2>{{ static_cast<int>(numbers_.at(v)), static_cast<int>(numbers_.at(w)) }}));
+      const auto it = references.find(sorted(std::array<int, 2>{{ number(v), number(w) }}));
       if(it != references.end())
         edges.emplace_back(std::make_pair(v, w), it->second);
     }

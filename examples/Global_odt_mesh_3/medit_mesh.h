@@ -219,7 +219,8 @@ private:
   {
     if(!std::isalpha(byte(begin_)))
       fail("\"" + word().substr(0, 30) + "\" where a section should begin");
-    static const std::set<std::string> unsupported = { "hexahedra", "prisms", "pyramids", "pentahedra", "wedges", "tetrahedrap2", "trianglesp2", "edgesp2" };
+    static const std::set<std::string> unsupported = { "hexahedra", "prisms", "pentahedra", "wedges", "pyramids",
+                                                       "tetrahedrap2", "trianglesp2", "edgesp2" };
     const bool is_unsupported = unsupported.count(name) > 0;
     const auto first_line = line_;
     if(is_unsupported && integer() > 0)
@@ -253,7 +254,8 @@ private:
                                  + std::to_string(mesh_.points.size()));
       const auto twice = std::adjacent_find(v.begin(), v.end());
       if(twice != v.end())
-        throw std::runtime_error(name + ' ' + std::to_string(k + 1) + " has vertex " + std::to_string(*twice + 1) + " twice");
+        throw std::runtime_error(name + ' ' + std::to_string(k + 1) + " has vertex " + std::to_string(*twice + 1)
+                                 + " twice");
     }
   }
 

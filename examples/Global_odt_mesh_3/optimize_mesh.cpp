@@ -76,24 +76,27 @@ inline void optimize(C3t3& c3t3, Complex_of_medit_mesh<C3t3>& complex, const Opt
 {
   const Domain domain(c3t3);
   std::set<Tr::Vertex_handle> required = complex.required_vertices();
+  const CGAL::Boolean_property_map<std::set<Tr::Vertex_handle> > is_required(required);
   Removal_visitor visitor = { complex };
   Terminal_progress progress;
   progress.is_terminal = progress.is_terminal && !options.is_quiet;
   const auto call = [&](const auto&... more)
   {
-    CGAL::odt_optimize_mesh_3(c3t3, domain, params::time_limit = options.time_limit, params::sliver_bound = options.sliver_bound,
-                              params::optimize_boundary = !options.fixes_boundary, params::do_insert_vertices = options.do_insert,
-                              params::do_remove_vertices = options.do_remove, params::domain_is_thread_safe = true,
-                              params::random_seed(options.seed), params::optimization_report = std::ref(report),
-                              params::vertex_is_constrained_map(CGAL::Boolean_property_map<std::set<Tr::Vertex_handle> >(required)),
-                              params::callback(std::ref(progress)), params::visitor(std::ref(visitor)), more...);
+    CGAL::odt_optimize_mesh_3(c3t3, domain, params::time_limit = options.time_limit,
+                              params::sliver_bound = options.sliver_bound,
+                              params::optimize_boundary = !options.fixes_boundary,
+                              params::do_insert_vertices = options.do_insert, params::do_remove_vertices = options.do_remove,
+                              params::domain_is_thread_safe = true, params::random_seed(options.seed),
+                              params::vertex_is_constrained_map(is_required), params::callback(std::ref(progress)),
+                              params::visitor(std::ref(visitor)), params::optimization_report = std::ref(report), more...);
   };
   if(options.only_slivers)
-    CGAL::remove_slivers_mesh_3(c3t3, domain, params::time_limit = options.time_limit, params::sliver_bound = options.sliver_bound,
-                                params::optimize_boundary = !options.fixes_boundary, params::domain_is_thread_safe = true,
-                                params::random_seed(options.seed), params::optimization_report = std::ref(report),
-                                params::vertex_is_constrained_map(CGAL::Boolean_property_map<std::set<Tr::Vertex_handle> >(required)),
-                                params::callback(std::ref(progress)));
+    CGAL::remove_slivers_mesh_3(c3t3, domain, params::time_limit = options.time_limit,
+                                params::sliver_bound = options.sliver_bound,
+                                params::optimize_boundary = !options.fixes_boundary,
+                                params::domain_is_thread_safe = true, params::random_seed(options.seed),
+                                params::vertex_is_constrained_map(is_required), params::callback(std::ref(progress)),
+                                params::optimization_report = std::ref(report));
   else if(options.number_of_vertices > 0 && options.size > 0)
     call(params::number_of_vertices = options.number_of_vertices, params::sizing_field = options.size);
   else if(options.number_of_vertices > 0)
@@ -105,27 +108,29 @@ inline void optimize(C3t3& c3t3, Complex_of_medit_mesh<C3t3>& complex, const Opt
   progress(1);
 }
 
+typedef CGAL::Mesh_quality_report_3 Quality;
+
 // One line for each figure.
-inline void print_summary(const CGAL::Mesh_quality_report_3& before, const CGAL::Mesh_quality_report_3& after, const Report& report, double seconds)
+inline void print_summary(const Quality& before, const Quality& after, const Report& report, double seconds)
 {
   std::ostringstream s;
-  const auto row = [&s](const std::string& name, double x, double y, int precision)
+  const auto row = [&s](const std::string& name, double x, double y, int digits)
   {
-    s << std::left << std::setw(32) << name << std::right << std::fixed << std::setprecision(precision) << std::setw(14) << x << "  -> "
-      << std::setw(14) << y << '\n';
+    s << std::left << std::setw(28) << name << std::right << std::setprecision(digits) << std::setw(12) << x << "  -> "
+      << std::setw(12) << y << '\n';
   };
+  s << std::fixed;
   row("smallest angle (degrees)", before.smallest_angle, after.smallest_angle, 2);
   for(std::size_t n = 0; n < before.cells_below.size(); ++n)
-    row("cells below " + std::to_string(static_cast<int>(before.cells_below[n].first)) + " degrees", double(before.cells_below[n].second),
-        double(after.cells_below[n].second), 0);
+    row("cells below " + std::to_string(static_cast<int>(before.cells_below[n].first)) + " degrees",
+        double(before.cells_below[n].second), double(after.cells_below[n].second), 0);
   row("mean radius ratio 3r/R", before.mean_radius_ratio, after.mean_radius_ratio, 4);
-  s << std::left << std::setw(32) << "volume" << std::right << std::defaultfloat << std::setprecision(8) << std::setw(14) << before.total().volume
-    << "  -> " << std::setw(14) << after.total().volume << '\n';
   row("vertices", double(before.number_of_vertices), double(after.number_of_vertices), 0);
   row("cells", double(before.number_of_cells), double(after.number_of_cells), 0);
-  s << std::left << std::setw(32) << "inserted, removed vertices" << std::right << std::setw(14) << report.number_of_inserted_vertices << ",   "
-    << std::setw(14) << report.number_of_removed_vertices << '\n'
-    << std::left << std::setw(32) << "time (seconds)" << std::right << std::setprecision(2) << std::fixed << std::setw(14) << seconds << '\n';
+  s << std::defaultfloat;
+  row("volume", before.total().volume, after.total().volume, 8);
+  s << std::fixed << std::setprecision(2) << report.number_of_inserted_vertices << " vertices inserted, "
+    << report.number_of_removed_vertices << " removed; " << seconds << " seconds\n";
   std::cout << s.str();
 }
 
@@ -154,7 +159,7 @@ inline Exit_status run(const Optimize_mesh_options& options)
     if(!options.is_quiet && complex.number_of_lost_triangles() + complex.number_of_lost_edges() > 0)
       std::cerr << "warning: " << complex.number_of_lost_triangles() << " triangles and " << complex.number_of_lost_edges()
                 << " edges are in no tetrahedron, and are left out\n";
-    const CGAL::Mesh_quality_report_3 before = CGAL::mesh_quality_report_3(c3t3, { 10, 20, 30 });
+    const Quality before = CGAL::mesh_quality_report_3(c3t3, { 10, 20, 30 });
     CGAL::Real_timer timer;
     timer.start();
     Report report;

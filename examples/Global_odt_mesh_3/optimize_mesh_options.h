@@ -8,6 +8,7 @@
 
 #include <cmath>
 #include <cstddef>
+#include <cstdio>
 #include <cstdlib>
 #include <map>
 #include <stdexcept>
@@ -19,38 +20,43 @@ struct Optimize_mesh_options
 {
   static constexpr char help[] = R"(usage: optimize_mesh IN.mesh OUT [options]
 
-Improves the tetrahedra of a mesh in the format of Medit (ASCII): vertices move, inside and on the boundary, and slivers are removed. OUT is in
-the same format or, if its name ends in .vtu, in that of ParaView. Other programs convert, such as "gmsh in.msh -save -o in.mesh -format mesh".
+Improves the tetrahedra of a mesh in the format of Medit (ASCII): vertices move, inside and on the boundary, and slivers are
+removed. OUT is in the same format or, if its name ends in .vtu, in that of ParaView. Other programs convert, for example
+"gmsh in.msh -save -o in.mesh -format mesh".
 
   --insert              insert vertices where that improves cells
   --remove              remove vertices where that improves cells
   --size S              the circumradii of cells, in the unit of the coordinates; only with --insert or --remove
   --vertices N          the number of vertices; implies --insert and --remove
   --fix-boundary        vertices on surfaces stay where they are
-  --sliver-bound A      the dihedral angle, in degrees, that all cells should exceed (0 to 70.5; default: as far as can be had)
+  --sliver-bound A      the dihedral angle, in degrees, that cells should exceed (0 to 70.5; default 0: as far as possible)
   --only-slivers        remove slivers, and leave the rest as it is
   --feature-angle A     where normals of triangles differ by more, in degrees, the edge is a feature (0 to 180; default 60)
-  --time-limit T        in seconds
+  --time-limit T        in seconds (default 0: none)
   --seed N              of all random choices (default 0)
-  --quiet               print errors only
+  --quiet               print nothing but errors, and why the mesh is unchanged if it is
   --help                print this
 
-The domain is the one that the mesh fills. Features do not move: edges and corners in the file, edges where the references of triangles or
-tetrahedra change, and edges that are sharp. RequiredVertices, and vertices of RequiredEdges and RequiredTriangles, stay as well.
+The domain is the one that the mesh fills. Features do not move: edges and corners in the file, edges where the references of
+triangles or tetrahedra change, and edges that are sharp. RequiredVertices, and vertices of RequiredEdges and
+RequiredTriangles, stay as well.
 
-References of vertices, edges, triangles, and tetrahedra stay. All triangles between different tetrahedra references, or outside, are written, and
-so are all features: those that the file does not have get references greater than those it has, one for each pair of tetrahedra references, and
-one for each set of triangle references that meet at an edge. Vertices keep their order and inserted ones come last, with reference 0. Vertices that
-no tetrahedron has are written as they are. Tetrahedra that are inverted are turned.
+References of vertices, edges, triangles, and tetrahedra are kept. All triangles are written that lie between tetrahedra of
+different references, or between inside and outside, and all features. Those that the file does not have get references
+greater than those it has: one for each pair of tetrahedra references, and one for each set of triangle references that meet
+at an edge. Vertices keep their order; inserted ones come last, with reference 0. Vertices that no tetrahedron has are
+written as they are. Triangles and edges that no tetrahedron has are left out. Inverted tetrahedra are turned. In .vtu files,
+references that are not all positive become numbers from 1 on.
 
 Second-order elements, and cells other than tetrahedra, are not supported.
 
-The exit status is 0 if the mesh is improved; 1 if it is written unchanged, with the reason on standard error; 2 if the command line or a file
-is not good, with the reason in one line.
+The exit status is 0 if the mesh is improved; 1 if it is written unchanged, with the reason on standard error; 2 if the
+command line or a file is not good, with the reason in one line.
 )";
 
   std::string in, out;
-  bool do_insert = false, do_remove = false, fixes_boundary = false, only_slivers = false, is_quiet = false, wants_help = false;
+  bool do_insert = false, do_remove = false, fixes_boundary = false, only_slivers = false;
+  bool is_quiet = false, wants_help = false;
   double sliver_bound = 0, size = 0, time_limit = 0, feature_angle = 60;
   std::size_t number_of_vertices = 0;
   unsigned int seed = 0;
@@ -84,8 +90,8 @@ private:
   bool is_switch(const std::string& name)
   {
     const std::map<std::string, bool*> switches = {
-      { "--insert", &do_insert }, { "--remove", &do_remove }, { "--fix-boundary", &fixes_boundary }, { "--only-slivers", &only_slivers },
-      { "--quiet", &is_quiet }, { "--help", &wants_help }, { "-h", &wants_help } };
+      { "--insert", &do_insert }, { "--remove", &do_remove }, { "--fix-boundary", &fixes_boundary },
+      { "--only-slivers", &only_slivers }, { "--quiet", &is_quiet }, { "--help", &wants_help }, { "-h", &wants_help } };
     const auto it = switches.find(name);
     if(it != switches.end())
       *it->second = true;
@@ -99,7 +105,8 @@ private:
       char* end = nullptr;
       const double x = std::strtod(text.c_str(), &end);
       if(text.empty() || *end != '\0' || !(x >= smallest && x <= largest) || (is_whole && x != std::floor(x)))
-        throw std::runtime_error(name + " needs a " + (is_whole ? "whole " : "") + "number from " + short_number(smallest) + " to " + short_number(largest));
+        throw std::runtime_error(name + " needs a " + (is_whole ? "whole " : "") + "number from " + printed(smallest)
+                                 + " to " + printed(largest));
       return x;
     };
     constexpr double most_vertices = 33554432;    // 2^25
@@ -119,15 +126,11 @@ private:
       throw std::runtime_error("there is no option " + name + "; --help shows those there are");
   }
 
-  static std::string short_number(double x)
+  static std::string printed(double x)
   {
-    std::string s = std::to_string(x);
-    if(x != 0 && (x < 1e-6 || x > 1e15))
-      return x < 1 ? "above 0" : "any size";
-    s.erase(s.find_last_not_of('0') + 1);
-    if(s.back() == '.')
-      s.pop_back();
-    return s;
+    char text[32];
+    std::snprintf(text, sizeof(text), "%.10g", x);
+    return text;
   }
 
   void check(const std::vector<std::string>& files)

@@ -18,8 +18,9 @@
 #include <utility>
 #include <vector>
 
-// A triangulation that has the cells that are given, beside infinite ones: it need neither be Delaunay nor have a convex boundary, and the
-// boundary need not be a manifold. Throws std::runtime_error with one line where cells do not fit together.
+// A triangulation that has the cells that are given, beside infinite ones: it need neither be Delaunay nor have a convex
+// boundary, and the boundary need not be a manifold. Throws std::runtime_error with one line where cells do not fit
+// together.
 template <class Triangulation>
 class Triangulation_of_cells
 {
@@ -114,10 +115,12 @@ private:
     std::iota(order.begin(), order.end(), 0);
     order.erase(std::remove_if(order.begin(), order.end(), [this](std::size_t v) { return !is_used_[v]; }), order.end());
     std::sort(order.begin(), order.end(), [this](std::size_t v, std::size_t w) { return points_[v] < points_[w]; });
-    const auto same = std::adjacent_find(order.begin(), order.end(), [this](std::size_t v, std::size_t w) { return points_[v] == points_[w]; });
-    if(same != order.end())
-      throw std::runtime_error("vertices " + number((std::min)(same[0], same[1])) + " and " + number((std::max)(same[0], same[1]))
-                               + " are at the same place");
+    const auto same = std::adjacent_find(order.begin(), order.end(),
+                                         [this](std::size_t v, std::size_t w) { return points_[v] == points_[w]; });
+    if(same == order.end())
+      return;
+    const auto both = std::minmax(same[0], same[1]);
+    throw std::runtime_error("vertices " + number(both.first) + " and " + number(both.second) + " are at the same place");
   }
 
   Keyed_side<3> facet(std::size_t cell, int index) const
@@ -156,7 +159,8 @@ private:
       if(!is_same(n + 1))
         add_infinite_cell(f.side);
       else if(facets[n + 1].is_odd == f.is_odd)
-        throw std::runtime_error("tetrahedra " + number(f.side.cell) + " and " + number(facets[n + 1].side.cell) + " overlap");
+        throw std::runtime_error("tetrahedra " + number(f.side.cell) + " and " + number(facets[n + 1].side.cell)
+                                 + " overlap");
       else
         neighbors_.emplace_back(f.side, facets[++n].side);
     }
@@ -196,7 +200,8 @@ private:
     }
   }
 
-  // Around an edge where more than two facets of the boundary meet, so that each two that face each other across the outside follow each other.
+  // Around an edge where more than two facets of the boundary meet, so that each two that face each other across the outside
+  // follow each other.
   template <class Iterator>
   void sort_around_edge(Iterator begin, Iterator end) const
   {
@@ -211,13 +216,15 @@ private:
     {
       const Cell& inner = cells_[inner_cells_[e.side.cell - number_of_finite_cells_]], &outer = cells_[e.side.cell];
       const auto i = static_cast<std::size_t>(std::find(outer.begin(), outer.end(), int(infinite)) - outer.begin());
-      return CGAL::orientation(p, q, point(outer[static_cast<std::size_t>(e.side.index)]), point(inner[i])) == CGAL::NEGATIVE;
+      const Point& r = point(outer[static_cast<std::size_t>(e.side.index)]);
+      return CGAL::orientation(p, q, r, point(inner[i])) == CGAL::NEGATIVE;
     };
     std::sort(begin, end, [&](const auto& a, const auto& b) { return angle(a) < angle(b); });
     std::rotate(begin, std::find_if(begin, end, is_begin), end);
     for(auto e = begin; e != end; ++e)
       if(is_begin(*e) != ((e - begin) % 2 == 0))
-        throw std::runtime_error("tetrahedra overlap at the edge between vertices " + number(e->vertices[0]) + " and " + number(e->vertices[1]));
+        throw std::runtime_error("tetrahedra overlap at the edge between vertices " + number(e->vertices[0]) + " and "
+                                 + number(e->vertices[1]));
   }
 
   const std::vector<Point>& points_;

@@ -35,16 +35,19 @@ namespace CGAL {
 /*!
 \ingroup PkgGlobalOdtMesh3Domains
 
-The class `Tetrahedral_mesh_domain_3` is the domain that a tetrahedral mesh fills. It serves where there is no other, for a mesh from a file, say.
-It copies the facets of the complex, each with its patch and the subdomains on its two sides, and the curves and corners, so that the mesh may
-change or go afterwards. Facets of one patch may have different subdomains on their sides, and facets may have the same subdomain on both.
+The class `Tetrahedral_mesh_domain_3` is the domain that a tetrahedral mesh fills. It serves where there is no other, for a
+mesh from a file, say. It copies the facets of the complex, each with its patch and the subdomains on its two sides, and the
+curves and corners, so that the mesh may change or go afterwards. Facets of one patch may have different subdomains on their
+sides, and facets may have the same subdomain on both.
 
-The subdomain of a point is found by exact predicates. Points outside of all subdomains are found, too, and so are those on facets, which count to a
-subdomain beside the facet. Queries may be made by several threads at once, so that `domain_is_thread_safe` may be set.
+The subdomain of a point is found by exact predicates. A point on a facet is in a subdomain beside the facet. Several threads
+may ask at once, so that `domain_is_thread_safe` may be set.
 
-Each polyline between two corners, and each cycle, is a curve of its own of the domain, so that its index is not that of the complex.
+Each polyline between two corners, and each cycle, is a curve of its own of the domain, so that its index is not the one in
+the complex.
 
-\tparam C3T3 a model of `MeshComplexWithFeatures_3InTriangulation_3`, not periodic, whose points are those of `Exact_predicates_inexact_constructions_kernel`
+\tparam C3T3 a model of `MeshComplexWithFeatures_3InTriangulation_3`, not periodic, whose points are those of
+`Exact_predicates_inexact_constructions_kernel`
 
 \cgalModels{MeshDomainWithFeatures_3}
 
@@ -87,9 +90,10 @@ public:
   explicit Tetrahedral_mesh_domain_3(const C3T3& c3t3)
     : Base(c3t3)
   {
-    static_assert(std::is_same<typename C3T3::Triangulation::Periodic_tag, Tag_false>::value, "the mesh must not be periodic");
+    static_assert(std::is_same<typename C3T3::Triangulation::Periodic_tag, Tag_false>::value,
+                  "the mesh must not be periodic");
     static_assert(std::is_same<typename Base::Index, Index>::value,
-                  "the indices of the mesh must be those of a domain with features, whose curves and corners are numbered by int");
+                  "the indices of the mesh must be those of a domain with features, curves and corners having type int");
     add_curves(c3t3);
     for(auto v = c3t3.vertices_in_complex_begin(); v != c3t3.vertices_in_complex_end(); ++v)
       this->add_corner(v->point().point());

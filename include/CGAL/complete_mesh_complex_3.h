@@ -27,19 +27,20 @@ namespace CGAL {
 /*!
 \ingroup PkgGlobalOdtMesh3Domains
 
-makes a complete complex of a triangulation whose cells have subdomain indices, 0 being outside, as most files have it. Some facets may have patches,
-some edges curves, and some vertices may be corners; all of these stay. The function adds
+makes a complete complex of a triangulation whose cells have subdomain indices, 0 being outside, as most files have it. Some
+facets may have patches, some edges curves, and some vertices may be corners; all of these stay. The function adds
 
-- the facets whose two sides are in different subdomains. Those between the same two subdomains get the same new patch, greater than
-all there are, or the pair of subdomains if patches are pairs;
-- the edges around which there are one, or more than two, facets of the complex, or two of different patches, or two whose normals are at an angle above
-`angle_bound`. Those where the same patches meet get the same new curve;
-- the vertices where curves end, branch, or meet as corners.
+- the facets whose two sides are in different subdomains. Those between the same two subdomains get the same new patch:
+an index greater than all there are or, if patches are pairs, the pair of subdomains;
+- the edges around which there are one, or more than two, facets of the complex, or two of different patches, or two whose
+normals are at an angle above `angle_bound`. Those where the same patches meet get the same new curve;
+- the vertices where curves end, branch, or meet, as corners.
 
-It sets dimension and index of all vertices. What is there may be known to one of the two cells of a facet only. A second call changes nothing.
+It sets dimension and index of all vertices. A second call changes nothing.
 
-\tparam C3T3 a model of `MeshComplexWithFeatures_3InTriangulation_3`, not periodic, whose curves and corners have integral indices, and whose
-patches have integral indices or pairs of subdomain indices
+\tparam C3T3 a model of `MeshComplexWithFeatures_3InTriangulation_3`, not periodic, whose curves and corners have integral
+indices, and whose patches have integral indices or pairs of subdomain indices. It suffices that one of the two cells of a
+facet has the patch.
 
 \param c3t3 the mesh, whose complex is completed
 \param angle_bound the angle, in degrees, as for `Polyhedral_mesh_domain_with_features_3::detect_features()`
@@ -55,7 +56,8 @@ void complete_mesh_complex_3(C3T3& c3t3, double angle_bound = 60)
 {
   namespace odt = Global_odt_mesh_3::internal;
   static_assert(std::is_same<typename C3T3::Triangulation::Periodic_tag, Tag_false>::value, "the mesh must not be periodic");
-  CGAL_GLOBAL_ODT_MESH_3_CHECK_PARAMETER(c3t3.triangulation().dimension() == 3, "c3t3 must have a triangulation of dimension 3");
+  CGAL_GLOBAL_ODT_MESH_3_CHECK_PARAMETER(c3t3.triangulation().dimension() == 3,
+                                         "c3t3 must have a triangulation of dimension 3");
   CGAL_GLOBAL_ODT_MESH_3_CHECK_PARAMETER(angle_bound >= 0 && angle_bound <= 180, "angle_bound must be in [0, 180] degrees");
   // No cosine is smaller than -2, be it rounded.
   odt::Complex_completion_3<C3T3>(c3t3, angle_bound == 180 ? -2 : std::cos(angle_bound * CGAL_PI / 180))();

@@ -25,8 +25,8 @@ namespace CGAL {
 /*!
 \ingroup PkgGlobalOdtMesh3Functions
 
-improves the cells of a tetrahedral mesh that comes without a domain, from a file, say. The domain is the one that the mesh fills,
-a `Tetrahedral_mesh_domain_3`: all facets of the complex are surfaces, and edges and corners of the complex are features. This is
+improves the cells of a tetrahedral mesh that comes without a domain, from a file, say. The domain is the one that the mesh
+fills, a `Tetrahedral_mesh_domain_3`: facets of the complex are its surfaces, and edges and corners its features. This is
 `odt_optimize_mesh_3(c3t3, Tetrahedral_mesh_domain_3<C3T3>(c3t3), np...)`.
 
 \tparam C3T3 as for `Tetrahedral_mesh_domain_3`
@@ -37,7 +37,8 @@ a `Tetrahedral_mesh_domain_3`: all facets of the complex are surfaces, and edges
 
 \return as `odt_optimize_mesh_3()`
 
-\pre All facets between two subdomains are in the complex, and so are all features that are to stay. `complete_mesh_complex_3()` sees to it.
+\pre All facets between two subdomains are in the complex, and so are all features that are to stay.
+`complete_mesh_complex_3()` sees to it.
 \pre Those of `odt_optimize_mesh_3()`
 
 \sa `complete_mesh_complex_3()`

@@ -36,7 +36,8 @@ typedef CGAL::Mesh_triangulation_3<Indices>::type Triangulation;
 typedef CGAL::Mesh_complex_3_in_triangulation_3<Triangulation> C3t3;
 typedef CGAL::Tetrahedral_mesh_domain_3<C3t3> Domain;
 
-// Of n^3 unit cubes in five or six cells each, some of which are inverted. Those with x < n / 2 have label 1, and the others 2, if there are two.
+// Of n^3 unit cubes in five or six cells each, some of which are inverted. If there are two labels, those with x < n / 2
+// have label 1, and the others 2.
 inline Medit_mesh mesh(int n, int cells_in_hexahedron, bool has_two_labels = false)
 {
   Medit_mesh m;

@@ -147,7 +147,8 @@ private:
       return true;
     const Point& p = point(e.first);
     const Vector along = point(e.second) - p;
-    const Vector a = CGAL::cross_product(along, point(facets[0].second) - p), b = CGAL::cross_product(point(facets[1].second) - p, along);
+    const Vector a = CGAL::cross_product(along, point(facets[0].second) - p);
+    const Vector b = CGAL::cross_product(point(facets[1].second) - p, along);
     return a * b < smallest_cosine_ * CGAL::sqrt((a * a) * (b * b));
   }
 

@@ -204,7 +204,8 @@ public:
   Construct_initial_points construct_initial_points_object() const { return { *this }; }
 
 private:
-  typedef Filtered_predicate<Compare_crossings_3<typename R::Exact_kernel>, Compare_crossings_3<typename R::Approximate_kernel>,
+  typedef Filtered_predicate<Compare_crossings_3<typename R::Exact_kernel>,
+                             Compare_crossings_3<typename R::Approximate_kernel>,
                              typename R::C2E, typename R::C2F> Compare_crossings;
   enum class Crossing { NONE, FOUND, UNCLEAR };
 
@@ -223,12 +224,12 @@ private:
   {
     // A finite cell is on the positive side of its facets, if their vertices are taken in this order.
     const auto g = tr.is_infinite(f.first) ? tr.mirror_facet(f) : f;
-    const auto point = [&](int k) { return g.first->vertex(Triangulation::vertex_triple_index(g.second, k))->point().point(); };
-    triangles_.emplace_back(point(0), point(1), point(2));
+    const auto vertex = [&](int k) { return g.first->vertex(Triangulation::vertex_triple_index(g.second, k)); };
+    triangles_.emplace_back(vertex(0)->point().point(), vertex(1)->point().point(), vertex(2)->point().point());
     facets_.push_back({ patch, g.first->subdomain_index(), g.first->neighbor(g.second)->subdomain_index() });
   }
 
-  // Towards the closest facet, few others are in the way. Other directions follow, if the point is in the plane of that facet, say.
+  // Towards the closest facet, few others are in the way. Other directions follow, if the point is in its plane, say.
   Subdomain_index subdomain_at(const Point_3& p) const
   {
     if(triangles_.empty() || !CGAL::do_overlap(tree_.bbox(), p.bbox()))
@@ -284,7 +285,8 @@ private:
         subdomain = facet(id).inside();
         return Crossing::FOUND;
       }
-      if(side == COPLANAR || turn == COPLANAR || CGAL::orientation(p, q, t[1], t[2]) != turn || CGAL::orientation(p, q, t[2], t[0]) != turn)
+      if(side == COPLANAR || turn == COPLANAR || CGAL::orientation(p, q, t[1], t[2]) != turn
+         || CGAL::orientation(p, q, t[2], t[0]) != turn)
         return Crossing::UNCLEAR;
       const Subdomain_index& beside = side == POSITIVE ? facet(id).positive : facet(id).negative;
       const Comparison_result order = first ? Compare_crossings()(p, q, t, *first) : SMALLER;
