@@ -134,13 +134,20 @@ inline void print_summary(const Quality& before, const Quality& after, const Rep
   std::cout << s.str();
 }
 
-inline void write(const Complex_of_medit_mesh<C3t3>& complex, const C3t3& c3t3, const std::string& name)
+inline void write(const Complex_of_medit_mesh<C3t3>& complex, const C3t3& c3t3, std::size_t number_of_required_triangles,
+                  const std::string& name)
 {
   std::ofstream out(name, std::ios::binary);
   if(name.size() > 4 && name.compare(name.size() - 4, 4, ".vtu") == 0)
     CGAL::IO::output_to_vtu(out, c3t3);
   else
-    Medit_writer{ out }(complex.to_medit());
+  {
+    const Medit_mesh mesh = complex.to_medit();
+    if(mesh.required_triangles.size() < number_of_required_triangles)
+      std::cerr << "warning: " << number_of_required_triangles - mesh.required_triangles.size()
+                << " required triangles are no longer there, though their vertices are\n";
+    Medit_writer{ out }(mesh);
+  }
   if(!out.flush())
     throw std::runtime_error("cannot be written");
 }
@@ -166,7 +173,7 @@ inline Exit_status run(const Optimize_mesh_options& options)
     optimize(c3t3, complex, options, report);
     timer.stop();
     file = options.out;
-    write(complex, c3t3, file);
+    write(complex, c3t3, mesh.required_triangles.size(), file);
     if(!options.is_quiet)
       print_summary(before, CGAL::mesh_quality_report_3(c3t3, { 10, 20, 30 }), report, timer.time());
     if(report.is_changed())

@@ -229,7 +229,8 @@ private:
     facets_.push_back({ patch, g.first->subdomain_index(), g.first->neighbor(g.second)->subdomain_index() });
   }
 
-  // Towards the closest facet, few others are in the way. Other directions follow, if the point is in its plane, say.
+  // Towards the closest facet, and a bit beyond, few others are in the way. Other directions follow, if the point is in its
+  // plane, say.
   Subdomain_index subdomain_at(const Point_3& p) const
   {
     if(triangles_.empty() || !CGAL::do_overlap(tree_.bbox(), p.bbox()))
@@ -237,7 +238,7 @@ private:
     const AABB_primitive_id closest = tree_.closest_point_and_primitive(p).second;
     Subdomain_index subdomain;
     for(int n = 0; n < 4; ++n)
-      if(find_subdomain(p, p + 2 * (inner_point(*closest, n) - p), subdomain) == Crossing::FOUND)
+      if(find_subdomain(p, p + 1.1 * (inner_point(*closest, n) - p), subdomain) == Crossing::FOUND)
         return subdomain;
     constexpr int most_directions = 100;
     for(int n = 0; n < most_directions; ++n)
