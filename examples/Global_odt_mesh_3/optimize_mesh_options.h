@@ -45,8 +45,9 @@ References of vertices, edges, triangles, and tetrahedra are kept. All triangles
 different references, or between inside and outside, and all features. Those that the file does not have get references
 greater than those it has: one for each pair of tetrahedra references, and one for each set of triangle references that meet
 at an edge. Vertices keep their order; inserted ones come last, with reference 0. Vertices that no tetrahedron has are
-written as they are. Triangles and edges that no tetrahedron has are left out. Inverted tetrahedra are turned. In .vtu files,
-references that are not all positive become numbers from 1 on.
+written as they are. Triangles are counterclockwise as seen from outside or, between two references of tetrahedra, from the
+greater one; inside of one reference, they may be so from either side. Triangles and edges that no tetrahedron has are left
+out. Inverted tetrahedra are turned. In .vtu files, references that are not all positive become numbers from 1 on.
 
 Second-order elements, and cells other than tetrahedra, are not supported.
 
