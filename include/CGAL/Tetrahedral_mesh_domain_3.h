@@ -68,9 +68,11 @@ public:
 #ifdef DOXYGEN_RUNNING
   /// the point type of the mesh
   typedef unspecified_type Point_3;
-  /// the index types, which are those of the mesh
+  /// the type of the indices of subdomains, which is that of the mesh
   typedef unspecified_type Subdomain_index;
+  /// the type of the indices of patches, which is that of the mesh
   typedef unspecified_type Surface_patch_index;
+  /// the type of the indices of vertices, which is that of the mesh
   typedef unspecified_type Index;
   /// the AABB tree of the facets
   typedef unspecified_type AABB_tree;
