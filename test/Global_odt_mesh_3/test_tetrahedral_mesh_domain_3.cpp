@@ -14,6 +14,7 @@
 #include <CGAL/Random.h>
 #include <CGAL/Tetrahedral_mesh_domain_3.h>
 #include <CGAL/complete_mesh_complex_3.h>
+#include <CGAL/iterator.h>
 #include <CGAL/odt_optimize_tetrahedral_mesh_3.h>
 
 #include <array>
@@ -25,7 +26,6 @@
 #include <map>
 #include <string>
 #include <tuple>
-#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -127,12 +127,10 @@ static void check_box()
   const structured_box::Domain domain(c3t3);
   check_labels(c3t3, domain, "box");
   check_surface(c3t3, domain, "box");
-  std::vector<std::pair<int, Point_3> > corners;
-  domain.get_corners(std::back_inserter(corners));
-  std::vector<std::tuple<int, std::pair<Point_3, int>, std::pair<Point_3, int> > > curves;
-  domain.get_curves(std::back_inserter(curves));
-  check::that(corners.size() == 12 && curves.size() == 20, "the domain of a box has ", corners.size(), " corners, and ",
-              curves.size(), " curves");
+  std::size_t corners = 0, curves = 0;
+  domain.get_corners(CGAL::Counting_output_iterator(&corners));
+  domain.get_curves(CGAL::Counting_output_iterator(&curves));
+  check::that(corners == 12 && curves == 20, "the domain of a box has ", corners, " corners, and ", curves, " curves");
 
   // What comes out is what has gone in.
   const Medit_mesh output = complex.to_medit();
