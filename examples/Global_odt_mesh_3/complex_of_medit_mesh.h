@@ -93,7 +93,7 @@ public:
   // The vertices that have to stay where they are, since the file says so of them, or of edges or triangles.
   const std::set<Vertex_handle>& required_vertices() const { return required_; }
 
-  // How many triangles and edges the complex does not have, since no tetrahedron has them.
+  // How many triangles and edges of the file the complex does not have.
   std::size_t number_of_lost_triangles() const { return lost_triangles_; }
   std::size_t number_of_lost_edges() const { return lost_edges_; }
 
@@ -189,17 +189,22 @@ private:
         numbers_[vertices_[v]] = v;
   }
 
-  // Triangles and edges of no tetrahedron are left out.
+  // Triangles and edges of no tetrahedron are left out. So are triangles of reference 0 that divide nothing, of which TetGen
+  // writes all there are.
   void add_triangles()
   {
     const auto references = references_of(mesh_.triangles);
+    std::set<std::array<int, 3> > required;
+    for(int t : mesh_.required_triangles)
+      required.insert(sorted(mesh_.triangles[static_cast<std::size_t>(t)].vertices));
     std::vector<std::pair<Facet, Medit_mesh::Reference> > facets;
     const Triangulation& tr = c3t3_.triangulation();
     for(auto f = tr.finite_facets_begin(); f != tr.finite_facets_end(); ++f)
     {
       const auto at = [&](int k) { return number(f->first->vertex((f->second + k) % 4)); };
       const auto it = references.find(sorted(std::array<int, 3>{{ at(1), at(2), at(3) }}));
-      if(it != references.end())
+      const bool divides = f->first->subdomain_index() != tr.mirror_facet(*f).first->subdomain_index();
+      if(it != references.end() && (it->second != 0 || divides || required.count(it->first) > 0))
         facets.emplace_back(*f, it->second);
     }
     lost_triangles_ = references.size() - facets.size();

@@ -160,12 +160,17 @@ inline Exit_status run(const Optimize_mesh_options& options)
     std::ifstream in(file, std::ios::binary);
     if(!in)
       throw std::runtime_error("cannot be opened");
-    const Medit_mesh mesh = Medit_reader(in)();
+    Medit_mesh mesh = Medit_reader(in)();
+    if(options.ignores_edges)
+      for(auto* elements : { &mesh.corners, &mesh.ridges, &mesh.required_edges })
+        elements->clear();
+    if(options.ignores_edges)
+      mesh.edges.clear();
     C3t3 c3t3;
     Complex_of_medit_mesh<C3t3> complex(mesh, c3t3, options.feature_angle);
     if(!options.is_quiet && complex.number_of_lost_triangles() + complex.number_of_lost_edges() > 0)
       std::cerr << "warning: " << complex.number_of_lost_triangles() << " triangles and " << complex.number_of_lost_edges()
-                << " edges are in no tetrahedron, and are left out\n";
+                << " edges divide nothing, or are in no tetrahedron, and are left out\n";
     const Quality before = CGAL::mesh_quality_report_3(c3t3, { 10, 20, 30 });
     CGAL::Real_timer timer;
     timer.start();

@@ -32,6 +32,8 @@ removed. OUT is in the same format or, if its name ends in .vtu, in that of Para
   --sliver-bound A      the dihedral angle, in degrees, that cells should exceed (0 to 70.5; default 0: as far as possible)
   --only-slivers        remove slivers, and leave the rest as it is
   --feature-angle A     where normals of triangles differ by more, in degrees, the edge is a feature (0 to 180; default 60)
+  --ignore-edges        edges and corners in the file are no features, and are not written unless they are sharp, say; TetGen
+                        writes all edges of its surfaces
   --time-limit T        in seconds (default 0: none)
   --seed N              of all random choices (default 0)
   --quiet               print nothing but errors, and why the mesh is unchanged if it is
@@ -47,7 +49,8 @@ greater than those it has: one for each pair of tetrahedra references, and one f
 at an edge. Vertices keep their order; inserted ones come last, with reference 0. Vertices that no tetrahedron has are
 written as they are. Triangles are counterclockwise as seen from outside or, between two references of tetrahedra, from the
 greater one; inside of one reference, they may be so from either side. Triangles and edges that no tetrahedron has are left
-out. Inverted tetrahedra are turned. In .vtu files, references that are not all positive become numbers from 1 on.
+out, and so are triangles of reference 0 inside of one reference of tetrahedra, unless they are required. Inverted tetrahedra
+are turned. In .vtu files, references that are not all positive become numbers from 1 on.
 
 Second-order elements, and cells other than tetrahedra, are not supported.
 
@@ -56,7 +59,7 @@ command line or a file is not good, with the reason in one line.
 )";
 
   std::string in, out;
-  bool do_insert = false, do_remove = false, fixes_boundary = false, only_slivers = false;
+  bool do_insert = false, do_remove = false, fixes_boundary = false, only_slivers = false, ignores_edges = false;
   bool is_quiet = false, wants_help = false;
   double sliver_bound = 0, size = 0, time_limit = 0, feature_angle = 60;
   std::size_t number_of_vertices = 0;
@@ -92,7 +95,8 @@ private:
   {
     const std::map<std::string, bool*> switches = {
       { "--insert", &do_insert }, { "--remove", &do_remove }, { "--fix-boundary", &fixes_boundary },
-      { "--only-slivers", &only_slivers }, { "--quiet", &is_quiet }, { "--help", &wants_help }, { "-h", &wants_help } };
+      { "--only-slivers", &only_slivers }, { "--ignore-edges", &ignores_edges }, { "--quiet", &is_quiet },
+      { "--help", &wants_help }, { "-h", &wants_help } };
     const auto it = switches.find(name);
     if(it != switches.end())
       *it->second = true;

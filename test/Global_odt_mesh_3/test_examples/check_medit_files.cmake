@@ -100,6 +100,9 @@ accepts(labels " 0\n[0-9 ]+ -7\n|-7\n[0-9 ]+ 0\n" "${head}${five}Tetrahedra\n2\n
 accepts(huge_labels " 99999999999\n" "${head}${five}Tetrahedra\n2\n1 2 3 4 99999999999\n5 2 3 4 3\n")
 accepts(patches " -3\n(.*\n)*[0-9]+ [0-9]+ [0-9]+ 0\n|0\n(.*\n)*[0-9]+ [0-9]+ [0-9]+ -3\n" "${head}${points}${cell}Triangles\n2\n1 2 3 0\n1 2 4 -3\n")
 accepts(lost_elements "Edges\n6\n(.*\n)*Triangles\n4\n" "${head}${five}${cell}Triangles\n2\n1 2 3 1\n1 2 5 1\nEdges\n1\n1 5 3\n")
+accepts(triangle_inside "Triangles\n6\n" "${head}${five}Tetrahedra\n2\n1 2 3 4 1\n5 2 3 4 1\nTriangles\n1\n2 3 4 0\n")
+accepts(required_inside "Triangles\n7\n.*RequiredTriangles\n1\n"
+        "${head}${five}Tetrahedra\n2\n1 2 3 4 1\n5 2 3 4 1\nTriangles\n1\n2 3 4 0\nRequiredTriangles\n1\n1\n")
 accepts(unused_points "2 2 2 4\n0 0 0 5\n.*Tetrahedra\n1\n[2-5 ]+ 9\n.*RequiredVertices\n1\n1\n"
         "${head}Vertices\n5\n2 2 2 4\n0 0 0 5\n1 1 0 6\n1 0 1 7\n0 1 1 8\nTetrahedra\n1\n2 3 4 5 9\nRequiredVertices\n1\n1\n")
 accepts(required "Edges\n.*Ridges\n1\n[0-9]+\nRequiredEdges\n1\n[0-9]+\nRequiredTriangles\n1\n[0-9]+\n"
@@ -130,5 +133,6 @@ runs(2 "--size needs a number" good.mesh out.mesh --size nan --insert)
 runs(2 "--size needs --insert" good.mesh out.mesh --size 2)
 runs(2 "--only-slivers excludes" good.mesh out.mesh --only-slivers --insert)
 runs(2 "^missing/out.mesh: cannot be written" good.mesh missing/out.mesh)
+runs(1 "mesh unchanged" good.mesh out.mesh --ignore-edges)
 runs(1 "mesh unchanged" good.mesh out.mesh --quiet --only-slivers)
 runs("0|1" "" good.mesh out.vtu --fix-boundary --time-limit=1 --feature-angle 30 --sliver-bound 10)
