@@ -41,6 +41,14 @@ struct Medit_mesh
   std::vector<int> corners, required_vertices;    // numbers of vertices
   std::vector<int> ridges, required_edges;        // numbers of edges
   std::vector<int> required_triangles;            // numbers of triangles
+
+  // Along with corners, and all that refers to edges.
+  void clear_edges()
+  {
+    edges.clear();
+    for(std::vector<int>* numbers : { &corners, &ridges, &required_edges })
+      numbers->clear();
+  }
 };
 
 // Reads a file, and throws std::runtime_error with one line that says what is wrong.

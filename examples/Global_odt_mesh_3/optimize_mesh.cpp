@@ -152,6 +152,14 @@ inline void write(const Complex_of_medit_mesh<C3t3>& complex, const C3t3& c3t3, 
     throw std::runtime_error("cannot be written");
 }
 
+// The first line of the report.
+inline void print_reason(const Report& report)
+{
+  std::ostringstream s;
+  s << report;
+  std::cerr << s.str().substr(0, s.str().find('\n')) << '\n';
+}
+
 inline Exit_status run(const Optimize_mesh_options& options)
 {
   std::string file = options.in;
@@ -162,10 +170,7 @@ inline Exit_status run(const Optimize_mesh_options& options)
       throw std::runtime_error("cannot be opened");
     Medit_mesh mesh = Medit_reader(in)();
     if(options.ignores_edges)
-      for(auto* elements : { &mesh.corners, &mesh.ridges, &mesh.required_edges })
-        elements->clear();
-    if(options.ignores_edges)
-      mesh.edges.clear();
+      mesh.clear_edges();
     C3t3 c3t3;
     Complex_of_medit_mesh<C3t3> complex(mesh, c3t3, options.feature_angle);
     if(!options.is_quiet && complex.number_of_lost_triangles() + complex.number_of_lost_edges() > 0)
@@ -183,9 +188,7 @@ inline Exit_status run(const Optimize_mesh_options& options)
       print_summary(before, CGAL::mesh_quality_report_3(c3t3, { 10, 20, 30 }), report, timer.time());
     if(report.is_changed())
       return IMPROVED;
-    std::ostringstream reason;
-    reason << report;
-    std::cerr << reason.str().substr(0, reason.str().find('\n')) << '\n';
+    print_reason(report);
     return UNCHANGED;
   }
   catch(const CGAL::Failure_exception& e)
