@@ -122,6 +122,11 @@ static void check_box()
     ++patches[c3t3.surface_patch_index(*f)];
   check::that(patches == std::map<int, int>{ { 1, 96 }, { 2, 96 }, { 3, 32 } }, "the patches of a box");
 
+  // Of some facets, one cell does not know.
+  for(auto c = c3t3.cells_in_complex_begin(); c != c3t3.cells_in_complex_end(); ++c)
+    if(c->subdomain_index() == 1)
+      for(int i = 0; i < 4; ++i)
+        c->set_surface_patch_index(i, 0);
   CGAL::complete_mesh_complex_3(c3t3);
   check::that(numbers(c3t3) == expected, "a box that is completed again has", printed(numbers(c3t3)));
   const structured_box::Domain domain(c3t3);
