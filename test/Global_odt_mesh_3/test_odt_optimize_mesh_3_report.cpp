@@ -6,14 +6,13 @@
 // A call tells what it has done, and no call is stuck: bodies that are stretched step by step, domains that are another's, calls
 // that are ended at once, meshes with nothing to do.
 
-#include "../../examples/Global_odt_mesh_3/complex_of_labels.h"
+#include "../../examples/Global_odt_mesh_3/complex_of_medit_mesh.h"
 #include "check.h"
 #include "mesh_domains.h"
+#include "structured_box.h"
 
-#include <CGAL/IO/File_medit.h>
 #include <CGAL/Mesh_optimization_report_3.h>
 #include <CGAL/Mesh_quality_report_3.h>
-#include <CGAL/Polyhedral_complex_mesh_domain_3.h>
 #include <CGAL/Random.h>
 #include <CGAL/Real_timer.h>
 #include <CGAL/make_mesh_3.h>
@@ -300,55 +299,13 @@ static void check_field_near_features()
   check::that(angle[1] > 0.7 * angle[0] && ratio[1] > ratio[0] - 0.04, "a field makes cells near features worse");
 }
 
-typedef CGAL::Polyhedral_complex_mesh_domain_3<domains::Kernel, domains::Polyhedron> Box_domain;
-typedef CGAL::Mesh_triangulation_3<Box_domain>::type Box_triangulation;
-typedef CGAL::Mesh_complex_3_in_triangulation_3<Box_triangulation, Box_domain::Corner_index, Box_domain::Curve_index> Box_c3t3;
-
-// A box of n^3 hexahedra in five or six cells, as a file of Medit.
-static std::string box(int n, int cells_in_hexahedron)
-{
-  std::ostringstream out;
-  out << "MeshVersionFormatted 2\nDimension 3\nVertices\n" << (n + 1) * (n + 1) * (n + 1) << '\n';
-  for(int i = 0; i <= n; ++i)
-    for(int j = 0; j <= n; ++j)
-      for(int k = 0; k <= n; ++k)
-        out << i << ' ' << j << ' ' << k << " 0\n";
-  typedef std::vector<std::array<int, 4> > Cells;
-  const Cells five[] = { { { 0, 1, 2, 4 }, { 3, 1, 2, 7 }, { 5, 1, 4, 7 }, { 6, 2, 4, 7 }, { 1, 2, 4, 7 } },
-                         { { 1, 0, 3, 5 }, { 2, 0, 3, 6 }, { 4, 0, 5, 6 }, { 7, 3, 5, 6 }, { 0, 3, 5, 6 } } };
-  const Cells six = { { 0, 1, 3, 7 }, { 0, 1, 5, 7 }, { 0, 2, 3, 7 }, { 0, 2, 6, 7 }, { 0, 4, 5, 7 }, { 0, 4, 6, 7 } };
-  out << "Tetrahedra\n" << n * n * n * cells_in_hexahedron << '\n';
-  for(int i = 0; i < n; ++i)
-    for(int j = 0; j < n; ++j)
-      for(int k = 0; k < n; ++k)
-        for(std::array<int, 4> t : cells_in_hexahedron == 6 ? six : five[(i + j + k) % 2])
-        {
-          std::array<Point_3, 4> p;
-          for(int m = 0; m < 4; ++m)
-          {
-            const std::array<int, 3> at = {{ i + (t[m] & 1), j + (t[m] >> 1 & 1), k + (t[m] >> 2) }};
-            p[m] = Point_3(at[0], at[1], at[2]);
-            t[m] = (at[0] * (n + 1) + at[1]) * (n + 1) + at[2];
-          }
-          if(CGAL::orientation(p[0], p[1], p[2], p[3]) == CGAL::NEGATIVE)
-            std::swap(t[2], t[3]);
-          for(int v : t)
-            out << v + 1 << ' ';
-          out << "1\n";
-        }
-  out << "End\n";
-  return out.str();
-}
-
 // Where spheres pass through more than four vertices, the cells are those that were there.
 static void check_structured_box(int cells_in_hexahedron, double angle)
 {
-  std::istringstream in(box(4, cells_in_hexahedron));
-  Box_c3t3 c3t3;
-  check::that(CGAL::IO::read_MEDIT(in, c3t3.triangulation()), "a box is not read");
-  Complex_of_labels<Box_c3t3, Box_domain> complex(c3t3);
-  const Box_domain domain(complex.surfaces().begin(), complex.surfaces().end(), complex.labels().begin(), complex.labels().end());
-  complex.complete(domain);
+  const Medit_mesh mesh = structured_box::mesh(4, cells_in_hexahedron);
+  structured_box::C3t3 c3t3;
+  const Complex_of_medit_mesh<structured_box::C3t3> complex(mesh, c3t3, 60);
+  const structured_box::Domain domain(c3t3);
   const std::size_t cells = c3t3.number_of_cells_in_complex();
   CGAL::remove_slivers_mesh_3(c3t3, domain);
   const double after = CGAL::mesh_quality_report_3(c3t3).smallest_angle;

@@ -13,6 +13,14 @@
 #include <CGAL/make_mesh_3.h>
 #undef CGAL_ODT_OPTIMIZE_MESH_3_H
 
+#include <CGAL/AABB_tree.h>
+#if __has_include(<CGAL/AABB_traits_3.h>)
+#  include <CGAL/AABB_traits_3.h>
+#  include <CGAL/AABB_triangle_primitive_3.h>
+#else
+#  include <CGAL/AABB_traits.h>
+#  include <CGAL/AABB_triangle_primitive.h>
+#endif
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Kd_tree.h>
 #include <CGAL/Labeled_mesh_domain_3.h>
@@ -22,6 +30,7 @@
 #include <CGAL/Mesh_3/internal/check_weights.h>
 #include <CGAL/Mesh_complex_3_in_triangulation_3.h>
 #include <CGAL/Mesh_criteria_3.h>
+#include <CGAL/Mesh_domain_with_polyline_features_3.h>
 #include <CGAL/Mesh_triangulation_3.h>
 #include <CGAL/Orthogonal_k_neighbor_search.h>
 #include <CGAL/Real_timer.h>
@@ -30,6 +39,7 @@
 #include <CGAL/Search_traits_3.h>
 #include <CGAL/Spatial_sort_traits_adapter_3.h>
 #include <CGAL/Unique_hash_map.h>
+#include <CGAL/boost/graph/split_graph_into_polylines.h>
 #include <CGAL/spatial_sort.h>
 #include <CGAL/version.h>
 #if CGAL_VERSION_NR < 1050600000
@@ -37,6 +47,7 @@
 #endif
 #include <Eigen/Dense>
 #include <boost/functional/hash.hpp>
+#include <boost/graph/adjacency_list.hpp>
 
 #include <chrono>
 #include <iomanip>
@@ -58,8 +69,11 @@
 #include <CGAL/Mesh_quality_report_3.h>
 #include <CGAL/Quadratic_density_3.h>
 #include <CGAL/Spline_grid_field_3.h>
+#include <CGAL/Tetrahedral_mesh_domain_3.h>
+#include <CGAL/complete_mesh_complex_3.h>
 #include <CGAL/odt_energy_3.h>
 #include <CGAL/odt_optimize_mesh_3.h>
+#include <CGAL/odt_optimize_tetrahedral_mesh_3.h>
 #include <CGAL/remesh_boundary_mesh_3.h>
 #include <CGAL/remove_slivers_mesh_3.h>
 
@@ -82,5 +96,7 @@ int main()
     CGAL::parameters::facet_angle = 25, CGAL::parameters::facet_size = 0.5, CGAL::parameters::cell_size = 0.5);
   C3t3 c3t3 = CGAL::make_mesh_3<C3t3>(domain, criteria, CGAL::parameters::odt());
   CGAL::remove_slivers_mesh_3(c3t3, domain, CGAL::parameters::sliver_bound = 20);
+  CGAL::complete_mesh_complex_3(c3t3);
+  CGAL::odt_optimize_tetrahedral_mesh_3(c3t3);
   return c3t3.triangulation().is_valid() ? 0 : 1;
 }

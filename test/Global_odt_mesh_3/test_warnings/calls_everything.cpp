@@ -23,9 +23,12 @@
 #include <CGAL/Polyhedral_mesh_domain_with_features_3.h>
 #include <CGAL/Quadratic_density_3.h>
 #include <CGAL/Spline_grid_field_3.h>
+#include <CGAL/Tetrahedral_mesh_domain_3.h>
+#include <CGAL/complete_mesh_complex_3.h>
 #include <CGAL/make_mesh_3.h>
 #include <CGAL/odt_energy_3.h>
 #include <CGAL/odt_optimize_mesh_3.h>
+#include <CGAL/odt_optimize_tetrahedral_mesh_3.h>
 #include <CGAL/property_map.h>
 #include <CGAL/remesh_boundary_mesh_3.h>
 #include <CGAL/remove_slivers_mesh_3.h>
@@ -93,6 +96,12 @@ void mesh(const Domain& domain)
   const CGAL::Mesh_criteria_3<Triangulation> criteria(params::facet_size = 1, params::cell_size = 1);
   C3t3 c3t3 = CGAL::make_mesh_3<C3t3>(domain, criteria, params::odt());
   call_functions(c3t3, domain);
+
+  // The mesh as its own domain, which the mesh generator accepts, too.
+  CGAL::complete_mesh_complex_3(c3t3, 60);
+  CGAL::odt_optimize_tetrahedral_mesh_3(c3t3, params::time_limit = 10);
+  const CGAL::Tetrahedral_mesh_domain_3<C3t3> of_mesh(c3t3);
+  c3t3 = CGAL::make_mesh_3<C3t3>(of_mesh, criteria);
 }
 
 int main()
