@@ -148,8 +148,8 @@ public:
   }
 
 private:
-  // Below which all facets are on the surface, up to roundings.
-  static constexpr double share_of_bend = 1e-3;
+  // Below which all facets are on the surface, and over the edge, up to roundings.
+  static constexpr double share_of_bend = 1e-3, rounding = 1e-6;
 
   // How far a centroid may be from the surface.
   double farthest(const Triple& facet, const Vertex_numbering_3& numbering) const
@@ -179,7 +179,10 @@ private:
       const Facet_dual_3 facet(t, sites), other(boundary.facets()[beyond].vertices, sites);
       const double angle = std::acos((std::min)(1., std::abs(facet.normal.dot(other.normal))));
       const int u = t[(corner + 1) % 3], v = t[(corner + 2) % 3];
-      const double bend = std::sqrt(3.) / 6 * angle * (position(sites[u]) - position(sites[v])).length();
+      // An edge of a feature may have one patch on both sides, and is sharp.
+      if(input.numbering->dimensions[u] < 2 && input.numbering->dimensions[v] < 2)
+        continue;
+      const double bend = (std::sqrt(3.) / 6 * angle + rounding) * (position(sites[u]) - position(sites[v])).length();
       for(int w : { u, v })
         bends_[input.numbering->input_numbers[w]] = (std::max)(bends_[input.numbering->input_numbers[w]], bend);
       largest_bend_ = (std::max)(largest_bend_, bend);
