@@ -181,7 +181,7 @@ private:
     if(!candidate_.is_unchanged(q))
       return no_subdomain;
     const Complex_snapshot_3& snapshot = candidate_.snapshot;
-    if(snapshot.has_labels_of_domain && is_dual_point_certain(q))
+    if(domain_.has_cells_of_mesh() || (snapshot.has_labels_of_domain && is_dual_point_certain(q)))
       return snapshot.label_of_cell(q);
     if(const Vertex_numbering_3::Input_cell* const c = candidate_.numbering.input_cell(q, candidate_.sites))
       return c->label;
