@@ -108,6 +108,8 @@ public:
   typedef Optional_index<Subdomain_index> Subdomain;
   typedef Optional_index<Surface_patch_index> Surface_patch;
   typedef std::tuple<Point_3, Index, int> Intersection;
+  // A mesh with these facets has no cell that passes through one.
+  typedef Tag_true Has_facets_of_mesh;
 
 private:
   typedef typename R::Triangle_3 Triangle_3;
@@ -222,11 +224,14 @@ private:
   template <class Triangulation>
   void add_facet(const typename Triangulation::Facet& f, const Triangulation& tr, const Surface_patch_index& patch)
   {
-    // A finite cell is on the positive side of its facets, if their vertices are taken in this order.
     const auto g = tr.is_infinite(f.first) ? tr.mirror_facet(f) : f;
-    const auto vertex = [&](int k) { return g.first->vertex(Triangulation::vertex_triple_index(g.second, k)); };
-    triangles_.emplace_back(vertex(0)->point().point(), vertex(1)->point().point(), vertex(2)->point().point());
+    const auto vertex = [&](int k) { return g.first->vertex(Triangulation::vertex_triple_index(g.second, k))->point().point(); };
+    triangles_.emplace_back(vertex(0), vertex(1), vertex(2));
     facets_.push_back({ patch, g.first->subdomain_index(), g.first->neighbor(g.second)->subdomain_index() });
+    // Cells need not be positive.
+    const Point_3 apex = g.first->vertex(g.second)->point().point();
+    if(CGAL::orientation(vertex(0), vertex(1), vertex(2), apex) == NEGATIVE)
+      std::swap(facets_.back().positive, facets_.back().negative);
   }
 
   // Towards the closest facet, and a bit beyond, few others are in the way. Other directions follow, if the point is in its

@@ -45,6 +45,13 @@ struct Has_aabb_tree<Mesh_domain,
                                    std::declval<typename Mesh_domain::AABB_tree::Primitive_id>()))> >
   : std::true_type {};
 
+// Those made of a mesh say so.
+template <class Mesh_domain, class = void>
+struct Has_facets_of_mesh : std::false_type {};
+
+template <class Mesh_domain>
+struct Has_facets_of_mesh<Mesh_domain, std::void_t<typename Mesh_domain::Has_facets_of_mesh> > : std::true_type {};
+
 // What cannot be a domain, such as criteria.
 template <class T, class = void>
 struct Is_mesh_domain : std::false_type {};
