@@ -27,8 +27,8 @@ namespace Global_odt_mesh_3::internal {
 
 // What remesh_boundary_mesh_3() reads.
 typedef Parameter_list<tags::time_limit, tags::max_iteration_number, tags::sizing_field, internal_np::density_t,
-                       internal_np::domain_is_thread_safe_t, internal_np::vertex_is_constrained_t,
-                       internal_np::cell_selector_t, internal_np::callback_t, internal_np::visitor_t,
+                       tags::facet_distance, internal_np::domain_is_thread_safe_t, internal_np::vertex_is_constrained_t,
+                       internal_np::facet_is_constrained_t, internal_np::cell_selector_t, internal_np::callback_t, internal_np::visitor_t,
                        internal_np::optimization_report_t> Remeshing_parameters;
 
 } // namespace Global_odt_mesh_3::internal

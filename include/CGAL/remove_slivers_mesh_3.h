@@ -25,9 +25,9 @@ namespace CGAL {
 namespace Global_odt_mesh_3::internal {
 
 // What remove_slivers_mesh_3() reads.
-typedef Parameter_list<tags::time_limit, tags::sliver_bound, internal_np::optimize_boundary_t,
+typedef Parameter_list<tags::time_limit, tags::sliver_bound, internal_np::optimize_boundary_t, tags::facet_distance,
                        internal_np::domain_is_thread_safe_t, internal_np::random_seed_t, internal_np::vertex_is_constrained_t,
-                       internal_np::cell_selector_t, internal_np::callback_t, internal_np::visitor_t,
+                       internal_np::facet_is_constrained_t, internal_np::cell_selector_t, internal_np::callback_t, internal_np::visitor_t,
                        internal_np::optimization_report_t> Sliver_removal_arguments;
 
 } // namespace Global_odt_mesh_3::internal

@@ -57,7 +57,7 @@ public:
     , visitor_(visitor)
     , threads_(threads)
     , control_(parameters, visitor)
-    , bounds_(domain)
+    , bounds_(domain, parameters.facet_distance)
   {}
 
   Mesh_optimization_return_code run(User_mesh_view_3& mesh, Odt_task task)
@@ -192,7 +192,7 @@ private:
     bool has_released = true;
     for(int n = 0; n < most_releases && has_released; ++n)
     {
-      Facet_bounds_3 bounds(domain_);
+      Facet_bounds_3 bounds(domain_, parameters_.facet_distance);
       Moving_triangulation_3 indexed;
       Complex_updater_3 complex(domain_, bounds, parameters_.optimize_boundary, threads_);
       Snapshot_reader_3 reader(mesh, threads_);

@@ -46,6 +46,7 @@ struct Odt_parameters
   Annealing_schedule annealing_schedule;
   std::size_t number_of_rounds = usual_number_of_rounds;    // of the schedule
   double surface_weight = 1.2;
+  double facet_distance = 0;                                // 0: as far as facets of the input
   double sliver_bound = 0;                                  // in degrees; 0: as high as can be had
   bool do_remove_slivers = true;
   bool do_insert_vertices = false, do_remove_vertices = false;
@@ -68,6 +69,8 @@ struct Odt_parameters
     CGAL_GLOBAL_ODT_MESH_3_CHECK_PARAMETER(number_of_vertices == 0 || (do_insert_vertices && do_remove_vertices),
                                            "number_of_vertices needs do_insert_vertices and do_remove_vertices");
     CGAL_GLOBAL_ODT_MESH_3_CHECK_PARAMETER(number_of_vertices <= most_vertices, "number_of_vertices must be at most 2^25");
+    CGAL_GLOBAL_ODT_MESH_3_CHECK_PARAMETER(facet_distance >= 0 && std::isfinite(facet_distance),
+                                           "facet_distance must be finite, not negative");
     CGAL_GLOBAL_ODT_MESH_3_CHECK_PARAMETER(sliver_bound >= 0 && sliver_bound <= 70.5,
                                            "sliver_bound must be in [0, 70.5] degrees");
   }

@@ -50,8 +50,10 @@ namespace CGAL::Global_odt_mesh_3::internal {
 class Facet_bounds_3
 {
 public:
-  explicit Facet_bounds_3(const Domain_view_3& domain)
+  // A distance of 0 means that of the input.
+  explicit Facet_bounds_3(const Domain_view_3& domain, double facet_distance = 0)
     : domain_(domain)
+    , facet_distance_(facet_distance)
   {}
 
   // Of the first mesh that is measured.
@@ -76,7 +78,9 @@ public:
     domain_.for_each(facets.size(), [&](int n) { distances[n] = distance(sorted(facets[n].vertices), input.sites()); });
     for(double d : distances)
       farthest_centroid_ = (std::max)(farthest_centroid_, d);
-    measure_bends(input);
+    if(facet_distance_ == 0)
+      measure_bends(input);
+    farthest_centroid_ = (std::max)(farthest_centroid_, facet_distance_);
     if(farthest_centroid_ > share_of_bend * largest_bend_)
       bends_.clear();
   }
@@ -200,6 +204,7 @@ private:
   }
 
   const Domain_view_3& domain_;
+  double facet_distance_;
   bool are_measured_ = false;
   double farthest_centroid_ = 0, smallest_angle_ = 30, coarsening_ = 1;
   std::vector<double> bends_;           // by vertices' numbers in the input; or none
@@ -372,12 +377,16 @@ inline void make_room(const Complex_candidate_3& candidate, const Triple& facet,
     report.add_weights(facet, sphere.lacking_weights());
 }
 
-// Whether a boundary at rest has the facets of the snapshot. One that is missing has a vertex in each sphere through its vertices;
-// another has other subdomains on its sides.
+// Whether the facets of the snapshot are there that are to stay: all of a boundary at rest, and those that the user wants so. One that is
+// missing has a vertex in each sphere through its vertices; another has other subdomains on its sides.
 inline Defect_report_3 check_facets_stay(const Complex_candidate_3& candidate)
 {
   Defect_report_3 report(candidate);
+  const bool all_stay = !candidate.boundary_moves();
+  if(!all_stay && candidate.numbering.kept_facets.entries().empty())
+    return report;
   const std::vector<Boundary_facet>& facets = candidate.snapshot.boundary.complex().facets();
+  const auto stays = [&](const Boundary_facet& f) { return all_stay || candidate.numbering.is_kept(f.vertices); };
   std::vector<char> is_found(facets.size(), false);
   for(std::size_t n = 0; n < candidate.old_facets.size(); ++n)
   {
@@ -385,11 +394,11 @@ inline Defect_report_3 check_facets_stay(const Complex_candidate_3& candidate)
     const Boundary_facet& f = candidate.boundary_complex->facets()[n];
     if(old >= 0)
       is_found[old] = true;
-    if(old < 0 || !Boundary_complex_3::same_labels(f.labels, facets[old].labels))
+    if(stays(f) && (old < 0 || !Boundary_complex_3::same_labels(f.labels, facets[old].labels)))
       report.revert(f.vertices);
   }
   for(std::size_t n = 0; n < is_found.size(); ++n)
-    if(!is_found[n])
+    if(!is_found[n] && stays(facets[n]))
       make_room(candidate, facets[n].vertices, report);
   return report;
 }

@@ -55,6 +55,7 @@ struct Vertex_numbering_3
   // do the cells around it.
   std::vector<int> subdomain;               // its label, or no_subdomain on the boundary
   Tuple_table<Quadruple, Input_cell> input_boundary_cells;
+  Tuple_table<Triple, int> kept_facets;     // in the same way, whatever their cells
   Tuple_table<Quadruple, int> kept_cells;   // that are in all snapshots, with their facets; and their places among them
   int number_of_interior_vertices = 0;
   int number_of_movable_vertices = 0;
@@ -77,6 +78,7 @@ struct Vertex_numbering_3
   // As the mesh has it: of those that are not, some stay for what is around them.
   bool is_fixed(int v) const { return input->is_fixed(input_numbers[v]); }
 
+  bool is_kept(const Triple& t) const { return !kept_facets.entries().empty() && kept_facets.find(sorted(t)) != nullptr; }
   bool is_kept(const Quadruple& q) const { return !kept_cells.entries().empty() && kept_cells.find(sorted(q)) != nullptr; }
 
   // Calls f(i) for the facets of a cell that have all vertices on the boundary.

@@ -250,6 +250,8 @@ private:
 
   bool exchanges_kept_facet() const
   {
+    if(std::any_of(removed_.begin(), removed_.end(), [this](int n) { return complex_.numbering.is_kept(complex_.boundary.facet(n).vertices); }))
+      return true;
     return !complex_.numbering.kept_cells.entries().empty()
            && (std::any_of(removed_.begin(), removed_.end(), [this](int n) { return is_kept(complex_.boundary.facet(n).vertices); })
                || std::any_of(added_.begin(), added_.end(), [this](const Facet& f) { return is_kept(f.vertices); }));

@@ -105,7 +105,7 @@ public:
     snapshot_.mark_facets(facets);
     read_surface_centers(facets);
     read_labels();
-    read_kept_cells();
+    read_kept_elements();
     index_snapshot(snapshot_, threads_, mesh);
     return std::move(snapshot_);
   }
@@ -221,8 +221,12 @@ private:
     }
   }
 
-  void read_kept_cells()
+  void read_kept_elements()
   {
+    for(std::size_t n = 0; n < table_.cells.size(); ++n)
+      for(int i = 0; i < 4; ++i)
+        if(table_.cells[n].kept_facets >> i & 1)
+          numbering_->kept_facets.insert(sorted(snapshot_.triangulation.facet_vertices(Half_facet(static_cast<int>(n), i))), 0);
     for(std::size_t n = 0; n < table_.cells.size(); ++n)
       if(table_.cells[n].is_kept)
         numbering_->kept_cells.insert(sorted(snapshot_.triangulation.vertices(static_cast<int>(n))), static_cast<int>(numbering_->kept_cells.entries().size()));

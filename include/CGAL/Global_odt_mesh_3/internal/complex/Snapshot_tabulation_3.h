@@ -171,6 +171,7 @@ private:
       for(int i = 0; i < 4; ++i)
       {
         table.cells[n].vertices[i] = input_number(v[i]);
+        table.cells[n].kept_facets |= int(numbering_.is_kept(facet_vertices(v, i))) << i;
         table.cells[n].neighbors[i] = places_[triangulation_.neighbor(cells_[n], i)];
       }
     });

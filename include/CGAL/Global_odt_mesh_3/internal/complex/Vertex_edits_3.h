@@ -316,6 +316,8 @@ private:
       if(*std::min_element(cell.vertices.begin(), cell.vertices.end()) >= 0)
         kept->input_boundary_cells.insert(sorted(cell.vertices), cell);
     }
+    for(const auto& f : numbering_->kept_facets.entries())
+      kept->kept_facets.insert(sorted(Triple{{ numbers[f.first[0]], numbers[f.first[1]], numbers[f.first[2]] }}), f.second);
     for(const auto& c : numbering_->kept_cells.entries())
     {
       const Quadruple& q = c.first;

@@ -126,6 +126,7 @@ public:
         if(const Facet f(cells[n], is_mirrored_ && i < 2 ? 1 - i : i); f.first->is_facet_on_surface(f.second))
         {
           table.cells[n].facets |= 1 << i;
+          table.cells[n].kept_facets |= int(constraints_.has(f)) << i;
           table.facets.push_back(read_facet(f, static_cast<int>(n), i));
         }
     }

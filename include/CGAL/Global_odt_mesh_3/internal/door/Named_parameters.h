@@ -162,6 +162,7 @@ typedef parameters::tag::convergence_ convergence;
 typedef parameters::tag::freeze_bound_ freeze_bound;
 typedef parameters::tag::do_freeze_ do_freeze;
 typedef parameters::tag::sliver_bound_ sliver_bound;
+typedef parameters::tag::facet_distance_ facet_distance;
 typedef parameters::tag::sizing_field_ sizing_field;
 #else
 typedef internal_np::maximum_running_time_t time_limit;
@@ -170,6 +171,7 @@ typedef internal_np::convergence_ratio_t convergence;
 typedef internal_np::vertex_freeze_bound_t freeze_bound;
 typedef internal_np::freeze_t do_freeze;
 typedef internal_np::lower_sliver_bound_t sliver_bound;
+typedef internal_np::facet_distance_param_t facet_distance;
 typedef internal_np::sizing_field_t sizing_field;
 #endif
 } // namespace tags

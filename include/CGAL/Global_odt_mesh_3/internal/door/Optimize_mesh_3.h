@@ -30,11 +30,11 @@
 #include <CGAL/Global_odt_mesh_3/internal/triangulation/Indexed_triangulation_3.h>
 
 #include <CGAL/Mesh_3/Null_global_optimizer_visitor.h>
-#include <CGAL/Mesh_3/internal/check_weights.h>
 #include <CGAL/Mesh_optimization_report_3.h>
 #include <CGAL/Mesh_optimization_return_code.h>
 #include <CGAL/tags.h>
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <functional>
@@ -168,7 +168,8 @@ typedef Parameter_list<tags::time_limit, tags::max_iteration_number, tags::conve
                        internal_np::random_seed_t, internal_np::callback_t, internal_np::optimization_report_t> Periodic_parameters;
 typedef Parameter_list<internal_np::do_insert_vertices_t, internal_np::do_remove_vertices_t, internal_np::number_of_vertices_t,
                        tags::sizing_field, internal_np::density_t, internal_np::quadrature_t, internal_np::domain_is_thread_safe_t,
-                       internal_np::vertex_is_constrained_t, internal_np::cell_selector_t, internal_np::visitor_t> Other_parameters;
+                       internal_np::vertex_is_constrained_t, internal_np::facet_is_constrained_t, internal_np::cell_selector_t,
+                       tags::facet_distance, internal_np::visitor_t> Other_parameters;
 template <class C3T3>
 using Optimization_parameters = std::conditional_t<is_periodic<C3T3>, Periodic_parameters,
                                                    decltype(Periodic_parameters() + Other_parameters())>;
@@ -220,10 +221,12 @@ optimize(C3T3& c3t3, const MeshDomain& domain, Odt_task task, const Odt_paramete
     return CANT_IMPROVE_ANYMORE;
   else
   {
-    CGAL_GLOBAL_ODT_MESH_3_CHECK_PARAMETER(!Mesh_3::internal::has_non_protecting_weights(c3t3.triangulation(), domain),
-                                           "c3t3 must not have weights on vertices off the features: call this function before "
-                                           "exude_mesh_3(), and give no_exude() to make_mesh_3()");
-    CGAL_GLOBAL_ODT_MESH_3_CHECK_PARAMETER(c3t3.triangulation().number_of_cells() <= Indexed_triangulation_3::most_cells,
+    const auto& tr = c3t3.triangulation();
+    CGAL_GLOBAL_ODT_MESH_3_CHECK_PARAMETER(
+      std::none_of(tr.finite_vertices_begin(), tr.finite_vertices_end(), [](const auto& v) { return v.in_dimension() > 2 && v.point().weight() != 0; }),
+      "c3t3 must not have weights on vertices inside of subdomains: call this function before exude_mesh_3(), and give no_exude() to "
+      "make_mesh_3()");
+    CGAL_GLOBAL_ODT_MESH_3_CHECK_PARAMETER(tr.number_of_cells() <= Indexed_triangulation_3::most_cells,
                                            "c3t3 must not have more than 268,435,456 cells");
     if constexpr (is_periodic<C3T3>)
       return call_with_report<C3T3>(Periodic_mesh_optimizer_3<C3T3, MeshDomain>(c3t3, domain, p), arguments);

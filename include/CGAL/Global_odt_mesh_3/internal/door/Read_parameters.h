@@ -58,6 +58,7 @@ Odt_parameters read_parameters(const Arguments& arguments)
   arguments.template read<internal_np::annealing_schedule_t>(p.annealing_schedule);
   read_count<internal_np::number_of_rounds_t>(arguments, p.number_of_rounds, "number_of_rounds must be a number, not negative");
   arguments.template read<internal_np::surface_weight_t>(p.surface_weight);
+  arguments.template read<tags::facet_distance>(p.facet_distance);
   arguments.template read<tags::sliver_bound>(p.sliver_bound);
   arguments.template read<internal_np::do_remove_slivers_t>(p.do_remove_slivers);
   arguments.template read<internal_np::do_insert_vertices_t>(p.do_insert_vertices);

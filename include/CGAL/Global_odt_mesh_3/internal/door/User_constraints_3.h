@@ -16,6 +16,9 @@
 
 #include <CGAL/Time_stamper.h>
 
+#include <algorithm>
+#include <array>
+#include <set>
 #include <type_traits>
 #include <unordered_set>
 #include <vector>
@@ -41,12 +44,14 @@ class User_constraints_3
 public:
   typedef typename Triangulation::Vertex_handle Vertex_handle;
   typedef typename Triangulation::Cell_handle Cell_handle;
+  typedef typename Triangulation::Facet Facet;
 
   bool has(Vertex_handle v) const { return vertices_.count(v) > 0 || vertices_of_cells_.count(v) > 0; }
+  bool has(const Facet& f) const { return !facets_.empty() && facets_.count(vertices(f)) > 0; }
   bool has_cells() const { return !cells_.empty(); }
   bool has(Cell_handle c) const { return cells_.count(c) > 0; }
 
-  // Asks the property maps, once for each vertex and for each cell of the complex.
+  // Asks the property maps, once for each vertex and for each cell of the complex, and for each facet of it from both sides.
   template <class Arguments>
   void read(const C3t3& c3t3, const Arguments& arguments)
   {
@@ -60,6 +65,15 @@ public:
       for(Vertex_handle v : tr.finite_vertex_handles())
         if(is_true(arguments.template get<internal_np::vertex_is_constrained_t>(), v))
           vertices_.insert(v);
+    if constexpr (Arguments::template has<internal_np::facet_is_constrained_t>)
+      for(auto f = c3t3.facets_in_complex_begin(); f != c3t3.facets_in_complex_end(); ++f)
+        if(const auto& map = arguments.template get<internal_np::facet_is_constrained_t>();
+           is_true(map, Facet(*f)) || is_true(map, tr.mirror_facet(*f)))
+        {
+          const Facet_vertices t = vertices(*f);
+          facets_.insert(t);
+          vertices_.insert(t.begin(), t.end());
+        }
   }
 
   // Of cells, as far as none of the others has their vertices, and no map says that these stay.
@@ -71,6 +85,17 @@ public:
   }
 
 private:
+  typedef std::array<Vertex_handle, 3> Facet_vertices;
+
+  static Facet_vertices vertices(const Facet& f)
+  {
+    Facet_vertices t;
+    for(int k = 0; k < 3; ++k)
+      t[k] = f.first->vertex((f.second + k + 1) % 4);
+    std::sort(t.begin(), t.end());
+    return t;
+  }
+
   void find_vertices_of_cells()
   {
     vertices_of_cells_.clear();
@@ -83,7 +108,8 @@ private:
   static bool is_true(const Map& map, Key key)
   {
     static_assert(Is_map<Map, Key>::value,
-                  "vertex_is_constrained_map and cell_is_selected_map need a ReadablePropertyMap with key type Vertex_handle or Cell_handle and "
+                  "vertex_is_constrained_map, facet_is_constrained_map, and cell_is_selected_map need a ReadablePropertyMap with key "
+                  "type Vertex_handle, Facet, or Cell_handle and "
                   "value type bool: wrap a std::set in CGAL::Boolean_property_map, a std::map in boost::associative_property_map, and a "
                   "function in boost::function_property_map");
     if constexpr (Is_map<Map, Key>::value)
@@ -94,6 +120,7 @@ private:
 
   std::unordered_set<Vertex_handle, Hash> vertices_, vertices_of_cells_;
   std::unordered_set<Cell_handle, Hash> cells_;
+  std::set<Facet_vertices> facets_;         // which cells may lose, by handles that stay valid
 };
 
 } // namespace CGAL::Global_odt_mesh_3::internal

@@ -40,6 +40,7 @@ struct Mesh_table_3
     Quadruple vertices, neighbors;              // of which each is across the facet that is opposite to the vertex
     int label;                                  // of the subdomain, 0 outside
     int facets = 0;                             // bits of those in the complex; of the input
+    int kept_facets = 0;                        // bits of those that the user wants to stay; their vertices are fixed
     bool is_kept = false;                       // because the user wants it so; its vertices are fixed
   };
 
