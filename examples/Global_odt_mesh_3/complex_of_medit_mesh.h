@@ -88,10 +88,14 @@ public:
     for(int t : mesh.required_triangles)
       for(int v : mesh.triangles[static_cast<std::size_t>(t)].vertices)
         require(v);
+    find_required_facets();
   }
 
   // The vertices that have to stay where they are, since the file says so of them, or of edges or triangles.
   const std::set<Vertex_handle>& required_vertices() const { return required_; }
+
+  // The facets that have to stay. Each is there once, and as long as its cell is.
+  const std::set<typename C3t3::Facet>& required_facets() const { return required_facets_; }
 
   // How many triangles and edges of the file the complex does not have.
   std::size_t number_of_lost_triangles() const { return lost_triangles_; }
@@ -167,6 +171,31 @@ private:
     return result;
   }
 
+  // The numbers of its vertices, sorted.
+  std::array<int, 3> vertices(const Facet& f) const
+  {
+    const auto at = [&](int k) { return number(f.first->vertex((f.second + k) % 4)); };
+    return sorted(std::array<int, 3>{{ at(1), at(2), at(3) }});
+  }
+
+  std::set<std::array<int, 3> > required_triangles() const
+  {
+    std::set<std::array<int, 3> > required;
+    for(int t : mesh_.required_triangles)
+      required.insert(sorted(mesh_.triangles[static_cast<std::size_t>(t)].vertices));
+    return required;
+  }
+
+  void find_required_facets()
+  {
+    const std::set<std::array<int, 3> > required = required_triangles();
+    if(required.empty())
+      return;
+    for(auto f = c3t3_.facets_in_complex_begin(); f != c3t3_.facets_in_complex_end(); ++f)
+      if(required.count(vertices(*f)) > 0)
+        required_facets_.insert(*f);
+  }
+
   void build()
   {
     std::vector<Point> points;
@@ -194,15 +223,12 @@ private:
   void add_triangles()
   {
     const auto references = references_of(mesh_.triangles);
-    std::set<std::array<int, 3> > required;
-    for(int t : mesh_.required_triangles)
-      required.insert(sorted(mesh_.triangles[static_cast<std::size_t>(t)].vertices));
+    const std::set<std::array<int, 3> > required = required_triangles();
     std::vector<std::pair<Facet, Medit_mesh::Reference> > facets;
     const Triangulation& tr = c3t3_.triangulation();
     for(auto f = tr.finite_facets_begin(); f != tr.finite_facets_end(); ++f)
     {
-      const auto at = [&](int k) { return number(f->first->vertex((f->second + k) % 4)); };
-      const auto it = references.find(sorted(std::array<int, 3>{{ at(1), at(2), at(3) }}));
+      const auto it = references.find(vertices(*f));
       const bool divides = f->first->subdomain_index() != tr.mirror_facet(*f).first->subdomain_index();
       if(it != references.end() && (it->second != 0 || divides || required.count(it->first) > 0))
         facets.emplace_back(*f, it->second);
@@ -306,6 +332,7 @@ private:
   std::vector<Vertex_handle> vertices_;               // by their numbers in the file, if there are any
   std::map<Vertex_handle, std::size_t> numbers_;
   std::set<Vertex_handle> required_;
+  std::set<Facet> required_facets_;
   std::size_t lost_triangles_ = 0, lost_edges_ = 0;
 };
 

@@ -77,6 +77,8 @@ inline void optimize(C3t3& c3t3, Complex_of_medit_mesh<C3t3>& complex, const Opt
   const Domain domain(c3t3);
   std::set<Tr::Vertex_handle> required = complex.required_vertices();
   const CGAL::Boolean_property_map<std::set<Tr::Vertex_handle> > is_required(required);
+  std::set<Tr::Facet> facets = complex.required_facets();
+  const CGAL::Boolean_property_map<std::set<Tr::Facet> > is_required_facet(facets);
   Removal_visitor visitor = { complex };
   Terminal_progress progress;
   progress.is_terminal = progress.is_terminal && !options.is_quiet;
@@ -85,17 +87,21 @@ inline void optimize(C3t3& c3t3, Complex_of_medit_mesh<C3t3>& complex, const Opt
     CGAL::odt_optimize_mesh_3(c3t3, domain, params::time_limit = options.time_limit,
                               params::sliver_bound = options.sliver_bound,
                               params::optimize_boundary = !options.fixes_boundary,
+                              params::facet_distance = options.facet_distance,
                               params::do_insert_vertices = options.do_insert, params::do_remove_vertices = options.do_remove,
                               params::domain_is_thread_safe = true, params::random_seed(options.seed),
-                              params::vertex_is_constrained_map(is_required), params::callback(std::ref(progress)),
+                              params::vertex_is_constrained_map(is_required),
+                              params::facet_is_constrained_map(is_required_facet), params::callback(std::ref(progress)),
                               params::visitor(std::ref(visitor)), params::optimization_report = std::ref(report), more...);
   };
   if(options.only_slivers)
     CGAL::remove_slivers_mesh_3(c3t3, domain, params::time_limit = options.time_limit,
                                 params::sliver_bound = options.sliver_bound,
                                 params::optimize_boundary = !options.fixes_boundary,
+                                params::facet_distance = options.facet_distance,
                                 params::domain_is_thread_safe = true, params::random_seed(options.seed),
-                                params::vertex_is_constrained_map(is_required), params::callback(std::ref(progress)),
+                                params::vertex_is_constrained_map(is_required),
+                                params::facet_is_constrained_map(is_required_facet), params::callback(std::ref(progress)),
                                 params::optimization_report = std::ref(report));
   else if(options.number_of_vertices > 0 && options.size > 0)
     call(params::number_of_vertices = options.number_of_vertices, params::sizing_field = options.size);
@@ -134,20 +140,13 @@ inline void print_summary(const Quality& before, const Quality& after, const Rep
   std::cout << s.str();
 }
 
-inline void write(const Complex_of_medit_mesh<C3t3>& complex, const C3t3& c3t3, std::size_t number_of_required_triangles,
-                  const std::string& name)
+inline void write(const Complex_of_medit_mesh<C3t3>& complex, const C3t3& c3t3, const std::string& name)
 {
   std::ofstream out(name, std::ios::binary);
   if(name.size() > 4 && name.compare(name.size() - 4, 4, ".vtu") == 0)
     CGAL::IO::output_to_vtu(out, c3t3);
   else
-  {
-    const Medit_mesh mesh = complex.to_medit();
-    if(mesh.required_triangles.size() < number_of_required_triangles)
-      std::cerr << "warning: " << number_of_required_triangles - mesh.required_triangles.size()
-                << " required triangles are no longer there, though their vertices are\n";
-    Medit_writer{ out }(mesh);
-  }
+    Medit_writer{ out }(complex.to_medit());
   if(!out.flush())
     throw std::runtime_error("cannot be written");
 }
@@ -183,7 +182,7 @@ inline Exit_status run(const Optimize_mesh_options& options)
     optimize(c3t3, complex, options, report);
     timer.stop();
     file = options.out;
-    write(complex, c3t3, mesh.required_triangles.size(), file);
+    write(complex, c3t3, file);
     if(!options.is_quiet)
       print_summary(before, CGAL::mesh_quality_report_3(c3t3, { 10, 20, 30 }), report, timer.time());
     if(report.is_changed())

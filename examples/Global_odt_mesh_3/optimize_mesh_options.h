@@ -28,7 +28,10 @@ removed. OUT is in the same format or, if its name ends in .vtu, in that of Para
   --remove              remove vertices where that improves cells
   --size S              the circumradii of cells, in the unit of the coordinates; only with --insert or --remove
   --vertices N          the number of vertices; implies --insert and --remove
-  --fix-boundary        vertices on surfaces stay where they are
+  --fix-boundary        vertices and triangles on surfaces stay as they are
+  --facet-distance D    how far the middle of a triangle may be from the surface that the file has, in the unit of the
+                        coordinates (default 0: as far as the surface that the triangles stand for may be, by the angles
+                        between them)
   --sliver-bound A      the dihedral angle, in degrees, that cells should exceed (0 to 70.5; default 0: as far as possible)
   --only-slivers        remove slivers, and leave the rest as it is
   --feature-angle A     where normals of triangles differ by more, in degrees, the edge is a feature (0 to 180; default 60)
@@ -40,8 +43,8 @@ removed. OUT is in the same format or, if its name ends in .vtu, in that of Para
   --help                print this
 
 The domain is the one that the mesh fills. Features do not move: edges and corners in the file, edges where the references of
-triangles or tetrahedra change, and edges that are sharp. RequiredVertices, and vertices of RequiredEdges and
-RequiredTriangles, stay as well.
+triangles or tetrahedra change, and edges that are sharp. RequiredVertices, RequiredEdges, and RequiredTriangles stay as
+well, with their vertices.
 
 References of vertices, edges, triangles, and tetrahedra are kept. All triangles are written that lie between tetrahedra of
 different references, or between inside and outside, and all features. Those that the file does not have get references
@@ -61,7 +64,7 @@ command line or a file is not good, with the reason in one line.
   std::string in, out;
   bool do_insert = false, do_remove = false, fixes_boundary = false, only_slivers = false, ignores_edges = false;
   bool is_quiet = false, wants_help = false;
-  double sliver_bound = 0, size = 0, time_limit = 0, feature_angle = 60;
+  double sliver_bound = 0, size = 0, facet_distance = 0, time_limit = 0, feature_angle = 60;
   std::size_t number_of_vertices = 0;
   unsigned int seed = 0;
 
@@ -119,6 +122,8 @@ private:
       sliver_bound = number(0, 70.5);
     else if(name == "--size")
       size = number(1e-50, 1e50);
+    else if(name == "--facet-distance")
+      facet_distance = number(0, 1e50);
     else if(name == "--time-limit")
       time_limit = number(0, 1e9);
     else if(name == "--feature-angle")

@@ -7,16 +7,22 @@
 
 #include "../../examples/Global_odt_mesh_3/complex_of_medit_mesh.h"
 #include "check.h"
+#include "kept_facets.h"
 #include "mesh_domains.h"
 #include "structured_box.h"
 
 #include <CGAL/Mesh_optimization_report_3.h>
+#include <CGAL/Mesh_quality_report_3.h>
 #include <CGAL/Random.h>
 #include <CGAL/Tetrahedral_mesh_domain_3.h>
 #include <CGAL/complete_mesh_complex_3.h>
 #include <CGAL/iterator.h>
 #include <CGAL/odt_optimize_tetrahedral_mesh_3.h>
+#include <CGAL/property_map.h>
+#include <CGAL/remesh_boundary_mesh_3.h>
+#include <CGAL/remove_slivers_mesh_3.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
@@ -24,6 +30,7 @@
 #include <iostream>
 #include <iterator>
 #include <map>
+#include <set>
 #include <string>
 #include <tuple>
 #include <utility>
@@ -162,13 +169,13 @@ static std::map<long long, double> areas(const Medit_mesh& m)
   return result;
 }
 
-// Some triangles have references, and facets of one patch different subdomains on their sides. The inner vertices have been
-// moved.
-static void check_call()
+// Some triangles have references, and facets of one patch different subdomains on their sides. The vertices have been moved, but for
+// those on edges and on the interface, so that not all facets are those of a Delaunay triangulation.
+static Medit_mesh distorted_box(unsigned int seed)
 {
   constexpr int n = 6;
   Medit_mesh input = structured_box::mesh(n, 6, true);
-  CGAL::Random random(1);
+  CGAL::Random random(seed);
   for(std::size_t v = 0; v < input.points.size(); ++v)
   {
     auto& p = input.points[v];
@@ -185,15 +192,43 @@ static void check_call()
       if(z(1) == z(2) && z(2) == z(3) && (z(1) == 0 || z(1) == n))
         input.triangles.push_back({ {{ vertex(1), vertex(2), vertex(3) }}, z(1) == 0 ? -4 : 70 });
     }
+  return input;
+}
+
+template <class C3t3>
+std::map<int, double> volumes(const C3t3& c3t3)
+{
+  std::map<int, double> result;
+  for(auto c = c3t3.cells_in_complex_begin(); c != c3t3.cells_in_complex_end(); ++c)
+    result[c3t3.subdomain_index(c)] += std::abs(c3t3.triangulation().tetrahedron(c).volume());
+  return result;
+}
+
+// No subdomain may change by more than this share of its volume.
+template <class C3t3>
+void check_volumes(const std::string& name, const C3t3& c3t3, const std::map<int, double>& before, double share)
+{
+  const std::map<int, double> after = volumes(c3t3);
+  check::that(after.size() == before.size(), name, ": there are ", after.size(), " subdomains");
+  for(const auto& v : before)
+    check::that(after.count(v.first) == 1 && std::abs(after.at(v.first) / v.second - 1) <= share, name, ": the volume of subdomain ",
+                v.first, " has been ", v.second, " and is ", after.count(v.first) == 1 ? after.at(v.first) : 0);
+}
+
+static void check_call()
+{
+  const Medit_mesh input = distorted_box(1);
   C3t3 c3t3;
   Complex_of_medit_mesh<C3t3> complex(input, c3t3, 60);
   const structured_box::Domain domain(c3t3);
   check_labels(c3t3, domain, "distorted box");
   const Medit_mesh before = complex.to_medit();
+  const std::map<int, double> volume = volumes(c3t3);
   CGAL::Mesh_optimization_report_3<C3t3> report;
   CGAL::odt_optimize_tetrahedral_mesh_3(c3t3, params::optimization_report = std::ref(report));
   std::cout << "distorted box: " << report;
   check::that(report.is_changed(), "a distorted box is not optimized");
+  check_volumes("distorted box", c3t3, volume, 1e-12);
   const Medit_mesh after = complex.to_medit();
   check::that(after.point_references == input.point_references, "references of vertices are lost");
   const std::map<long long, double> area = areas(before), area_after = areas(after);
@@ -203,6 +238,233 @@ static void check_call()
     check::that(area_after.count(a.first) == 1 && std::abs(area_after.at(a.first) / a.second - 1) < 0.01,
                 "the area of reference ", a.first, " changes");
   check::that(area_after.size() == area.size(), "there are new references of triangles");
+}
+
+// A regular triangulation without hidden vertices, in which no vertex inside has a weight. Returns the weights of the others.
+static std::map<C3t3::Vertex_handle, double> check_weights(const std::string& name, const C3t3& c3t3)
+{
+  const auto& tr = c3t3.triangulation();
+  check::that(tr.is_valid(), name, ": no regular triangulation");
+  check::that(tr.tds().is_valid(), name, ": no triangulation");
+  check::that(tr.number_of_hidden_vertices() == 0, name, ": ", tr.number_of_hidden_vertices(), " hidden vertices");
+  std::map<C3t3::Vertex_handle, double> weights;
+  std::size_t inside = 0;
+  for(C3t3::Vertex_handle v : tr.finite_vertex_handles())
+    if(v->point().weight() != 0)
+    {
+      weights[v] = v->point().weight();
+      inside += v->in_dimension() == 3;
+    }
+  check::that(inside == 0, name, ": ", inside, " vertices inside have a weight");
+  return weights;
+}
+
+// A boundary at rest keeps facets that are none of the Delaunay triangulation of the vertices, which takes weights. These stay.
+static void check_fixed_boundary()
+{
+  for(unsigned int seed = 1; seed <= 3; ++seed)
+  {
+    const std::string name = "box whose boundary stays, seed " + std::to_string(seed);
+    const Medit_mesh input = distorted_box(seed);
+    C3t3 c3t3;
+    const Complex_of_medit_mesh<C3t3> complex(input, c3t3, 60);
+    const structured_box::Domain domain(c3t3);
+    const auto facets = kept_facets::all(c3t3);
+    const std::map<int, double> volume = volumes(c3t3);
+    std::map<C3t3::Vertex_handle, double> weights;
+    for(int call = 0; call < 2; ++call)
+    {
+      const std::string n = name + ", call " + std::to_string(call + 1);
+      CGAL::Mesh_optimization_report_3<C3t3> report;
+      const double angle = CGAL::mesh_quality_report_3(c3t3).smallest_angle;
+      CGAL::odt_optimize_mesh_3(c3t3, domain, params::optimize_boundary = false, params::optimization_report = std::ref(report));
+      kept_facets::check_there(n, c3t3, facets);
+      check::that(c3t3.number_of_facets_in_complex() == facets.size(), n, ": ", c3t3.number_of_facets_in_complex(), " facets, not ",
+                  facets.size());
+      check_volumes(n, c3t3, volume, 1e-12);
+      const auto weights_now = check_weights(n, c3t3);
+      const double angle_now = CGAL::mesh_quality_report_3(c3t3).smallest_angle;
+      std::cout << n << ": " << weights_now.size() << " weights, smallest angle " << angle << " -> " << angle_now << std::endl;
+      check::that(call > 0 || report.is_changed(), n, ": unchanged");
+      check::that(call == 0 || angle_now >= (std::min)(angle, 30.), n, ": the smallest angle falls from ", angle, " to ", angle_now);
+      check::that(!weights_now.empty(), n, ": no facet has needed a weight");
+      check::that(call == 0 || weights_now == weights, n, ": weights have changed");
+      weights = weights_now;
+    }
+
+    // Where the boundary moves, vertices with weights stay.
+    std::map<C3t3::Vertex_handle, Point_3> places;
+    for(const auto& w : weights)
+      places[w.first] = w.first->point().point();
+    CGAL::remove_slivers_mesh_3(c3t3, domain);
+    CGAL::odt_optimize_tetrahedral_mesh_3(c3t3, params::number_of_rounds = 1);
+    check::that(check_weights(name + ", then moving", c3t3) == weights, name, ": weights change in later calls");
+    const auto moved = std::count_if(places.begin(), places.end(), [](const auto& p) { return p.first->point().point() != p.second; });
+    check::that(moved == 0, name, ": ", moved, " vertices with weights have moved");
+  }
+}
+
+// Facets that the user wants to stay, in meshes whose triangulation may not have them if all other vertices stay.
+static void check_constrained_facets()
+{
+  for(unsigned int seed = 1; seed <= 3; ++seed)
+  {
+    const std::string name = "box with facets that stay, seed " + std::to_string(seed);
+    const Medit_mesh input = distorted_box(seed);
+    C3t3 c3t3;
+    const Complex_of_medit_mesh<C3t3> complex(input, c3t3, 60);
+    std::set<C3t3::Facet> constrained = kept_facets::some(c3t3, 0.1 * seed, seed);
+    const auto records = kept_facets::records(c3t3, constrained);
+    const std::map<int, double> volume = volumes(c3t3);
+    const auto all = kept_facets::all(c3t3);
+    for(int call = 0; call < 2; ++call)
+    {
+      CGAL::Mesh_optimization_report_3<C3t3> report;
+      CGAL::odt_optimize_tetrahedral_mesh_3(
+        c3t3, params::do_insert_vertices = true, params::do_remove_vertices = true, params::random_seed(seed),
+        params::facet_is_constrained_map(CGAL::Boolean_property_map<std::set<C3t3::Facet> >(constrained)),
+        params::optimization_report = std::ref(report));
+      std::cout << name << ": " << records.size() << " of " << all.size() << " facets stay; " << report;
+      kept_facets::check_there(name, c3t3, records);
+      check_volumes(name, c3t3, volume, 1e-12);
+      check_weights(name, c3t3);
+      if(call > 0)
+        continue;
+      check::that(report.is_changed(), name, ": unchanged");
+      const auto gone = std::count_if(all.begin(), all.end(), [&](const auto& f) { return !f.is_there(c3t3); });
+      check::that(gone > 0, name, ": no facet has changed");
+      // Handles of cells are others now.
+      constrained.clear();
+      for(auto f = c3t3.facets_in_complex_begin(); f != c3t3.facets_in_complex_end(); ++f)
+      {
+        const kept_facets::Facet_record<C3t3> record(c3t3, *f);
+        if(std::find(records.begin(), records.end(), record) != records.end())
+          constrained.insert(*f);
+      }
+      check::that(constrained.size() == records.size(), name, ": ", constrained.size(), " facets are found again, not ", records.size());
+    }
+  }
+}
+
+// Numbers the vertices of all cells the other way round.
+static void turn_over(C3t3& c3t3)
+{
+  for(auto c : c3t3.triangulation().all_cell_handles())
+  {
+    c->set_vertices(c->vertex(1), c->vertex(0), c->vertex(2), c->vertex(3));
+    c->set_neighbors(c->neighbor(1), c->neighbor(0), c->neighbor(2), c->neighbor(3));
+    const int patch = c->surface_patch_index(0);
+    c->set_surface_patch_index(0, c->surface_patch_index(1));
+    c->set_surface_patch_index(1, patch);
+    const Point_3 center = c->get_facet_surface_center(0);
+    c->set_facet_surface_center(0, c->get_facet_surface_center(1));
+    c->set_facet_surface_center(1, center);
+    const int index = c->get_facet_surface_center_index(0);
+    c->set_facet_surface_center_index(0, c->get_facet_surface_center_index(1));
+    c->set_facet_surface_center_index(1, index);
+  }
+}
+
+// Such a mesh becomes the same as one that is not turned over, and so does its domain.
+static void check_turned_over()
+{
+  std::vector<std::map<std::array<double, 3>, double> > points;
+  std::vector<CGAL::Mesh_quality_report_3> qualities;
+  for(bool is_turned : { false, true })
+  {
+    const std::string name = is_turned ? "box turned over" : "box";
+    const Medit_mesh input = distorted_box(4);
+    C3t3 c3t3;
+    const Complex_of_medit_mesh<C3t3> complex(input, c3t3, 60);
+    if(is_turned)
+      turn_over(c3t3);
+    check_labels(c3t3, structured_box::Domain(c3t3), name);
+    CGAL::Mesh_optimization_report_3<C3t3> report;
+    CGAL::odt_optimize_tetrahedral_mesh_3(c3t3, params::optimization_report = std::ref(report));
+    std::cout << name << ": " << report;
+    check::that(report.is_changed(), name, ": unchanged");
+    check_weights(name, c3t3);
+    points.emplace_back();
+    for(C3t3::Vertex_handle v : c3t3.triangulation().finite_vertex_handles())
+      points.back()[{{ v->point().x(), v->point().y(), v->point().z() }}] = v->point().weight();
+    qualities.push_back(CGAL::mesh_quality_report_3(c3t3));
+  }
+  check::that(points[0] == points[1], "a box that is turned over gets other points");
+  check::that(qualities[0].number_of_cells == qualities[1].number_of_cells && qualities[0].smallest_angle == qualities[1].smallest_angle,
+              "a box that is turned over has ", qualities[1].number_of_cells, " cells and an angle of ", qualities[1].smallest_angle,
+              ", and not ", qualities[0].number_of_cells, " and ", qualities[0].smallest_angle);
+}
+
+// How far the surface may be from facets that are all on it: sqrt(3) / 6 times an edge and the angle between the normals there.
+static double largest_bend(const Labeled_c3t3& c3t3)
+{
+  std::map<std::pair<Labeled_c3t3::Vertex_handle, Labeled_c3t3::Vertex_handle>, std::vector<Kernel::Vector_3> > normals;
+  for(auto f = c3t3.facets_in_complex_begin(); f != c3t3.facets_in_complex_end(); ++f)
+  {
+    const auto vertex = [&](int k) { return f->first->vertex((f->second + k % 3 + 1) % 4); };
+    const auto p = [&](int k) { return vertex(k)->point().point(); };
+    const auto normal = CGAL::cross_product(p(1) - p(0), p(2) - p(0));
+    for(int k = 0; k < 3; ++k)
+      normals[std::minmax(vertex(k), vertex(k + 1))].push_back(normal / std::sqrt(normal * normal));
+  }
+  double bend = 0;
+  for(const auto& e : normals)
+  {
+    const double angle = std::acos((std::min)(1., std::abs(e.second[0] * e.second[1])));
+    const double length = std::sqrt(CGAL::squared_distance(e.first.first->point().point(), e.first.second->point().point()));
+    bend = (std::max)(bend, std::sqrt(3.) / 6 * angle * length);
+  }
+  return bend;
+}
+
+// No facet of a coarse ball gets farther from it than it may be.
+static void check_facet_distance()
+{
+  Labeled_c3t3 input = domains::mesh(domains::sphere(), 0.35);
+  CGAL::complete_mesh_complex_3(input, 90);
+  const CGAL::Tetrahedral_mesh_domain_3<Labeled_c3t3> domain(input);
+  const std::map<int, double> volume = volumes(input);
+  const double bend = largest_bend(input), angle = CGAL::mesh_quality_report_3(input).smallest_angle;
+  std::cout << "coarse ball: " << input.number_of_facets_in_complex() << " facets, with bends up to " << bend << std::endl;
+  for(double share : { 0., 1e-3, 0.3, 1., 3. })
+    for(unsigned int seed = 0; seed < 3; ++seed)
+    {
+      const double distance = share * bend, bound = (share == 0 ? bend : distance) + 2e-6;
+      const auto check = [&](const char* what, const auto& call)
+      {
+        const std::string name = std::string("coarse ball, ") + what + ", facet_distance " + std::to_string(distance) + ", seed "
+                                 + std::to_string(seed);
+        Labeled_c3t3 c3t3(input);
+        CGAL::Mesh_optimization_report_3<Labeled_c3t3> report;
+        call(c3t3, report);
+        const double farthest = kept_facets::farthest_centroid(c3t3, domain);
+        const double angle_now = CGAL::mesh_quality_report_3(c3t3).smallest_angle;
+        std::cout << name << ": " << (report.is_changed() ? "" : "unchanged, ") << "farthest facet " << farthest << ", smallest angle "
+                  << angle_now << std::endl;
+        check::that(farthest <= bound && report.farthest_facet <= bound, name, ": a facet is ", farthest, " from the surface, or ",
+                    report.farthest_facet, ", and not ", bound);
+        check::that(std::abs(report.farthest_facet - farthest) <= 1e-9, name, ": the report says ", report.farthest_facet, ", not ", farthest);
+        check::that(what[0] == 'r' || angle_now >= (std::min)(angle, 30.), name, ": the smallest angle falls from ", angle, " to ", angle_now);
+        check_volumes(name, c3t3, volume, 0.05);
+        check::that(c3t3.triangulation().is_valid(), name, ": no regular triangulation");
+      };
+      check("all", [&](Labeled_c3t3& c, auto& report)
+      {
+        CGAL::odt_optimize_mesh_3(c, domain, params::facet_distance = distance, params::random_seed(seed),
+                                  params::do_insert_vertices = seed == 1, params::do_remove_vertices = seed == 1,
+                                  params::optimization_report = std::ref(report));
+      });
+      check("slivers", [&](Labeled_c3t3& c, auto& report)
+      {
+        CGAL::remove_slivers_mesh_3(c, domain, params::facet_distance = distance, params::random_seed(seed),
+                                    params::optimization_report = std::ref(report));
+      });
+      if(seed == 0)
+        check("remeshing", [&](Labeled_c3t3& c, auto& report)
+        {
+          CGAL::remesh_boundary_mesh_3(c, domain, params::facet_distance = distance, params::optimization_report = std::ref(report));
+        });
+    }
 }
 
 // A mesh of the mesh generator, whose patches are pairs, and whose cells outside are finite, too.
@@ -250,5 +512,9 @@ int main()
   check_box();
   check_generated();
   check_call();
+  check_fixed_boundary();
+  check_constrained_facets();
+  check_turned_over();
+  check_facet_distance();
   return check::result();
 }
