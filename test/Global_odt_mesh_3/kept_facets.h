@@ -9,6 +9,7 @@
 #include "check.h"
 
 #include <CGAL/Kernel/global_functions.h>
+#include <CGAL/exceptions.h>
 #include <CGAL/number_utils.h>
 
 #include <algorithm>
@@ -129,6 +130,14 @@ double farthest_centroid(const C3t3& c3t3, const Domain& domain)
     distance.add(std::sqrt(CGAL::to_double(domain.aabb_tree().squared_distance(CGAL::centroid(p(1), p(2), p(3))))));
   }
   return distance;
+}
+
+// Whether the triangulation is regular, of which an assertion may tell.
+template <class Triangulation>
+bool is_regular(const Triangulation& tr)
+{
+  try { return tr.is_valid(); }
+  catch(const CGAL::Assertion_exception&) { return false; }
 }
 
 } // namespace kept_facets

@@ -82,6 +82,12 @@ static void numbers(Labeled_c3t3& c3t3, const Labeled_domain& domain)
   for(double bad : { 0., -1., 4e7, nan_value })
     refuses("number_of_vertices", [&] { CGAL::odt_optimize_mesh_3(c3t3, domain, params::number_of_vertices = bad,
                                                                   params::do_insert_vertices = true, params::do_remove_vertices = true); });
+  for(double bad : { -1., -1e-300, nan_value, infinity, -infinity })
+  {
+    refuses("facet_distance", [&] { CGAL::odt_optimize_mesh_3(c3t3, domain, params::facet_distance = bad); });
+    refuses("facet_distance", [&] { CGAL::remesh_boundary_mesh_3(c3t3, domain, params::facet_distance = bad); });
+    refuses("facet_distance", [&] { CGAL::remove_slivers_mesh_3(c3t3, domain, params::facet_distance = bad); });
+  }
   for(double bad : { 0., -1., nan_value, infinity })
     refuses("largest_size", [&] { CGAL::Feature_edge_size_field_3<Labeled_c3t3>(c3t3, bad); });
   for(double bad : { -1., nan_value, infinity })
@@ -116,6 +122,8 @@ static void allowed(const Labeled_c3t3& input, const Labeled_domain& domain)
   allows("no weight", params::number_of_rounds = 0, params::surface_weight = 0, params::sliver_bound = 0);
   allows("the largest", params::convergence = 1, params::freeze_bound = 1, params::do_freeze = true);
   allows("the largest angle", params::time_limit = 0.5, params::number_of_rounds = 0, params::sliver_bound = 70.5);
+  allows("no distance", params::number_of_rounds = 0, params::facet_distance = 0, params::do_freeze = true);
+  allows("a large distance", params::number_of_rounds = 0, params::facet_distance = 1e300, params::do_freeze = true);
   allows("unlimited", params::time_limit = infinity, params::number_of_rounds = 0, params::optimize_boundary = true);
   CGAL::Momentum_annealing_schedule schedule;
   schedule.momentum = schedule.surface_amplitude = 0;
@@ -267,15 +275,26 @@ static void places_of_fields(Labeled_c3t3& c3t3, const Labeled_domain& domain)
   refuses(") it is -1", [&] { CGAL::odt_optimize_mesh_3(c3t3, domain, params::sizing_field = -1, params::do_insert_vertices = true); });
 }
 
-// exude_mesh_3() gives weights to vertices off the features; the message says what to do.
+// exude_mesh_3() gives weights to vertices off the features; the message says what to do about those inside. Those on surfaces may have
+// weights, and stay where they are with them.
 static void weights(const Labeled_c3t3& input, const Labeled_domain& domain)
 {
   Labeled_c3t3 exuded(input);
   CGAL::exude_mesh_3(exuded, params::sliver_bound = 20);
-  refuses("weights on vertices off the features: call this function before exude_mesh_3(), and give no_exude() to make_mesh_3()",
+  refuses("weights on vertices inside of subdomains: call this function before exude_mesh_3(), and give no_exude() to make_mesh_3()",
           [&] { CGAL::odt_optimize_mesh_3(exuded, domain); });
   refuses("weights", [&] { CGAL::remesh_boundary_mesh_3(exuded, domain); });
   refuses("weights", [&] { CGAL::remove_slivers_mesh_3(exuded, domain); });
+
+  Labeled_c3t3 weighted(input);
+  const auto f = *weighted.facets_in_complex_begin();
+  const Labeled_c3t3::Vertex_handle v = f.first->vertex((f.second + 1) % 4);
+  const Point_3 place = v->point().point();
+  constexpr double weight = 1e-9;
+  v->set_point(Labeled_c3t3::Triangulation::Weighted_point(place, weight));
+  try { CGAL::odt_optimize_mesh_3(weighted, domain, params::number_of_rounds = 0); }
+  catch(const CGAL::Precondition_exception& e) { check::that(false, "a weight on the surface: ", e.message()); }
+  check::that(v->point().point() == place && v->point().weight() == weight, "a vertex with a weight on the surface has changed");
 }
 
 static int number_of_failures = 0;

@@ -114,6 +114,12 @@ void not_read(C3t3& c3t3, const Domain& domain)
   periodic_call(params::do_insert_vertices = true);
 #line 1 "periodic_removal"
   periodic_call(params::do_remove_vertices = true);
+#line 1 "periodic_distance"
+  periodic_call(params::facet_distance = 1);
+#line 1 "periodic_facets"
+  periodic_call(params::facet_is_constrained_map(CGAL::Constant_property_map<int, bool>(true)));
+#line 1 "energy_distance"
+  CGAL::odt_energy_3(c3t3, params::facet_distance = 1);
 #line 1 "periodic_sizes"
   periodic_call(params::sizing_field = 1);
 }
@@ -123,6 +129,8 @@ void given_twice(C3t3& c3t3, const Domain& domain)
 {
 #line 1 "twice"
   CGAL::odt_optimize_mesh_3(c3t3, domain, params::time_limit = 10, params::time_limit = 20);
+#line 1 "distance_twice"
+  CGAL::odt_optimize_mesh_3(c3t3, domain, params::facet_distance = 1, params::facet_distance = 2);
 #line 1 "twice_in_chain"
   CGAL::odt_optimize_mesh_3(c3t3, domain, params::random_seed(1).random_seed(2));
 #line 1 "slivers_twice"
@@ -159,6 +167,13 @@ void no_map(C3t3& c3t3, const Domain& domain)
   CGAL::odt_optimize_mesh_3(c3t3, domain, params::cell_is_selected_map(std::map<C3t3::Cell_handle, bool>()));
 #line 1 "function_as_map"
   CGAL::remove_slivers_mesh_3(c3t3, domain, params::vertex_is_constrained_map([](C3t3::Vertex_handle) { return true; }));
+#line 1 "set_of_facets_as_map"
+  CGAL::odt_optimize_mesh_3(c3t3, domain, params::facet_is_constrained_map(std::set<C3t3::Facet>()));
+#line 1 "slivers_map_of_vertices_for_facets"
+  CGAL::remove_slivers_mesh_3(c3t3, domain,
+                              params::facet_is_constrained_map(CGAL::Boolean_property_map<std::set<C3t3::Vertex_handle> >()));
+#line 1 "remeshing_function_of_facets"
+  CGAL::remesh_boundary_mesh_3(c3t3, domain, params::facet_is_constrained_map([](C3t3::Facet) { return true; }));
 #line 1 "map_of_strings"
   CGAL::remesh_boundary_mesh_3(c3t3, domain, params::cell_is_selected_map(CGAL::Constant_property_map<C3t3::Cell_handle, std::string>()));
 }
@@ -202,6 +217,12 @@ void no_value(C3t3& c3t3, const Domain& domain)
   CGAL::odt_optimize_mesh_3(c3t3, domain, params::do_insert_vertices = "yes");
 #line 1 "pointer_as_truth"
   CGAL::odt_optimize_mesh_3(c3t3, domain, params::do_freeze = &domain);
+#line 1 "string_as_distance"
+  CGAL::odt_optimize_mesh_3(c3t3, domain, params::facet_distance = std::string("0.1"));
+#line 1 "slivers_field_as_distance"
+  CGAL::remove_slivers_mesh_3(c3t3, domain, params::facet_distance = [](const Kernel::Point_3&) { return 0.1; });
+#line 1 "remeshing_literal_as_distance"
+  CGAL::remesh_boundary_mesh_3(c3t3, domain, params::facet_distance = "0.1");
 #line 1 "string_as_time"
   CGAL::remove_slivers_mesh_3(c3t3, domain, params::time_limit = std::string("10"));
 #line 1 "string_as_count"

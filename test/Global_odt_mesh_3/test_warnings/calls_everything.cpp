@@ -77,9 +77,13 @@ void call_functions(C3t3& c3t3, const Domain& domain)
 
   const CGAL::Constant_property_map<typename C3t3::Vertex_handle, bool> no_vertex(false);
   const CGAL::Constant_property_map<typename C3t3::Cell_handle, bool> all_cells(true);
-  CGAL::odt_optimize_mesh_3(c3t3, domain, params::vertex_is_constrained_map(no_vertex), params::cell_is_selected_map(all_cells));
-  CGAL::remesh_boundary_mesh_3(c3t3, domain, params::vertex_is_constrained_map(no_vertex), params::cell_is_selected_map(all_cells));
-  CGAL::remove_slivers_mesh_3(c3t3, domain, params::vertex_is_constrained_map(no_vertex), params::cell_is_selected_map(all_cells));
+  const CGAL::Constant_property_map<typename C3t3::Facet, bool> no_facet(false);
+  CGAL::odt_optimize_mesh_3(c3t3, domain, params::vertex_is_constrained_map(no_vertex), params::cell_is_selected_map(all_cells),
+                            params::facet_is_constrained_map(no_facet), params::facet_distance = 0.1);
+  CGAL::remesh_boundary_mesh_3(c3t3, domain, params::vertex_is_constrained_map(no_vertex), params::cell_is_selected_map(all_cells),
+                               params::facet_is_constrained_map(no_facet), params::facet_distance = 0.1);
+  CGAL::remove_slivers_mesh_3(c3t3, domain, params::vertex_is_constrained_map(no_vertex), params::cell_is_selected_map(all_cells),
+                              params::facet_is_constrained_map(no_facet), params::facet_distance = 0.1);
 
   const CGAL::Spline_grid_field_3<Kernel> field(CGAL::Bbox_3(0, 0, 0, 1, 1, 1), 5, 5, 5, [](const Point_3&) { return 1.; });
   field.gradient(Point_3(0, 0, 0));
