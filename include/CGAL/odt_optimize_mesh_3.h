@@ -107,7 +107,8 @@ version of %CGAL in use accepts: `parameters::time_limit = 10, parameters::do_fr
     \cgalParamDefault{`true`}
   \cgalParamNEnd
   \cgalParamNBegin{optimize_boundary}
-    \cgalParamDescription{whether vertices of dimension 2 move on the surface. Otherwise they stay, and so do all facets of the complex.}
+    \cgalParamDescription{whether vertices of dimension 2 move on the surface. Otherwise they stay, and so do all facets of the complex. Where these are no
+                          facets of the Delaunay triangulation of the vertices, vertices of dimension 2 get small weights.}
     \cgalParamType{`bool`}
     \cgalParamDefault{`true`}
   \cgalParamNEnd
@@ -120,6 +121,18 @@ version of %CGAL in use accepts: `parameters::time_limit = 10, parameters::do_fr
     \cgalParamPrecondition{`surface_weight >= 0`, and finite}
     \cgalParamDefault{1.2}
     \cgalParamExtra{It is ignored if `optimize_boundary` is `false`.}
+  \cgalParamNEnd
+  \cgalParamNBegin{facet_distance}
+    \cgalParamDescription{how far the centroid of a facet of the complex may be from the surface, in the unit of the coordinates. Where facets of the
+                          input are farther, the farthest of them is the bound.}
+    \cgalParamType{`double`}
+    \cgalParamPrecondition{`facet_distance >= 0`, and finite}
+    \cgalParamDefault{0, that is, as far as the farthest of the input. Where all facets of the input are on the surface, as in a mesh that is its own
+                      domain, it is what that surface is known up to: at each vertex, the largest of \f$ \sqrt{3}/6 \f$ times the length of an edge off the features
+                      times the angle between the normals of its two facets, which is 0 on planes.}
+    \cgalParamExtra{It is ignored if `optimize_boundary` is `false`, or if the domain tells no distances, that is, has no `aabb_tree()`, as
+                    `Polyhedral_mesh_domain_3` and `Tetrahedral_mesh_domain_3` have it.}
+    \cgalParamExtra{The criterion of that name of `Mesh_criteria_3` measures circumcenters.}
   \cgalParamNEnd
   \cgalParamNBegin{sizing_field}
     \cgalParamDescription{the size \f$ \mu \f$ of the cells, in the unit of the coordinates. It goes into the densities \f$ 1/\mu^5 \f$ of the volume
@@ -247,10 +260,18 @@ version of %CGAL in use accepts: `parameters::time_limit = 10, parameters::do_fr
     \cgalParamExtra{It is ignored at vertices that stay anyway, such as those on features.}
     \cgalParamExtra{It is spelled `parameters::vertex_is_constrained_map(m)` and copied; `vertex_is_constrained_map = m` does not compile.}
   \cgalParamNEnd
+  \cgalParamNBegin{facet_is_constrained_map}
+    \cgalParamDescription{a property map that is `true` for the facets of the complex that are to stay, with their vertices and patches. It is read once,
+                          like the one above, for each facet from both sides; it suffices that it is `true` from one.}
+    \cgalParamType{a class model of `ReadablePropertyMap` with `C3T3::Facet` as key type and `bool` as value type}
+    \cgalParamDefault{a constant property map that is `false` for all facets}
+    \cgalParamExtra{The cells at such facets change. Vertices of facets that are none of the Delaunay triangulation get small weights.}
+    \cgalParamExtra{It is spelled `parameters::facet_is_constrained_map(m)` and copied; `facet_is_constrained_map = m` does not compile.}
+  \cgalParamNEnd
   \cgalParamNBegin{cell_is_selected_map}
     \cgalParamDescription{a property map that is `true` for the cells of the complex that may change. All others stay, with their facets and
                           vertices. A vertex moves only if all cells of the complex around it are selected, and vertices are inserted in selected
-                          cells only. The map is read once, like the one above.}
+                          cells only. The map is read once, like those above.}
     \cgalParamType{a class model of `ReadablePropertyMap` with `C3T3::Cell_handle` as key type and `bool` as value type}
     \cgalParamDefault{a constant property map that is `true` for all cells}
     \cgalParamExtra{Cells of a deformed mesh that cannot stay, since no valid mesh has them, are treated as selected, and named in the report.}
@@ -297,7 +318,8 @@ version of %CGAL in use accepts: `parameters::time_limit = 10, parameters::do_fr
     In these cases, `c3t3` is unchanged; the report tells which it is. Angles may become smaller if `do_remove_slivers` is `false`, or with `sizing_field`, `density`, or
     `number_of_vertices`.
 
-\pre No vertex but those on features carries a weight, that is, `exude_mesh_3()` has not been called before, nor `make_mesh_3()` without `no_exude()`.
+\pre No vertex of dimension 3 carries a weight, that is, `exude_mesh_3()` has not been called before, nor `make_mesh_3()` without `no_exude()`.
+Vertices of dimension 2 may carry some, and stay where they are.
 \pre The triangulation has at most \f$ 2^{28} \f$ cells.
 
 \sa `remesh_boundary_mesh_3()`

@@ -84,6 +84,12 @@ dihedral angles and on the largest cells are excepted: angles may become smaller
     \cgalParamPrecondition{all densities are positive and finite; not together with `sizing_field`}
     \cgalParamDefault{that of the input's cells}
   \cgalParamNEnd
+  \cgalParamNBegin{facet_distance}
+    \cgalParamDescription{how far the centroid of a facet may be from the surface; as for `odt_optimize_mesh_3()`}
+    \cgalParamType{`double`}
+    \cgalParamPrecondition{`facet_distance >= 0`, and finite}
+    \cgalParamDefault{0, that is, as far as in the input}
+  \cgalParamNEnd
   \cgalParamNBegin{domain_is_thread_safe}
     \cgalParamDescription{as for `odt_optimize_mesh_3()`}
     \cgalParamType{`bool`}
@@ -93,6 +99,11 @@ dihedral angles and on the largest cells are excepted: angles may become smaller
     \cgalParamDescription{as for `odt_optimize_mesh_3()`}
     \cgalParamType{a class model of `ReadablePropertyMap` with `C3T3::Vertex_handle` as key type and `bool` as value type}
     \cgalParamDefault{a constant property map that is `false` for all vertices}
+  \cgalParamNEnd
+  \cgalParamNBegin{facet_is_constrained_map}
+    \cgalParamDescription{as for `odt_optimize_mesh_3()`}
+    \cgalParamType{a class model of `ReadablePropertyMap` with `C3T3::Facet` as key type and `bool` as value type}
+    \cgalParamDefault{a constant property map that is `false` for all facets}
   \cgalParamNEnd
   \cgalParamNBegin{cell_is_selected_map}
     \cgalParamDescription{as for `odt_optimize_mesh_3()`}
@@ -124,7 +135,7 @@ dihedral angles and on the largest cells are excepted: angles may become smaller
 - `CGAL::CONVERGENCE_REACHED` when a round lowers the energy by less than 0.02 %, also when no vertex may move;
 - `CGAL::CANT_IMPROVE_ANYMORE` when no valid mesh can be made, in which case `c3t3` is unchanged.
 
-\pre No vertex but those on features carries a weight, that is, `exude_mesh_3()` has not been called before, nor `make_mesh_3()` without `no_exude()`.
+\pre No vertex of dimension 3 carries a weight, that is, `exude_mesh_3()` has not been called before, nor `make_mesh_3()` without `no_exude()`.
 
 \sa `odt_optimize_mesh_3()`
 */

@@ -37,7 +37,7 @@ typedef Parameter_list<tags::time_limit, tags::sliver_bound, internal_np::optimi
 
 removes the slivers of a tetrahedral mesh and leaves the rest as it is. This is what `odt_optimize_mesh_3()` does at its
 end, without minimizing an energy before. Like `perturb_mesh_3()`, it moves vertices of cells with small dihedral
-angles and keeps the triangulation regular without weights; few vertices move.
+angles and keeps the triangulation regular; few vertices move.
 
 The bound on the angles rises in steps of 20, 30, 35, 40, ... degrees, as described in section \ref godt_slivers. In a mesh from
 Delaunay refinement, every tenth cell may be a sliver. There, `odt_optimize_mesh_3()` reaches larger angles in all other cells, too.
@@ -70,6 +70,12 @@ The guarantees are those of `odt_optimize_mesh_3()`, also if the domain, a prope
     \cgalParamType{`bool`}
     \cgalParamDefault{`true`}
   \cgalParamNEnd
+  \cgalParamNBegin{facet_distance}
+    \cgalParamDescription{how far the centroid of a facet may be from the surface; as for `odt_optimize_mesh_3()`}
+    \cgalParamType{`double`}
+    \cgalParamPrecondition{`facet_distance >= 0`, and finite}
+    \cgalParamDefault{0, that is, as far as in the input}
+  \cgalParamNEnd
   \cgalParamNBegin{domain_is_thread_safe}
     \cgalParamDescription{as for `odt_optimize_mesh_3()`}
     \cgalParamType{`bool`}
@@ -84,6 +90,11 @@ The guarantees are those of `odt_optimize_mesh_3()`, also if the domain, a prope
     \cgalParamDescription{as for `odt_optimize_mesh_3()`}
     \cgalParamType{a class model of `ReadablePropertyMap` with `C3T3::Vertex_handle` as key type and `bool` as value type}
     \cgalParamDefault{a constant property map that is `false` for all vertices}
+  \cgalParamNEnd
+  \cgalParamNBegin{facet_is_constrained_map}
+    \cgalParamDescription{as for `odt_optimize_mesh_3()`}
+    \cgalParamType{a class model of `ReadablePropertyMap` with `C3T3::Facet` as key type and `bool` as value type}
+    \cgalParamDefault{a constant property map that is `false` for all facets}
   \cgalParamNEnd
   \cgalParamNBegin{cell_is_selected_map}
     \cgalParamDescription{as for `odt_optimize_mesh_3()`}
@@ -115,7 +126,7 @@ The guarantees are those of `odt_optimize_mesh_3()`, also if the domain, a prope
 - the same when no valid mesh can be made, in which case `c3t3` is unchanged;
 - `CGAL::CONVERGENCE_REACHED` otherwise.
 
-\pre No vertex but those on features carries a weight, that is, `exude_mesh_3()` has not been called before, nor `make_mesh_3()` without `no_exude()`.
+\pre No vertex of dimension 3 carries a weight, that is, `exude_mesh_3()` has not been called before, nor `make_mesh_3()` without `no_exude()`.
 
 \sa `odt_optimize_mesh_3()`
 */
