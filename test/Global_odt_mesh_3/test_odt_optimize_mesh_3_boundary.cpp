@@ -7,6 +7,7 @@
 // domains that fail or throw, odt_optimize_mesh_3() and remesh_boundary_mesh_3() keep
 // what they promise.
 
+#include "kept_facets.h"
 #include "mesh_contract.h"
 #include "mesh_domains.h"
 #include "opened_complex.h"
@@ -17,9 +18,11 @@
 
 #include <CGAL/Bbox_3.h>
 #include <CGAL/Kernel_traits.h>
+#include <CGAL/Mesh_optimization_report_3.h>
 #include <CGAL/Mesh_quality_report_3.h>
 #include <CGAL/Random.h>
 #include <CGAL/make_mesh_3.h>
+#include <CGAL/number_type_config.h>
 #include <CGAL/odt_optimize_mesh_3.h>
 #include <CGAL/remesh_boundary_mesh_3.h>
 #include <CGAL/tags.h>
@@ -176,6 +179,62 @@ static void features()
   test_features("slightly notched box with features", slightly_notched_box(), 0.4, 1e-9);
   // Some cells along the thin edge are outside, for the mesher and after.
   test_features("wedge with features", wedge(), 0.2, 1e-3);
+}
+
+// The unit sphere, of many triangles.
+static domains::Polyhedron sphere()
+{
+  constexpr int rings = 24, sectors = 48;
+  std::ostringstream points, facets;
+  points << "0 0 1\n";
+  for(int r = 1; r < rings; ++r)
+    for(int s = 0; s < sectors; ++s)
+    {
+      const double a = CGAL_PI * r / rings, b = 2 * CGAL_PI * s / sectors;
+      points << std::sin(a) * std::cos(b) << ' ' << std::sin(a) * std::sin(b) << ' ' << std::cos(a) << '\n';
+    }
+  points << "0 0 -1\n";
+  const int last = 1 + (rings - 1) * sectors;
+  for(int s = 0; s < sectors; ++s)
+  {
+    const int next = (s + 1) % sectors;
+    facets << "3 0 " << 1 + s << ' ' << 1 + next << "\n3 " << last << ' ' << last - sectors + next << ' ' << last - sectors + s << '\n';
+    for(int first = 1; first + sectors < last; first += sectors)
+      facets << "3 " << first + s << ' ' << first + sectors + s << ' ' << first + next << "\n3 " << first + next << ' '
+             << first + sectors + s << ' ' << first + sectors + next << '\n';
+  }
+  std::istringstream in("OFF\n" + std::to_string(last + 1) + " " + std::to_string(2 * sectors * (rings - 1)) + " 0\n" + points.str()
+                        + facets.str());
+  domains::Polyhedron p;
+  in >> p;
+  return p;
+}
+
+// Facets that are not of slivers are no farther from the surface than the farthest of the input, or than they may be.
+static void distances()
+{
+  const domains::Polyhedral_domain domain(sphere());
+  const domains::Polyhedral_c3t3 input = domains::mesh(domain, 0.4, false);
+  const double farthest_of_input = kept_facets::farthest_centroid(input, domain);
+  const double angle = CGAL::mesh_quality_report_3(input).smallest_angle;
+  for(double share : { 0., 0.5, 1.2, 2. })
+    for(unsigned int seed = 0; seed < 3; ++seed)
+    {
+      const double distance = share * farthest_of_input, bound = (std::max)(farthest_of_input, distance) + 1e-12;
+      const std::string name = "polyhedral sphere, facet_distance " + std::to_string(distance) + ", seed " + std::to_string(seed);
+      domains::Polyhedral_c3t3 c3t3(input);
+      CGAL::Mesh_optimization_report_3<domains::Polyhedral_c3t3> report;
+      CGAL::odt_optimize_mesh_3(c3t3, domain, params::facet_distance = distance, params::random_seed(seed),
+                                params::optimization_report = std::ref(report));
+      const double farthest = kept_facets::farthest_centroid(c3t3, domain), angle_now = CGAL::mesh_quality_report_3(c3t3).smallest_angle;
+      std::cout << name << ": farthest facet " << farthest_of_input << " -> " << farthest << ", smallest angle " << angle << " -> " << angle_now
+                << std::endl;
+      check::that(report.is_changed(), name, ": unchanged");
+      check::that(angle_now > 20 && farthest <= bound, name, ": a facet is ", farthest, " from the surface, and not ", bound);
+      check::that(std::abs(report.farthest_facet - farthest) <= 1e-12, name, ": the report says ", report.farthest_facet, ", not ", farthest);
+      check::that(angle_now >= (std::min)(angle, 30.), name, ": the smallest angle falls from ", angle, " to ", angle_now);
+      check::that(kept_facets::is_regular(c3t3.triangulation()), name, ": no regular triangulation");
+    }
 }
 
 // Strong curvature over few vertices, and edges and corners that are no features: tangential
@@ -659,6 +718,7 @@ int main()
   touching();
   junctions();
   features();
+  distances();
   bent();
   const Ellipsoid_domain domain;
   const Ellipsoid_c3t3 c3t3 = mesh(domain, 0.2);

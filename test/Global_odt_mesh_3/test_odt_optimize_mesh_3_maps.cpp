@@ -6,6 +6,7 @@
 // What a property map says is to stay does, bit for bit, whatever else the call is to do; the rest of the mesh gets better,
 // and all that is promised holds.
 
+#include "kept_facets.h"
 #include "mesh_contract.h"
 #include "mesh_domains.h"
 
@@ -239,6 +240,69 @@ void check_random_vertices(const std::string& name, const C3t3& input, const Dom
 {
   for_each_call<C3t3>(domain, [&](const char* what, Numbers numbers, const auto& call)
                       { check_random_vertices(name + ", " + what, input, domain, numbers, call); });
+}
+
+// The same for facets of the complex, in calls that change most.
+template <class C3t3, class Domain>
+void check_random_facets(const std::string& name, const C3t3& input, const Domain& domain)
+{
+  typedef typename C3t3::Vertex_handle Vertex_handle;
+  typedef typename C3t3::Facet Facet;
+  const auto check = [&](const char* what, Numbers numbers, const auto& call)
+  {
+    unsigned int seed = 0;
+    for(double share : { 0.02, 0.2, 0.9 })
+    {
+      const std::string n = name + ", " + what + ", " + std::to_string(share) + " of the facets stay";
+      Mesh_contract<C3t3, Domain> contract(input, domain, n);
+      permit(numbers, contract);
+      C3t3 c3t3(input);
+      std::set<Facet> constrained = kept_facets::some(c3t3, share, seed);
+      const auto records = kept_facets::records(c3t3, constrained);
+      const auto all = kept_facets::all(c3t3);
+      std::set<Vertex_handle> kept;
+      for(const Facet& f : constrained)
+        for(int k = 1; k < 4; ++k)
+          kept.insert(f.first->vertex((f.second + k) % 4));
+      const auto before = vertices_of(c3t3);
+      call(c3t3, seed++, params::facet_is_constrained_map(CGAL::Boolean_property_map<std::set<Facet> >(constrained)));
+      const int moved = check_kept(n, c3t3, before, [&kept](Vertex_handle v) { return kept.count(v) > 0; });
+      check::that(moved > 0, n, ": no vertex has moved");
+      kept_facets::check_there(n, c3t3, records);
+      const auto gone = std::count_if(all.begin(), all.end(), [&](const auto& f) { return !f.is_there(c3t3); });
+      check::that(gone > 0 || share > 0.5, n, ": no facet has changed");
+      contract.check_moved(c3t3, surface, 20);
+    }
+  };
+  check("all", Numbers::STAY, [&](C3t3& c, unsigned int seed, const auto& map)
+        { CGAL::odt_optimize_mesh_3(c, domain, params::number_of_rounds = 1, params::random_seed(seed), map); });
+  check("insertion and removal", Numbers::CHANGE, [&](C3t3& c, unsigned int seed, const auto& map)
+        { CGAL::odt_optimize_mesh_3(c, domain, params::number_of_rounds = 0, params::do_insert_vertices = true,
+                                    params::do_remove_vertices = true, params::random_seed(seed), map); });
+  check("slivers", Numbers::STAY, [&](C3t3& c, unsigned int seed, const auto& map)
+        { CGAL::remove_slivers_mesh_3(c, domain, params::random_seed(seed), map); });
+}
+
+// Each facet of the complex is asked for from both sides, before any of them is changed. All may stay.
+static void check_all_facets(const domains::Labeled_c3t3& input, const domains::Labeled_domain& domain)
+{
+  using domains::Labeled_c3t3;
+  typedef Labeled_c3t3::Facet Facet;
+  const std::string name = "all facets stay";
+  Mesh_contract<Labeled_c3t3, domains::Labeled_domain> contract(input, domain, name);
+  Labeled_c3t3 c3t3(input);
+  std::multiset<Facet> asked;
+  bool is_constrained = false;
+  const Map_of_function<Facet> map{ [&](const Facet& f) { asked.insert(f); return is_constrained; } };
+  CGAL::remesh_boundary_mesh_3(c3t3, domain, params::facet_is_constrained_map(map), params::max_iteration_number = 1);
+  check::that(asked.size() == 2 * input.number_of_facets_in_complex() && std::set<Facet>(asked.begin(), asked.end()).size() == asked.size(),
+              name, ": the map was asked ", asked.size(), " times about ", input.number_of_facets_in_complex(), " facets");
+  is_constrained = true;
+  Labeled_c3t3 fixed(input);
+  check::that(CGAL::remesh_boundary_mesh_3(fixed, domain, params::facet_is_constrained_map(map), params::max_iteration_number = 1)
+                == CGAL::CONVERGENCE_REACHED,
+              name, ": a surface that is to stay has not converged");
+  contract.check_untouched(fixed);
 }
 
 // The same for cells of which those in a half space are selected, and perhaps a share of the others, or of all.
@@ -520,6 +584,10 @@ int main()
   check_random_vertices("ball", ball, sphere);
   check_random_vertices("three subdomains", parts, three);
   check_random_vertices("box", part, box);
+  check_random_facets("ball", ball, sphere);
+  check_random_facets("three subdomains", parts, three);
+  check_random_facets("box", part, box);
+  check_all_facets(ball, sphere);
   check_cells("ball", ball, sphere, 0.);
   check_cells("three subdomains", parts, three, 0.1);
   check_cells("box", part, box, 1.);
