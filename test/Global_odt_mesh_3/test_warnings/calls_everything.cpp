@@ -32,6 +32,7 @@
 #include <CGAL/property_map.h>
 #include <CGAL/remesh_boundary_mesh_3.h>
 #include <CGAL/remove_slivers_mesh_3.h>
+#include <CGAL/version.h>
 
 #include <cstddef>
 #include <functional>
@@ -84,6 +85,9 @@ void call_functions(C3t3& c3t3, const Domain& domain)
                                params::facet_is_constrained_map(no_facet), params::facet_distance = 0.1);
   CGAL::remove_slivers_mesh_3(c3t3, domain, params::vertex_is_constrained_map(no_vertex), params::cell_is_selected_map(all_cells),
                               params::facet_is_constrained_map(no_facet), params::facet_distance = 0.1);
+#if CGAL_VERSION_NR >= 1050600000
+  CGAL::odt_optimize_mesh_3(c3t3, domain, params::facet_distance(0.1).facet_is_constrained_map(no_facet).random_seed(1));
+#endif
 
   const CGAL::Spline_grid_field_3<Kernel> field(CGAL::Bbox_3(0, 0, 0, 1, 1, 1), 5, 5, 5, [](const Point_3&) { return 1.; });
   field.gradient(Point_3(0, 0, 0));
