@@ -149,7 +149,9 @@ private:
     const bool is_committed = is_made && attempt.commit(task == Odt_task::REMESH_BOUNDARY || may_be_worse());
     if(has_way_back != nullptr)
       *has_way_back = attempt.has_way_back();
-    reason_ = !is_made ? Summary::NO_VALID_MESH : control_.is_stopped() ? Summary::OUT_OF_TIME : attempt.reason();
+    // That the other attempt has nothing to do does not tell more than why the first one has failed.
+    if(!is_made || attempt.reason() != Summary::NOTHING_TO_DO || reason_ != Summary::NO_VALID_MESH)
+      reason_ = !is_made ? Summary::NO_VALID_MESH : control_.is_stopped() ? Summary::OUT_OF_TIME : attempt.reason();
     if(!is_made)
     {
       visitor_.obstacles = attempt.obstacles();
