@@ -92,8 +92,8 @@ private:
   // that did to angles, those of an elephant fell from 30 to 8 degrees.
   static constexpr int step_on_the_way = 1, last_step = 3;
 
-  // With a boundary that moves or, where that leads to no valid complex, is fixed. None if that does not either, and the mesh is
-  // as it was.
+  // With a boundary that moves or, where that leads to no valid complex or a worse one, is fixed. None if there is no valid one, and the
+  // mesh is as it was.
   std::optional<Outcome> optimize(Mesh_view_3& mesh, Odt_task task)
   {
     std::optional<Outcome> outcome;
@@ -104,8 +104,10 @@ private:
       if(!has_way_back)
         outcome = optimize_regular(mesh, task);
     }
-    if(!outcome && task != Odt_task::REMESH_BOUNDARY)
-      outcome = attempt(mesh, task, false);
+    const bool is_in_vain = !outcome || (is_refused_ && !control_.is_stopped());
+    if(is_in_vain && task != Odt_task::REMESH_BOUNDARY)
+      if(const std::optional<Outcome> other = attempt(mesh, task, false))
+        return other;
     return outcome;
   }
 
@@ -149,12 +151,16 @@ private:
     const bool is_committed = is_made && attempt.commit(task == Odt_task::REMESH_BOUNDARY || may_be_worse());
     if(has_way_back != nullptr)
       *has_way_back = attempt.has_way_back();
-    reason_ = !is_made ? Summary::NO_VALID_MESH : control_.is_stopped() ? Summary::OUT_OF_TIME : attempt.reason();
+    const Summary::Reason reason = !is_made ? Summary::NO_VALID_MESH : control_.is_stopped() ? Summary::OUT_OF_TIME : attempt.reason();
+    // That one attempt has nothing to do tells less than why another one has failed.
+    if(reason != Summary::NOTHING_TO_DO)
+      reason_ = reason;
     if(!is_made)
     {
       visitor_.obstacles = attempt.obstacles();
       return std::nullopt;
     }
+    is_refused_ = !is_committed;
     if(!is_committed)
       return incomplete();
     return Outcome{ attempt.code(0), attempt.code(1) };
@@ -329,6 +335,7 @@ private:
   Thread_policy threads_;
   Iteration_control control_;
   Facet_bounds_3 bounds_;
+  bool is_refused_ = false;                               // the last attempt, for what it has led to
   Summary::Reason reason_ = Summary::NOTHING_TO_DO;       // if the mesh is not changed
 };
 

@@ -131,6 +131,9 @@ private:
   // Then a valid complex matters more than the shape of facets.
   static constexpr int attempts_at_good_facets = 10;
   static constexpr int attempts_at_retreat = 24;
+  // In vertices that have no way back, over all attempts, beyond one for each vertex. So a mesh that is not regular anywhere takes no
+  // longer than others.
+  static constexpr std::size_t least_effort = 1000;
 
   // Without a mesh, no cells are transferred.
   void build(Complex_candidate_3& candidate, const Moving_triangulation_3* mesh)
@@ -159,6 +162,7 @@ private:
     put_on_surfaces(candidate, domain_);
     build(candidate, mesh);
     Candidate_repair_3 repair(candidate, domain_, [&] { build(candidate, nullptr); });
+    std::size_t effort = 0;
     for(int attempt = 0; attempt < most_attempts; ++attempt)
     {
       candidate.may_retreat = !candidate.has_way_back || (is_made_regular_ && attempt < attempts_at_retreat);
@@ -166,6 +170,10 @@ private:
       if(report.is_clean())
         return true;
       note_obstacles(report);
+      effort += report.weights().size() + report.obstacles().size()
+                + (candidate.has_way_back ? 0 : report.offending_vertices().size() + report.retreats().size());
+      if(effort > candidate.sites.size() + least_effort)
+        return false;
       if(!repair.apply(report, attempt))
         return false;
     }

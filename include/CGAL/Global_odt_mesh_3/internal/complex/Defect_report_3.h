@@ -95,7 +95,11 @@ public:
   template <class Vertices>
   void revert(const Vertices& vertices)
   {
-    if(!candidate_.has_way_back
+    // Where one thing cannot be mended, others need not be searched for what could have caused them.
+    const bool is_in_vain = !candidate_.has_way_back || is_beyond_repair_;
+    if(is_in_vain && candidate_.has_way_back && revert_nearest(vertices, 1, [this](int v) { return !candidate_.is_reverted(v); }))
+      return;
+    if(is_in_vain
        || (!revert_around(vertices)
            && !revert_nearest(vertices, most_rings_to_input, [this](int v) { return !candidate_.is_at_input(v); })))
     {

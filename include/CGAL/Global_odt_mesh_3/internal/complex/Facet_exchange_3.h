@@ -82,7 +82,7 @@ public:
       const Facet_dual_3 dual(cavity_.sites(t));
       Complex_snapshot_3::Surface_center center;
       center.point = dual.center;
-      if(!search.search_near(dual, center))
+      if(!search.search_near(dual, center) && !search.put_on_facet(centroid(cavity_.sites(t)), center))
         return false;
       found.emplace(sorted(t), center);
     }

@@ -49,6 +49,20 @@ public:
     const Facet_dual_3 dual(t, triangulation_.sites());
     if(!search_near(dual, center) || !is_between_subdomains(facet, t, center))
       put_on_dual_segment(facet, dual, center);
+    if(!center.is_exact)
+      put_on_facet(centroid(t, triangulation_.sites()), center);
+  }
+
+  // In a mesh that is its own domain, the centroid of a facet stands in, as dual lines of flat facets miss thin parts. Whether it does.
+  bool put_on_facet(const Vector_3& centroid, Surface_center& center) const
+  {
+    center.is_exact = domain_.has_cells_of_mesh();
+    if(!center.is_exact)
+      return false;
+    center.point = centroid;
+    domain_.put_on_surface(center.point, center.patch);
+    center.source = Mesh_table_3::no_facet;
+    return true;
   }
 
   // The same, whatever the cells beside the facet are; whether it is found.

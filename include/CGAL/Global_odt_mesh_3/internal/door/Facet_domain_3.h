@@ -16,11 +16,8 @@
 
 #include <CGAL/AABB_tree.h>
 #include <CGAL/Bbox_3.h>
-#include <CGAL/Filtered_predicate.h>
 #include <CGAL/Kernel_traits.h>
-#include <CGAL/enum.h>
 #include <CGAL/Kernel/global_functions.h>
-#include <CGAL/number_utils.h>
 #include <CGAL/version.h>
 
 // Named otherwise from 6.0 on.
@@ -35,10 +32,7 @@
 #include <boost/optional.hpp>
 
 #include <algorithm>
-#include <array>
-#include <cmath>
 #include <cstddef>
-#include <iterator>
 #include <optional>
 #include <tuple>
 #include <utility>
@@ -49,9 +43,15 @@ namespace CGAL::Global_odt_mesh_3::internal {
 #if __has_include(<CGAL/AABB_traits_3.h>)
 template <class Kernel, class Iterator>
 using Triangle_tree = AABB_tree<AABB_traits_3<Kernel, AABB_triangle_primitive_3<Kernel, Iterator> > >;
+
+template <class Kernel, class Primitive>
+using Tree_traits = AABB_traits_3<Kernel, Primitive>;
 #else
 template <class Kernel, class Iterator>
 using Triangle_tree = AABB_tree<AABB_traits<Kernel, AABB_triangle_primitive<Kernel, Iterator> > >;
+
+template <class Kernel, class Primitive>
+using Tree_traits = AABB_traits<Kernel, Primitive>;
 #endif
 
 #if CGAL_VERSION_NR < 1060000000
@@ -60,37 +60,28 @@ template <class T> using Optional_index = boost::optional<T>;
 template <class T> using Optional_index = std::optional<T>;
 #endif
 
-// Which of two triangles a segment from p to q crosses first. It crosses both, and lies in the plane of neither.
+// A cell of a mesh in an AABB tree.
 template <class Kernel>
-struct Compare_crossings_3
+class Tetrahedron_primitive_3
 {
-  typedef typename Kernel::Comparison_result result_type;
-  typedef typename Kernel::Point_3 Point_3;
-  typedef typename Kernel::Triangle_3 Triangle_3;
+public:
+  typedef typename std::vector<typename Kernel::Tetrahedron_3>::const_iterator Id;
+  typedef typename Kernel::Point_3 Point;
+  typedef typename Kernel::Tetrahedron_3 Datum;
+  typedef const Datum& Datum_reference;
+  typedef const Point& Point_reference;
 
-  result_type operator()(const Point_3& p, const Point_3& q, const Triangle_3& s, const Triangle_3& t) const
-  {
-    const auto u = heights(p, q, s), v = heights(p, q, t);
-    return CGAL::compare(u.first * v.second, v.first * u.second);
-  }
+  Tetrahedron_primitive_3(Id id) : id_(id) {}
+
+  Id id() const { return id_; }
+  Datum_reference datum() const { return *id_; }
+  Point_reference reference_point() const { return (*id_)[0]; }
 
 private:
-  // Of p, and of p over q, above the plane.
-  static auto heights(const Point_3& p, const Point_3& q, const Triangle_3& t)
-  {
-    const auto normal = CGAL::cross_product(t[1] - t[0], t[2] - t[0]);
-    return std::make_pair(CGAL::abs(normal * (p - t[0])), CGAL::abs(normal * (q - p)));
-  }
+  Id id_;
 };
 
-// The numbers of a sequence that fills the unit square evenly.
-inline std::array<double, 2> quasi_random_pair(int n)
-{
-  double whole;
-  return {{ std::modf(0.5 + 0.7548776662466927 * n, &whole), std::modf(0.5 + 0.5698402909980532 * n, &whole) }};
-}
-
-// The domain that is divided by the facets of a complex, without features.
+// The domain that is made of the cells of a complex, and divided by its facets, without features.
 template <class C3t3>
 class Facet_domain_3
 {
@@ -124,11 +115,19 @@ public:
     const auto& tr = c3t3.triangulation();
     for(auto f = tr.finite_facets_begin(); f != tr.finite_facets_end(); ++f)
       if(c3t3.is_in_complex(*f))
-        add_facet(*f, tr, c3t3.surface_patch_index(*f));
+        add_facet<typename C3t3::Triangulation>(*f, c3t3.surface_patch_index(*f));
       else
         CGAL_GLOBAL_ODT_MESH_3_CHECK_PARAMETER(
           f->first->subdomain_index() == f->first->neighbor(f->second)->subdomain_index(),
           "c3t3 must have all facets between two subdomains in its complex: call complete_mesh_complex_3() before");
+    for(auto c = c3t3.cells_in_complex_begin(); c != c3t3.cells_in_complex_end(); ++c)
+    {
+      const auto vertex = [&](int i) { return c->vertex(i)->point().point(); };
+      cells_.emplace_back(vertex(0), vertex(1), vertex(2), vertex(3));
+      subdomains_.push_back(c->subdomain_index());
+    }
+    cell_tree_.rebuild(cells_.cbegin(), cells_.cend());
+    cell_tree_.build();
     tree_.rebuild(triangles_.cbegin(), triangles_.cend());
     // Not when the first thread asks.
     if(!triangles_.empty())
@@ -137,7 +136,7 @@ public:
 
   Bbox_3 bbox() const { return triangles_.empty() ? Bbox_3() : tree_.bbox(); }
   const AABB_tree& aabb_tree() const { return tree_; }
-  const Surface_patch_index& make_surface_index(AABB_primitive_id id) const { return facet(id).patch; }
+  const Surface_patch_index& make_surface_index(AABB_primitive_id id) const { return patch(id); }
 
   // Points on a facet are in a subdomain beside it, if there is one.
   struct Is_in_domain
@@ -146,8 +145,8 @@ public:
 
     Subdomain operator()(const Point_3& p) const
     {
-      const Subdomain_index s = domain.subdomain_at(p);
-      return s == Subdomain_index() ? Subdomain() : Subdomain(s);
+      const auto cell = domain.cell_tree_.any_intersected_primitive(p);
+      return cell ? Subdomain(domain.subdomains_[static_cast<std::size_t>(*cell - domain.cells_.cbegin())]) : Subdomain();
     }
   };
 
@@ -160,7 +159,7 @@ public:
     Surface_patch operator()(const Query& query) const
     {
       const auto id = domain.tree_.any_intersected_primitive(query);
-      return id ? Surface_patch(domain.facet(*id).patch) : Surface_patch();
+      return id ? Surface_patch(domain.patch(*id)) : Surface_patch();
     }
   };
 
@@ -178,7 +177,7 @@ public:
       const Vector_3 normal = CGAL::cross_product(t[1] - t[0], t[2] - t[0]), along = query.to_vector();
       const FT slope = normal * along;
       const Point_3 from = query.point(0), p = slope == 0 ? from : from + along * (normal * (t[0] - from) / slope);
-      return Intersection(R().construct_projected_point_3_object()(t, p), Index(domain.facet(*id).patch), 2);
+      return Intersection(R().construct_projected_point_3_object()(t, p), Index(domain.patch(*id)), 2);
     }
   };
 
@@ -194,7 +193,7 @@ public:
       for(std::size_t k = 0; k < most; ++k)
       {
         const std::size_t f = k * facets / most;
-        *points++ = std::make_pair(CGAL::centroid(domain.triangles_[f]), Index(domain.facets_[f].patch));
+        *points++ = std::make_pair(CGAL::centroid(domain.triangles_[f]), Index(domain.patches_[f]));
       }
       return points;
     }
@@ -206,109 +205,24 @@ public:
   Construct_initial_points construct_initial_points_object() const { return { *this }; }
 
 private:
-  typedef Filtered_predicate<Compare_crossings_3<typename R::Exact_kernel>,
-                             Compare_crossings_3<typename R::Approximate_kernel>,
-                             typename R::C2E, typename R::C2F> Compare_crossings;
-  enum class Crossing { NONE, FOUND, UNCLEAR };
+  typedef CGAL::AABB_tree<Tree_traits<R, Tetrahedron_primitive_3<R> > > Cell_tree;
 
-  struct Facet
-  {
-    Surface_patch_index patch;
-    Subdomain_index positive, negative;     // on the two sides of the triangle
-
-    const Subdomain_index& inside() const { return positive != Subdomain_index() ? positive : negative; }
-  };
-
-  const Facet& facet(AABB_primitive_id id) const { return facets_[static_cast<std::size_t>(id - triangles_.cbegin())]; }
+  const Surface_patch_index& patch(AABB_primitive_id id) const { return patches_[static_cast<std::size_t>(id - triangles_.cbegin())]; }
 
   template <class Triangulation>
-  void add_facet(const typename Triangulation::Facet& f, const Triangulation& tr, const Surface_patch_index& patch)
+  void add_facet(const typename Triangulation::Facet& f, const Surface_patch_index& patch)
   {
-    const auto g = tr.is_infinite(f.first) ? tr.mirror_facet(f) : f;
-    const auto vertex = [&](int k) { return g.first->vertex(Triangulation::vertex_triple_index(g.second, k))->point().point(); };
+    const auto vertex = [&](int k) { return f.first->vertex(Triangulation::vertex_triple_index(f.second, k))->point().point(); };
     triangles_.emplace_back(vertex(0), vertex(1), vertex(2));
-    facets_.push_back({ patch, g.first->subdomain_index(), g.first->neighbor(g.second)->subdomain_index() });
-    // Cells need not be positive.
-    const Point_3 apex = g.first->vertex(g.second)->point().point();
-    if(CGAL::orientation(vertex(0), vertex(1), vertex(2), apex) == NEGATIVE)
-      std::swap(facets_.back().positive, facets_.back().negative);
-  }
-
-  // Towards the closest facet, and a bit beyond, few others are in the way. Other directions follow, if the point is in its
-  // plane, say.
-  Subdomain_index subdomain_at(const Point_3& p) const
-  {
-    if(triangles_.empty() || !CGAL::do_overlap(tree_.bbox(), p.bbox()))
-      return Subdomain_index();
-    const AABB_primitive_id closest = tree_.closest_point_and_primitive(p).second;
-    Subdomain_index subdomain;
-    for(int n = 0; n < 4; ++n)
-      if(find_subdomain(p, p + 1.1 * (inner_point(*closest, n) - p), subdomain) == Crossing::FOUND)
-        return subdomain;
-    constexpr int most_directions = 100;
-    for(int n = 0; n < most_directions; ++n)
-      switch(find_subdomain(p, p + way_out(n), subdomain))
-      {
-        case Crossing::FOUND: return subdomain;
-        case Crossing::NONE: return Subdomain_index();
-        case Crossing::UNCLEAR: break;
-      }
-    return facet(closest).inside();
-  }
-
-  static Point_3 inner_point(const Triangle_3& t, int n)
-  {
-    std::array<double, 2> w = quasi_random_pair(n);
-    if(w[0] + w[1] > 1)
-      w = {{ 1 - w[0], 1 - w[1] }};
-    for(double& weight : w)
-      weight = 0.1 + 0.7 * weight;
-    return CGAL::barycenter(t[0], w[0], t[1], w[1], t[2], 1 - w[0] - w[1]);
-  }
-
-  // A vector that is longer than the domain.
-  Vector_3 way_out(int n) const
-  {
-    const std::array<double, 2> w = quasi_random_pair(n);
-    const Bbox_3 box = tree_.bbox();
-    const double length = 2 * (box.xmax() - box.xmin() + box.ymax() - box.ymin() + box.zmax() - box.zmin());
-    const double z = 2 * w[0] - 1, r = std::sqrt(1 - z * z), angle = 2 * CGAL_PI * w[1];
-    return length * Vector_3(r * std::cos(angle), r * std::sin(angle), z);
-  }
-
-  // The side of the first facet on the way from p to q, exactly, unless an edge or a vertex is in the way.
-  Crossing find_subdomain(const Point_3& p, const Point_3& q, Subdomain_index& subdomain) const
-  {
-    std::vector<AABB_primitive_id> crossed;
-    tree_.all_intersected_primitives(Segment_3(p, q), std::back_inserter(crossed));
-    const Triangle_3* first = nullptr;
-    for(AABB_primitive_id id : crossed)
-    {
-      const Triangle_3& t = *id;
-      const Orientation side = CGAL::orientation(t[0], t[1], t[2], p), turn = CGAL::orientation(p, q, t[0], t[1]);
-      if(side == COPLANAR && CGAL::orientation(t[0], t[1], t[2], q) != COPLANAR)
-      {
-        subdomain = facet(id).inside();
-        return Crossing::FOUND;
-      }
-      if(side == COPLANAR || turn == COPLANAR || CGAL::orientation(p, q, t[1], t[2]) != turn
-         || CGAL::orientation(p, q, t[2], t[0]) != turn)
-        return Crossing::UNCLEAR;
-      const Subdomain_index& beside = side == POSITIVE ? facet(id).positive : facet(id).negative;
-      const Comparison_result order = first ? Compare_crossings()(p, q, t, *first) : SMALLER;
-      // Both faces of a crack may be at the same place.
-      if(order == SMALLER || (order == EQUAL && beside != Subdomain_index()))
-      {
-        first = &t;
-        subdomain = beside;
-      }
-    }
-    return first ? Crossing::FOUND : Crossing::NONE;
+    patches_.push_back(patch);
   }
 
   Triangles triangles_;
-  std::vector<Facet> facets_;
+  std::vector<Surface_patch_index> patches_;
   AABB_tree tree_;
+  std::vector<typename R::Tetrahedron_3> cells_;
+  std::vector<Subdomain_index> subdomains_;
+  Cell_tree cell_tree_;
 };
 
 } // namespace CGAL::Global_odt_mesh_3::internal

@@ -84,6 +84,9 @@ public:
     return true;
   }
 
+  // Moves `p` to the closest point of the surface, where there is a tree.
+  void put_on_surface(Vector& p, int& patch) const { p = closest_point(p, patch); }
+
   // How far `p` is from the surface, if that is easily found out, or else 0.
   double distance_to_surface(const Vector& p) const
   {
