@@ -100,6 +100,9 @@ public:
     }
     std::sort(next.facets.begin(), next.facets.end(), [](const Mesh_table_3::Facet& a, const Mesh_table_3::Facet& b)
               { return std::make_pair(a.cell, a.index) < std::make_pair(b.cell, b.index); });
+    // From a table that has both sides already.
+    next.facets.erase(std::unique(next.facets.begin(), next.facets.end(), [](const Mesh_table_3::Facet& a, const Mesh_table_3::Facet& b)
+                                  { return a.cell == b.cell && a.index == b.index; }), next.facets.end());
     state_ = { std::move(next), true };
   }
 

@@ -31,6 +31,7 @@
 #include <CGAL/Global_odt_mesh_3/internal/sizing/Size_criteria_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/triangulation/Moving_triangulation_3.h>
 
+#include <CGAL/assertions.h>
 #include <CGAL/Mesh_optimization_report_3.h>
 #include <CGAL/Mesh_optimization_return_code.h>
 
@@ -117,6 +118,7 @@ private:
   {
     Tabulated_mesh_3 regular(mesh, threads_);
     const Sliver_census_3 slivers = Optimization_attempt_3::slivers_of_input(regular.table(), threads_);
+    CGAL_assertion(regular.table().inserted.empty());
     if(!make_regular(regular))
       return attempt(mesh, task, true);
     const std::optional<Outcome> outcome = attempt(regular, task, true);
@@ -125,7 +127,10 @@ private:
     const bool may_be_worse = task == Odt_task::REMESH_BOUNDARY || this->may_be_worse();
     const bool is_cut_short = parameters_.do_remove_slivers && control_.is_stopped();
     if(!Optimization_attempt_3::is_acceptable(regular.table(), slivers, parameters_, may_be_worse, is_cut_short))
+    {
+      reason_ = is_cut_short ? Summary::OUT_OF_TIME : Summary::SMALLER_ANGLES;
       return std::nullopt;
+    }
     mesh.write(regular.table());
     return outcome;
   }

@@ -305,7 +305,8 @@ public:
   }
 
   Vector_3 center() const { return dual_.point_at(height_); }
-  bool is_empty() const { return around_.empty() || power() >= least_power() / 2; }
+  // Also if the facet is flat, and no such sphere exists.
+  bool is_empty() const { return around_.empty() || !(power() < least_power() / 2); }
 
   // What the vertices of the facet have to gain in weight so that the sphere is empty: those on whose side nothing is too close.
   std::array<double, 3> lacking_weights() const
