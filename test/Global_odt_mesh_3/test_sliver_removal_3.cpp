@@ -426,8 +426,8 @@ static void bounds_stay(const Polyhedral_c3t3& c3t3, const Polyhedral_domain& do
   for(const Boundary_facet& f : worse.boundary.complex().facets())
   {
     const Vector_3 c = centroid(f.vertices, worse.sites());
-    far += !setting.bounds.is_close(c);
-    check::that(of_worse.is_close(c), "the bounds are not those of the first mesh");
+    far += !setting.bounds.is_close(f.vertices, *worse.numbering, c);
+    check::that(of_worse.is_close(f.vertices, *worse.numbering, c), "the bounds are not those of the first mesh");
   }
   check::that(far > 0 && setting.bounds.smallest_angle() == angle && of_worse.smallest_angle() < angle,
               "a later mesh makes bounds wider");
