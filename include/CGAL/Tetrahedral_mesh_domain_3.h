@@ -36,12 +36,12 @@ namespace CGAL {
 \ingroup PkgGlobalOdtMesh3Domains
 
 The class `Tetrahedral_mesh_domain_3` is the domain that a tetrahedral mesh fills. It serves where there is no other, for a
-mesh from a file, say. It copies the facets of the complex, each with its patch and the subdomains on its two sides, and the
+mesh from a file, say. It copies the cells of the complex with their subdomains, the facets with their patches, and the
 curves and corners, so that the mesh may change or go afterwards. Facets of one patch may have different subdomains on their
 sides, and facets may have the same subdomain on both.
 
-The subdomain of a point is found by exact predicates. A point on a facet is in a subdomain beside the facet. Several threads
-may ask at once, so that `domain_is_thread_safe` may be set.
+The subdomain of a point is that of a cell that contains it, by exact predicates. A point on a facet is in a subdomain beside
+the facet. Several threads may ask at once, so that `domain_is_thread_safe` may be set.
 
 Each polyline between two corners, and each cycle, is a curve of its own of the domain, so that its index is not the one in
 the complex.
