@@ -60,34 +60,26 @@ template <class T>
 struct Is_mesh_domain<T, std::void_t<typename T::Index, typename T::Subdomain_index, typename T::Surface_patch_index,
                                      decltype(std::declval<const T&>().is_in_domain_object())> > : std::true_type {};
 
-// Which cells of a mesh, a thousand of them at most, are where the domain says.
-struct Domain_agreement
+// Whether the domain agrees about the subdomains of most cells of a mesh, of which a thousand are asked about at most. `points(c)` are
+// those of which one at least has to be in the subdomain of a cell; it does not count if the first one is not finite.
+template <class C3t3, class Domain_view, class Points>
+bool is_domain_of_mesh(const C3t3& c3t3, Domain_view& domain, const Points& points)
 {
-  std::size_t cells = 0, dual_points = 0, either = 0;       // that is, dual points or centroids
-
-  // Where these are the two points of a cell, of which the first need not be finite.
-  template <class C3t3, class Domain_view, class Points>
-  Domain_agreement(const C3t3& c3t3, Domain_view& domain, const Points& points)
-  {
-    constexpr std::size_t most_questions = 1000;
-    const std::size_t step = c3t3.number_of_cells_in_complex() / most_questions + 1;
-    std::size_t number = 0;
-    for(auto c = c3t3.cells_in_complex_begin(); c != c3t3.cells_in_complex_end(); ++c)
-      if(number++ % step == 0)
-      {
-        const int label = domain.number_subdomain(c->subdomain_index());
-        const std::array<Vector_3, 2> p = points(c);
-        if(!std::isfinite(p[0].squared_length()))
-          continue;
-        ++cells;
-        const bool agrees = domain.label(p[0]) == label;
-        dual_points += agrees;
-        either += agrees || domain.label(p[1]) == label;
-      }
-  }
-
-  bool is_domain_of_mesh() const { return 2 * either >= cells; }
-};
+  constexpr std::size_t most_questions = 1000;
+  const std::size_t step = c3t3.number_of_cells_in_complex() / most_questions + 1;
+  std::size_t number = 0, questions = 0, agreements = 0;
+  for(auto c = c3t3.cells_in_complex_begin(); c != c3t3.cells_in_complex_end(); ++c)
+    if(number++ % step == 0)
+    {
+      const int label = domain.number_subdomain(c->subdomain_index());
+      const auto p = points(c);
+      if(!std::isfinite(p.front().squared_length()))
+        continue;
+      agreements += std::any_of(p.begin(), p.end(), [&](const Vector_3& q) { return domain.label(q) == label; });
+      ++questions;
+    }
+  return 2 * agreements >= questions;
+}
 
 // Whether facets of the mesh, a thousand of them at most, are those of the domain.
 template <class C3t3>

@@ -111,9 +111,8 @@ public:
 
   Mesh_optimization_return_code operator()()
   {
-    const Domain_agreement agreement(c3t3_, domain_, dual_point_and_centroid);
-    CGAL_GLOBAL_ODT_MESH_3_CHECK_PARAMETER(agreement.is_domain_of_mesh(), wrong_domain);
-    if((Has_facets_of_mesh<Mesh_domain>::value || agreement.dual_points < agreement.either) && has_facets_of_mesh(domain_, c3t3_))
+    CGAL_GLOBAL_ODT_MESH_3_CHECK_PARAMETER(is_domain_of_mesh(c3t3_, domain_, dual_point_and_centroid), wrong_domain);
+    if(Has_facets_of_mesh<Mesh_domain>::value && has_facets_of_mesh(domain_, c3t3_))
       domain_.set_cells_of_mesh();
     const User_field_3 field = fields_.of_mesh([this](int v) { return mesh_.vertex(v); },
                                                [this](const Vertex_stratum& s) { return domain_.index(s.dimension, s.place); });

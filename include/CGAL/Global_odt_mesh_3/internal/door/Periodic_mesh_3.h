@@ -120,8 +120,7 @@ public:
   bool is_domain_of_mesh() const
   {
     const Triangulation& tr = c3t3_.triangulation();
-    const auto dual_point = [&tr](Cell_handle c) { return coordinates(tr.dual(c)); };
-    return Domain_agreement(c3t3_, domain_, [&](Cell_handle c) { return std::array<Vector_3, 2>{{ dual_point(c), dual_point(c) }}; }).is_domain_of_mesh();
+    return internal::is_domain_of_mesh(c3t3_, domain_, [&tr](Cell_handle c) { return std::array<Vector_3, 1>{{ coordinates(tr.dual(c)) }}; });
   }
 
   bool is_one_sheeted() const { return c3t3_.triangulation().number_of_vertices() > 0 && c3t3_.triangulation().is_1_cover(); }
