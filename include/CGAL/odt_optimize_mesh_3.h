@@ -127,7 +127,7 @@ version of %CGAL in use accepts: `parameters::time_limit = 10, parameters::do_fr
                           input are farther, the farthest of them is the bound.}
     \cgalParamType{`double`}
     \cgalParamPrecondition{`facet_distance >= 0`, and finite}
-    \cgalParamDefault{0, that is, as far as the farthest of the input. Where all facets of the input are on the surface, as in a mesh that is its own
+    \cgalParamDefault{0, that is, as far as the farthest of the input. In a mesh that is its own
                       domain, it is what that surface is known up to: at each vertex, the largest of \f$ \sqrt{3}/6 \f$ times the length of an edge off the features
                       times the angle between the normals of its two facets, which is 0 on planes.}
     \cgalParamExtra{It is ignored if `optimize_boundary` is `false`, or if the domain tells no distances, that is, has no `aabb_tree()`, as

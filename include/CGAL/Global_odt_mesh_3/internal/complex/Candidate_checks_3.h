@@ -44,8 +44,7 @@ namespace CGAL::Global_odt_mesh_3::internal {
 // worst, where the domain can measure distances, and no angle falls below the smallest, or below 30 degrees if that is less. Later
 // meshes have no say, since slivers may leave facets that are worse.
 //
-// Where all facets of the input are on the surface, as in a mesh that is its own domain, that surface is known up to the distance
-// between its facets and a sphere that turns as they do.
+// The surface of a mesh that is its own domain is known up to the distance between its facets and a sphere that turns as they do.
 class Facet_bounds_3
 {
 public:
@@ -77,11 +76,9 @@ public:
     domain_.for_each(facets.size(), [&](int n) { distances[n] = distance(sorted(facets[n].vertices), input.sites()); });
     for(double d : distances)
       farthest_centroid_ = (std::max)(farthest_centroid_, d);
-    if(facet_distance_ == 0)
+    if(facet_distance_ == 0 && domain_.has_cells_of_mesh())
       measure_bends(input);
     farthest_centroid_ = (std::max)(farthest_centroid_, facet_distance_);
-    if(farthest_centroid_ > share_of_bend * largest_bend_)
-      bends_.clear();
   }
 
   // Where there are to be so many times fewer vertices. With angles of 30 degrees, an elephant that loses two thirds of its vertices
@@ -151,8 +148,7 @@ public:
   }
 
 private:
-  // Below which all facets are on the surface, and over the edge, up to roundings.
-  static constexpr double share_of_bend = 1e-3, rounding = 1e-6;
+  static constexpr double rounding = 1e-6;        // over the edge
 
   // How far a centroid may be from the surface.
   double farthest(const Triple& facet, const Vertex_numbering_3& numbering) const
