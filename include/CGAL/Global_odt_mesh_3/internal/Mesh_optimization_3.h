@@ -105,7 +105,9 @@ private:
       if(!has_way_back)
         outcome = optimize_regular(mesh, task);
     }
-    const bool is_in_vain = !outcome || (is_refused_ && !control_.is_stopped());
+    // Where vertices are inserted or removed, further steps follow.
+    const bool is_last = !parameters_.do_insert_vertices && !parameters_.do_remove_vertices && !control_.is_stopped();
+    const bool is_in_vain = !outcome || (is_refused_ && is_last);
     if(is_in_vain && task != Odt_task::REMESH_BOUNDARY)
       if(const std::optional<Outcome> other = attempt(mesh, task, false))
         return other;

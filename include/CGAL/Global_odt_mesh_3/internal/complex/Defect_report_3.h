@@ -95,8 +95,8 @@ public:
   template <class Vertices>
   void revert(const Vertices& vertices)
   {
-    // Where one thing cannot be mended, others need not be searched for what could have caused them.
-    const bool is_in_vain = !candidate_.has_way_back || is_beyond_repair_;
+    // Where much cannot be mended, the rest need not be searched for what could have caused it.
+    const bool is_in_vain = !candidate_.has_way_back || obstacles_.size() > most_obstacles;
     if(is_in_vain && candidate_.has_way_back && revert_nearest(vertices, 1, [this](int v) { return !candidate_.is_reverted(v); }))
       return;
     if(is_in_vain
@@ -179,6 +179,7 @@ public:
 private:
   // A cell or facet comes where a vertex that it has, or one beside it, has moved; farther away, none can be the cause.
   static constexpr int most_rings = 3;
+  static constexpr std::size_t most_obstacles = 100;
   // Positions of the input among others may be wrong where the input as a whole is not.
   static constexpr int most_rings_to_input = 6;
 
