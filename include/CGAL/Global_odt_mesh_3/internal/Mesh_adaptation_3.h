@@ -52,12 +52,18 @@ public:
     bool is_changed = false;                // since it was read
   };
 
-  Tabulated_mesh_3(Mesh_view_3& input, const Thread_policy& threads, std::vector<std::array<int, 2> > feature_edges = {})
+  Tabulated_mesh_3(Mesh_view_3& input, const Thread_policy& threads)
     : input_(input)
-    , feature_edges_(std::move(feature_edges))
   {
     state_ = { input.read(threads) };
     number_of_input_vertices_ = static_cast<int>(table().sites.size());
+  }
+
+  // With feature edges, by the vertices that have been read.
+  Tabulated_mesh_3(User_mesh_view_3& input, const Thread_policy& threads)
+    : Tabulated_mesh_3(static_cast<Mesh_view_3&>(input), threads)
+  {
+    feature_edges_ = input.feature_edges();
   }
 
   const Mesh_table_3& table() const { return state_.table; }

@@ -231,7 +231,7 @@ private:
   // large and at the slivers that are left.
   std::optional<Outcome> adapt_and_optimize(User_mesh_view_3& mesh, Odt_task task)
   {
-    Tabulated_mesh_3 adapted(mesh, threads_, mesh.feature_edges());
+    Tabulated_mesh_3 adapted(mesh, threads_);
     control_.has_read(0);
     const auto is_inside = [](const Mesh_table_3::Cell& c) { return c.label != Domain_view_3::outside; };
     if(std::none_of(adapted.table().cells.begin(), adapted.table().cells.end(), is_inside))
