@@ -254,11 +254,11 @@ std::vector<int> intruders(const Complex_candidate_3& candidate, const Vertices&
   return result;
 }
 
-// Reverts those, or else what is around.
+// Reverts those that are inside, or else what is around.
 template <class Vertices>
-void revert_intruders(const Complex_candidate_3& candidate, const Vertices& around, const Vector_3& center, Defect_report_3& report)
+void revert_intruders(const Complex_candidate_3& candidate, const std::vector<int>& inside, const Vertices& around,
+                      const Vector_3& center, Defect_report_3& report)
 {
-  const std::vector<int> inside = intruders(candidate, around, center);
   if(inside.empty())
     report.revert(around);
   else if(candidate.has_way_back)
@@ -281,11 +281,11 @@ inline int label_beyond(const Complex_snapshot_3& snapshot, const Labelled_trian
 // vertices gain weight.
 inline void make_room(const Complex_candidate_3& candidate, const Triple& facet, const Vector_3& center, Defect_report_3& report)
 {
-  if(!intruders(candidate, facet, center).empty())
-    return revert_intruders(candidate, facet, center, report);
+  if(const std::vector<int> inside = intruders(candidate, facet, center); !inside.empty())
+    return revert_intruders(candidate, inside, facet, center, report);
   const Empty_sphere_3 sphere(candidate, facet);
   if(sphere.is_empty())
-    revert_intruders(candidate, facet, sphere.center(), report);
+    revert_intruders(candidate, intruders(candidate, facet, sphere.center()), facet, sphere.center(), report);
   else if(!candidate.has_way_back || !report.revert_around(facet))
     report.add_weights(facet, sphere.lacking_weights());
 }
@@ -341,7 +341,8 @@ inline Defect_report_3 check_kept_cells(const Complex_candidate_3& candidate)
     {
       const std::vector<Site>& s = candidate.sites;
       const Cell_products t(s[q[0]], s[q[1]], s[q[2]], s[q[3]]);
-      revert_intruders(candidate, q, position(s[q[0]]) + t.to_dual(), report);
+      const Vector_3 center = position(s[q[0]]) + t.to_dual();
+      revert_intruders(candidate, intruders(candidate, q, center), q, center, report);
     }
   return report;
 }

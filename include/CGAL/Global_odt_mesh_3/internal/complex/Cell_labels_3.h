@@ -191,13 +191,13 @@ private:
   // Whether the boundary may have the other two facets of a cell instead of two that it has. Where vertices move, others tell.
   bool may_flip(int c) const
   {
+    if(!candidate_.boundary_moves())
+      return false;
     const Quadruple& q = triangulation_.vertices(c);
     const Complex_snapshot_3& snapshot = candidate_.snapshot;
     std::vector<int> off_boundary, on_boundary;
     for(int i = 0; i < 4; ++i)
       (snapshot.facet_number(triangulation_.facet_vertices(Half_facet(c, i))) < 0 ? off_boundary : on_boundary).push_back(i);
-    if(!candidate_.boundary_moves())
-      return false;
     if(on_boundary.size() != 2)
       return std::any_of(q.begin(), q.end(), [this](int v) { return candidate_.numbering.is_movable(v); });
     const auto [u, v] = std::minmax(q[off_boundary[0]], q[off_boundary[1]]);
