@@ -1,13 +1,25 @@
-# Numbers the figures of the user manual where it is built without the documentation system of CGAL: the alias \cgalFigureBegin
-# writes the name of a figure in front of its caption, and \cgalFigureRef into the links to it.
+# Numbers the figures of the user manual where it is built without the documentation system of CGAL, through all of its pages: the
+# alias \cgalFigureBegin writes the name of a figure in front of its caption, and \cgalFigureRef into the links to it.
 #
-#   cmake -DPAGE=index.html -P number_figures.cmake
-file(READ ${PAGE} page)
-string(REGEX MATCHALL "<b>Figure godt_[a-z_]+" captions "${page}")
+#   cmake -DDIRECTORY=html -P number_figures.cmake
+file(READ ${CMAKE_CURRENT_LIST_DIR}/Global_odt_mesh_3.txt manual)
+string(REGEX MATCHALL "\\\\subpage [a-z_]+" subpages "${manual}")
+string(REPLACE "\\subpage " "" subpages "${subpages}")
+set(pages index ${subpages})
 set(number 0)
-foreach(caption ${captions})
-  math(EXPR number "${number} + 1")
-  string(REPLACE "<b>" "" name "${caption}")
-  string(REGEX REPLACE "${name}([^a-z_])" "Figure ${number}\\1" page "${page}")
+set(names "")
+foreach(page ${pages})
+  file(READ ${DIRECTORY}/${page}.html text)
+  string(REGEX MATCHALL "<b>Figure godt_[a-z_]+" captions "${text}")
+  string(REPLACE "<b>" "" captions "${captions}")
+  list(APPEND names ${captions})
 endforeach()
-file(WRITE ${PAGE} "${page}")
+foreach(page ${pages})
+  file(READ ${DIRECTORY}/${page}.html text)
+  set(number 0)
+  foreach(name ${names})
+    math(EXPR number "${number} + 1")
+    string(REGEX REPLACE "${name}([^a-z_])" "Figure ${number}\\1" text "${text}")
+  endforeach()
+  file(WRITE ${DIRECTORY}/${page}.html "${text}")
+endforeach()

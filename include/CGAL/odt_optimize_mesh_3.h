@@ -11,7 +11,7 @@
 #define CGAL_ODT_OPTIMIZE_MESH_3_H
 
 /*!
-\ingroup PkgGlobalOdtMesh3Functions
+\ingroup PkgGlobalOdtMesh3Macros
 
 The version of this package: 10000 times the major, plus 100 times the minor, plus the patch version. The header of the
 same name of the package 3D Mesh Generation does not define it.
