@@ -6,7 +6,7 @@
 #   renew_figures.sh [--large] [--paper] [--quick] [--runs N] [--output DIRECTORY] [PART ...]
 #
 # Parts, all of which are made if none is named:
-#   provenance quality tools threads large sizes quadrature boundary search insertion robustness periodic
+#   provenance quality tools files threads large sizes quadrature boundary search insertion robustness periodic
 #   parameter_number_of_rounds parameter_sliver_bound parameter_surface_weight parameter_insertion parameter_sizing_field
 #   parameter_number_of_vertices parameter_time_limit pictures
 # --large goes on to meshes of 271,000 and 891,000 vertices, --paper adds the experiments of the paper, and --runs is the number of
@@ -15,7 +15,7 @@
 # meanwhile.
 set -euo pipefail
 cd "$(dirname "$0")/.."
-parts=(provenance quality tools threads large sizes quadrature boundary search insertion robustness periodic
+parts=(provenance quality tools files threads large sizes quadrature boundary search insertion robustness periodic
        parameter_number_of_rounds parameter_sliver_bound parameter_surface_weight parameter_insertion parameter_sizing_field
        parameter_number_of_vertices parameter_time_limit pictures)
 most_vertices=100000
@@ -83,6 +83,7 @@ programs() {
   case $1 in
     quality) echo compare_qualities ;;
     tools) echo compare_tools ;;
+    files) echo optimize_mesh ;;
     threads | large) echo scale ;;
     sizes) echo follow_sizes ;;
     quadrature) echo graded_cube ;;
@@ -132,6 +133,15 @@ make_tools() {
   fi
 }
 
+# Gmsh and Netgen, as far as their modules for the Python of the system are there.
+make_files() {
+  scripts/install_dependencies.sh python3-gmsh python3-netgen netgen-doc
+  compile optimize_mesh
+  /usr/bin/python3 scripts/compare_on_files.py "$build/examples/Global_odt_mesh_3/optimize_mesh" "$output/files" \
+    > "$output/files.md" 2> "$output/files.log" || { tail "$output/files.log"; return 1; }
+  mv "$output/files.md" "$results/"
+}
+
 # With the assertions of CGAL, hence apart from what is measured. Runs that are not well are a result.
 make_robustness() {
   local directory=$output/robustness
@@ -175,6 +185,7 @@ make_part() {
       mv "$output/provenance.md" "$results/" ;;
     quality) table quality "$(choose 5 2)" "$(choose '' 'coarse cross')" ;;
     tools) make_tools ;;
+    files) make_files ;;
     threads) table threads threads "$output/meshes" "$(choose "$most_vertices" 18000)" ;;
     large) table large stages "$output/meshes" "$(choose "$most_vertices" 18000)" ;;
     sizes) table sizes "$(choose 3 1)" ;;
