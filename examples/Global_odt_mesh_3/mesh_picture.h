@@ -15,6 +15,7 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <cstdio>
 #include <cstdlib>
 #include <fstream>
 #include <iomanip>
@@ -26,8 +27,8 @@
 #include <string>
 #include <vector>
 
-// A picture of a mesh before and after optimization, drawn by gnuplot: a part of the mesh that is cut open, with bad
-// cells in color, and the histograms of dihedral angles and radius ratios.
+// Pictures of meshes, drawn by gnuplot: a part of a mesh that is cut open before and after optimization, with bad cells in color and
+// the histograms of dihedral angles and radius ratios; and a whole mesh beside the cut.
 
 namespace mesh_picture {
 
@@ -83,14 +84,16 @@ inline int color_of_facet(double smallest_angle, bool is_cut, std::size_t subdom
   return color;
 }
 
-// The mesh without the cells in front of a plane through its middle.
+// The mesh, or what it is without the cells in front of a plane through its middle.
 template <class C3t3>
 class Cutaway
 {
   typedef typename C3t3::Cell_handle Cell_handle;
 
 public:
-  explicit Cutaway(const C3t3& c3t3) : c3t3_(c3t3)
+  explicit Cutaway(const C3t3& c3t3, bool is_cut = true)
+    : c3t3_(c3t3)
+    , is_cut_(is_cut)
   {
     const auto box = c3t3.bbox();
     middle_ = Vector_3((box.xmin() + box.xmax()) / 2, (box.ymin() + box.ymax()) / 2, (box.zmin() + box.zmax()) / 2) * view_;
@@ -122,6 +125,8 @@ private:
   {
     if(!c3t3_.is_in_complex(c))
       return false;
+    if(!is_cut_)
+      return true;
     const Point_3 center = CGAL::centroid(point(c, 0), point(c, 1), point(c, 2), point(c, 3));
     return (center - CGAL::ORIGIN) * view_ < middle_;
   }
@@ -157,6 +162,7 @@ private:
   static Vector_3 unit_vector(const Vector_3& v) { return v / std::sqrt(v * v); }
 
   const C3t3& c3t3_;
+  bool is_cut_;
   double middle_;
   std::set<typename C3t3::Subdomain_index> subdomains_;
   // The viewer looks against `view_`, with the y-axis upward.
@@ -275,10 +281,25 @@ inline void write_script(const CGAL::Mesh_quality_report_3& before, const CGAL::
       << "unset multiplot\n";
 }
 
+// Calls gnuplot with the script prefix.gp, which makes prefix.png of the files named. These go, and so does the script, unless there is
+// no gnuplot.
+inline void draw(const std::string& prefix, std::vector<std::string> files)
+{
+  files.push_back(prefix + ".gp");
+  const std::string command = "gnuplot '" + files.back() + "'";
+  if(std::system(command.c_str()) != 0)
+  {
+    std::cout << "picture: run " << command << '\n';
+    return;
+  }
+  for(const std::string& file : files)
+    std::remove(file.c_str());
+  std::cout << "picture: " << prefix << ".png\n";
+}
+
 } // namespace mesh_picture
 
-// Writes prefix.dat, prefix_before.dat, prefix_after.dat, and the script prefix.gp, which makes prefix.png; calls
-// gnuplot, if there is one. The part of the mesh that is shown is as wide as said, relative to all of it.
+// Draws prefix.png. The part of the mesh that is shown is as wide as said, relative to all of it.
 template <class C3t3>
 void draw_before_and_after(const C3t3& before, const C3t3& after, const std::string& prefix, double relative_width = 0.5)
 {
@@ -290,11 +311,33 @@ void draw_before_and_after(const C3t3& before, const C3t3& after, const std::str
   const auto report_before = CGAL::mesh_quality_report_3(before), report_after = CGAL::mesh_quality_report_3(after);
   write_histograms(report_before, report_after, prefix + ".dat");
   write_script(report_before, report_after, window, prefix);
-  const std::string command = "gnuplot '" + prefix + ".gp'";
-  if(std::system(command.c_str()) == 0)
-    std::cout << "picture: " << prefix << ".png\n";
-  else
-    std::cout << "picture: run " << command << '\n';
+  draw(prefix, { prefix + ".dat", prefix + "_before.dat", prefix + "_after.dat" });
+}
+
+// Draws prefix.png: the whole mesh on the left, and the mesh cut open on the right.
+template <class C3t3>
+void draw_whole_and_cut(const C3t3& c3t3, const std::string& prefix)
+{
+  using namespace mesh_picture;
+  const std::vector<Polygon> whole = Cutaway<C3t3>(c3t3, false).visible_facets();
+  const Window w = best_window(whole, 1);
+  write_facets(whole, w, prefix + "_left.dat");
+  write_facets(Cutaway<C3t3>(c3t3).visible_facets(), w, prefix + "_right.dat");
+  std::ofstream out(prefix + ".gp");
+  out << "set terminal pngcairo size 1600,800\n"
+      << "set output '" << prefix << ".png'\n"
+      << "set multiplot\n"
+      << "unset key; unset border; unset tics; set style fill solid 1 noborder\n"
+      << "set xrange [" << w.x - w.width / 2 << ':' << w.x + w.width / 2 << "]\n"
+      << "set yrange [" << w.y - w.width / 2 << ':' << w.y + w.width / 2 << "]\n"
+      << "set tmargin at screen 1; set bmargin at screen 0\n"
+      << "set lmargin at screen 0; set rmargin at screen 0.5\n"
+      << "plot '" << prefix << "_left.dat' using 1:2:3 with filledcurves closed lc rgb variable\n"
+      << "set lmargin at screen 0.5; set rmargin at screen 1\n"
+      << "plot '" << prefix << "_right.dat' using 1:2:3 with filledcurves closed lc rgb variable\n"
+      << "unset multiplot\n";
+  out.close();
+  draw(prefix, { prefix + "_left.dat", prefix + "_right.dat" });
 }
 
 #endif // GLOBAL_ODT_MESH_3_EXAMPLES_MESH_PICTURE_H

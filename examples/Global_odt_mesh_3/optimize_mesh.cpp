@@ -11,6 +11,7 @@
 #include "complex_of_medit_mesh.h"
 #include "medit_mesh.h"
 #include "optimize_mesh_options.h"
+#include "print_summary.h"
 #include "terminal_progress.h"
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
@@ -26,11 +27,9 @@
 #include <CGAL/property_map.h>
 #include <CGAL/remove_slivers_mesh_3.h>
 
-#include <cstddef>
 #include <exception>
 #include <fstream>
 #include <functional>
-#include <iomanip>
 #include <iostream>
 #include <set>
 #include <sstream>
@@ -114,32 +113,6 @@ inline void optimize(C3t3& c3t3, Complex_of_medit_mesh<C3t3>& complex, const Opt
   progress(1);
 }
 
-typedef CGAL::Mesh_quality_report_3 Quality;
-
-// One line for each figure.
-inline void print_summary(const Quality& before, const Quality& after, const Report& report, double seconds)
-{
-  std::ostringstream s;
-  const auto row = [&s](const std::string& name, double x, double y, int digits)
-  {
-    s << std::left << std::setw(28) << name << std::right << std::setprecision(digits) << std::setw(12) << x << "  -> "
-      << std::setw(12) << y << '\n';
-  };
-  s << std::fixed;
-  row("smallest angle (degrees)", before.smallest_angle, after.smallest_angle, 2);
-  for(std::size_t n = 0; n < before.cells_below.size(); ++n)
-    row("cells below " + std::to_string(static_cast<int>(before.cells_below[n].first)) + " degrees",
-        double(before.cells_below[n].second), double(after.cells_below[n].second), 0);
-  row("mean radius ratio 3r/R", before.mean_radius_ratio, after.mean_radius_ratio, 4);
-  row("vertices", double(before.number_of_vertices), double(after.number_of_vertices), 0);
-  row("cells", double(before.number_of_cells), double(after.number_of_cells), 0);
-  s << std::defaultfloat;
-  row("volume", before.total().volume, after.total().volume, 8);
-  s << std::fixed << std::setprecision(2) << report.number_of_inserted_vertices << " vertices inserted, "
-    << report.number_of_removed_vertices << " removed; " << seconds << " seconds\n";
-  std::cout << s.str();
-}
-
 inline void write(const Complex_of_medit_mesh<C3t3>& complex, const C3t3& c3t3, const std::string& name)
 {
   std::ofstream out(name, std::ios::binary);
@@ -175,7 +148,7 @@ inline Exit_status run(const Optimize_mesh_options& options)
     if(!options.is_quiet && complex.number_of_lost_triangles() + complex.number_of_lost_edges() > 0)
       std::cerr << "warning: " << complex.number_of_lost_triangles() << " triangles and " << complex.number_of_lost_edges()
                 << " edges divide nothing, or are in no tetrahedron, and are left out\n";
-    const Quality before = CGAL::mesh_quality_report_3(c3t3, { 10, 20, 30 });
+    const CGAL::Mesh_quality_report_3 before = CGAL::mesh_quality_report_3(c3t3, { 10, 20, 30 });
     CGAL::Real_timer timer;
     timer.start();
     Report report;

@@ -21,8 +21,9 @@ struct Optimize_mesh_options
   static constexpr char help[] = R"(usage: optimize_mesh IN.mesh OUT [options]
 
 Improves the tetrahedra of a mesh in the format of Medit (ASCII): vertices move, inside and on the boundary, and slivers are
-removed. OUT is in the same format or, if its name ends in .vtu, in that of ParaView. Other programs convert, for example
-"gmsh in.msh -save -o in.mesh -format mesh".
+removed. OUT is in the same format or, if its name ends in .vtu, in that of ParaView. Gmsh converts others, and makes
+references of physical groups:
+  gmsh in.msh -save -o in.mesh -format mesh -setnumber Mesh.SaveElementTagType 2
 
   --insert              insert vertices where that improves cells
   --remove              remove vertices where that improves cells
