@@ -93,7 +93,7 @@ programs() {
     periodic) echo compare_periodic ;;
     parameter_*) echo vary_parameters ;;
     pictures) printf '%s\n' optimize_polyhedral_mesh remesh_boundary optimize_graded_mesh optimize_mesh_with_features \
-                             optimize_labeled_image_mesh optimize_periodic_mesh ;;
+                             optimize_labeled_image_mesh optimize_periodic_mesh draw_parameters ;;
   esac
 }
 
@@ -108,12 +108,14 @@ table() {
   mv "$output/$name.md" "$results/$name.md"
 }
 
-# picture NAME EXAMPLE FILE ARGUMENT...: the one that the example writes to that file.
+# picture NAME PROGRAM FILE ARGUMENT...: the one that an example or a benchmark writes to that file.
 picture() {
+  local program=$build/examples/Global_odt_mesh_3/$2
   compile "$2"
+  [ -x "$program" ] || program=$build/benchmark/Global_odt_mesh_3/$2
   rm -rf "${output:?}/$1"
   mkdir "$output/$1"
-  (cd "$output/$1" && "$build/examples/Global_odt_mesh_3/$2" "${@:4}" > log.txt) || { tail "$output/$1/log.txt"; return 1; }
+  (cd "$output/$1" && "$program" "${@:4}" > log.txt) || { tail "$output/$1/log.txt"; return 1; }
   cp "$output/$1/$3" "$figures/$1.png"
 }
 
@@ -164,6 +166,7 @@ make_pictures() {
   picture cad_part_before_after optimize_mesh_with_features features.png "$CGAL_DATA_DIR/meshes/couplingdown.off" 0.03
   picture tissues_before_after optimize_labeled_image_mesh labeled_image.png
   picture periodic_before_after optimize_periodic_mesh periodic.png
+  picture parameters draw_parameters parameters.png
 }
 
 make_paper() {

@@ -48,6 +48,8 @@ struct Polygon
   std::array<double, 6> corners;
   double depth;
   bool is_cut;   // inside of the mesh, and not on its surface
+  double angle;  // the smallest dihedral angle of the cell, in degrees
+  double light;  // from 0 to 1
   int color;
 };
 
@@ -69,19 +71,25 @@ inline double smallest_dihedral_angle(const std::array<Point_3, 4>& p)
   return smallest;
 }
 
-// Cells with an angle below 10 degrees are red, below 20 orange; others yellowish inside, or greenish, purple, or gray, by the
-// number of their subdomain, and blue on the surface.
-inline int color_of_facet(double smallest_angle, bool is_cut, std::size_t subdomain, double light)
+typedef std::array<double, 3> Rgb;
+
+inline int shaded(const Rgb& rgb, double light)
 {
-  typedef std::array<double, 3> Rgb;
-  static const std::array<Rgb, 4> inside = {{ {{ 250, 240, 200 }}, {{ 190, 230, 180 }}, {{ 225, 195, 235 }}, {{ 225, 225, 225 }} }};
-  const Rgb rgb = smallest_angle < 10 ? Rgb{{ 220, 30, 30 }}
-                : smallest_angle < 20 ? Rgb{{ 250, 150, 30 }}
-                : is_cut ? inside[subdomain % inside.size()] : Rgb{{ 130, 170, 230 }};
   int color = 0;
   for(double x : rgb)
     color = 256 * color + static_cast<int>(x * light);
   return color;
+}
+
+// Cells with an angle below 10 degrees are red, below 20 orange; others yellowish inside, or greenish, purple, or gray, by the
+// number of their subdomain, and blue on the surface.
+inline int color_of_facet(double smallest_angle, bool is_cut, std::size_t subdomain, double light)
+{
+  static const std::array<Rgb, 4> inside = {{ {{ 250, 240, 200 }}, {{ 190, 230, 180 }}, {{ 225, 195, 235 }}, {{ 225, 225, 225 }} }};
+  const Rgb rgb = smallest_angle < 10 ? Rgb{{ 220, 30, 30 }}
+                : smallest_angle < 20 ? Rgb{{ 250, 150, 30 }}
+                : is_cut ? inside[subdomain % inside.size()] : Rgb{{ 130, 170, 230 }};
+  return shaded(rgb, light);
 }
 
 // The mesh, or what it is without the cells in front of a plane through its middle.
@@ -156,7 +164,7 @@ private:
     const double angle = smallest_dihedral_angle({{ point(c, 0), point(c, 1), point(c, 2), point(c, 3) }});
     const Vector_3 a = p - CGAL::ORIGIN, b = q - CGAL::ORIGIN, d = r - CGAL::ORIGIN;
     return { {{ a * right_, a * up_, b * right_, b * up_, d * right_, d * up_ }},
-             (a + b + d) * view_, is_cut, color_of_facet(angle, is_cut, number, light) };
+             (a + b + d) * view_, is_cut, angle, light, color_of_facet(angle, is_cut, number, light) };
   }
 
   static Vector_3 unit_vector(const Vector_3& v) { return v / std::sqrt(v * v); }
