@@ -38,7 +38,7 @@ cd "$results"
 grep -vE '^(mesh|picture): ' report.txt
 echo
 echo "In $results:"
-show() { if [ -f "$1" ]; then printf '  %-40s %s\n' "$1${3:+, $3}" "$2"; fi; }
+show() { if [ -f "$1" ]; then printf '  %-47s %s\n' "$1${3:+, $3}" "$2"; fi; }
 show optimized.png "the mesh cut open, before and after, with histograms"
 show optimized_whole.png "the whole mesh, and cut open"
 show optimized_before.vtu "for ParaView" optimized_after.vtu

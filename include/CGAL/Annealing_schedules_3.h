@@ -40,7 +40,8 @@ struct Momentum_annealing_schedule
   double interior_amplitude = 0.14;
   /// the same for vertices on surfaces
   double surface_amplitude = 0.1;
-  /// the exponent of the decay: the amplitude is proportional to the fraction of steps that are left, raised to this power; positive and finite
+  /// the exponent of the decay: the amplitude is proportional to the fraction of steps that are left, raised to this power;
+  /// positive and finite
   double decay = 0.6;
   /// the longest step of a vertex, relative to its mean incident edge; positive and finite
   double longest_step = 0.3;
@@ -67,8 +68,8 @@ struct Momentum_annealing_schedule
 
 The class `Metropolis_annealing_schedule` is a type of the named parameter `annealing_schedule` of `odt_optimize_mesh_3()`.
 It selects Algorithm 2 of \cgalCite{cgal:cwlls-rodt-14} (section 4.3). In each round, all vertices are perturbed in
-random directions and move to a minimum nearby. It is accepted if it is lower, or, with the probability of Metropolis,
-if it is a little higher.
+random directions and move to a minimum nearby. The new state is accepted if its energy is lower, or, with the probability of
+Metropolis, if it is a little higher.
 
 \sa `Momentum_annealing_schedule`
 */

@@ -71,7 +71,7 @@ public:
   /// @{
 
   /*!
-  takes the lengths of the feature edges of `c3t3`, which is not needed any longer afterwards.
+  takes the lengths of the feature edges of `c3t3`. The mesh is not needed any longer afterwards.
 
   \param c3t3 the mesh; without feature edges, all sizes are `largest_size`
   \param largest_size the upper bound of sizes, such as that with which the mesh was made

@@ -32,7 +32,7 @@ namespace CGAL {
 \ingroup PkgGlobalOdtMesh3Fields
 
 The class `Local_feature_size_parameters_3` holds the parameters of `Local_feature_size_field_3`. Lengths are in the
-unit of the coordinates; those that are 0 are derived from the diagonal of the bounding box of the domain, of the
+unit of the coordinates. A length of 0 is replaced by a fraction of the diagonal of the bounding box of the domain, of the
 mesh's surface, or of the points.
 */
 struct Local_feature_size_parameters_3
@@ -70,7 +70,7 @@ struct Local_feature_size_parameters_3
 \ingroup PkgGlobalOdtMesh3Fields
 
 The class `Local_feature_size_field_3` is a sizing field that is computed from the boundary of a domain. Sizes are
-small where the boundary is curved or close to another part of it, and grow with the distance from there. The same
+small where the boundary is curved or close to another part of itself, and grow with the distance from there. The same
 object serves as `cell_size` and `facet_size` of `Mesh_criteria_3` and as `sizing_field` of
 `odt_optimize_mesh_3()`, so that mesh and optimizer agree.
 
@@ -118,9 +118,9 @@ public:
   /// @{
 
   /*!
-  samples the boundary of `domain` by the vertices of a surface mesh, which knows of no features. It is made by
-  `make_mesh_3()`, so that components which that misses with a `facet_size` of `sample_spacing` are missed
-  here, too. A domain with a random generator of its own, such as `Labeled_mesh_domain_3`, draws from it.
+  samples the boundary of `domain` by the vertices of a surface mesh without features. `make_mesh_3()` makes it with a `facet_size`
+  of `sample_spacing`; components of the boundary that it misses are missed here, too. A domain with a random generator of its own,
+  such as `Labeled_mesh_domain_3`, draws from it.
 
   \pre The parameters pass `Local_feature_size_parameters_3::check()`, and the domain has a boundary.
   */

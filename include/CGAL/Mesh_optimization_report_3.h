@@ -32,7 +32,7 @@ The class `Mesh_optimization_summary_3` is the part of a `Mesh_optimization_repo
 */
 struct Mesh_optimization_summary_3
 {
-  /// says why the mesh is as it was, if it is.
+  /// tells whether the mesh has changed, and if not, why.
   enum Reason
   {
     CHANGED,            ///< the mesh has changed
@@ -40,17 +40,26 @@ struct Mesh_optimization_summary_3
     NO_VALID_MESH,      ///< no valid mesh could be made; see `Mesh_optimization_report_3::obstacles`
     SMALLER_ANGLES,     ///< more cells would have angles below 10, 20, or 30 degrees, or the smallest would be smaller
     LARGER_CELLS,       ///< cells would be larger than the largest of their subdomain, and angles not much better
-    OUT_OF_TIME         ///< `time_limit` or `callback` have ended the call before there was anything better
+    OUT_OF_TIME         ///< `time_limit` or `callback` has ended the call before there was anything better
   };
-  Reason reason = NOTHING_TO_DO;                 ///< `CHANGED`, or why the mesh has not changed
-  double sliver_bound = 0;                       ///< the `sliver_bound` of the call, or 20 degrees if that is 0
-  std::size_t number_of_slivers = 0;             ///< the number of cells that are left with a dihedral angle below that, without those that are to stay
-  std::size_t number_of_inserted_vertices = 0;   ///< the number of vertices that the mesh has and had not
-  std::size_t number_of_removed_vertices = 0;    ///< the number of vertices that the mesh had and has not
-  double largest_volume_change = 0;              ///< the largest change of the volume of a subdomain, over that volume; negative if it has shrunk
-  double farthest_facet = 0;                     ///< the largest distance of the centroid of a facet from the surface, in the unit of the coordinates; 0 for periodic meshes
-  std::size_t number_of_iterations = 0;          ///< the number of iterations
-  std::vector<std::pair<std::string, double> > seconds;   ///< the wall time of each stage; for periodic meshes, of all
+  /// `CHANGED`, or the reason why the mesh has not changed
+  Reason reason = NOTHING_TO_DO;
+  /// the `sliver_bound` of the call, or 20 degrees if that is 0
+  double sliver_bound = 0;
+  /// the number of cells of the result with a dihedral angle below `sliver_bound`. Cells that are to stay do not count
+  std::size_t number_of_slivers = 0;
+  /// the number of vertices that have been inserted and are in the result
+  std::size_t number_of_inserted_vertices = 0;
+  /// the number of vertices of the input that are not in the result
+  std::size_t number_of_removed_vertices = 0;
+  /// the largest change of the volume of a subdomain, relative to its volume; negative if it has shrunk
+  double largest_volume_change = 0;
+  /// the largest distance of the centroid of a facet from the surface, in the unit of the coordinates; 0 for periodic meshes
+  double farthest_facet = 0;
+  /// the number of iterations
+  std::size_t number_of_iterations = 0;
+  /// the wall time of each stage; for periodic meshes, that of the whole call
+  std::vector<std::pair<std::string, double> > seconds;
 };
 
 /*!
@@ -70,11 +79,11 @@ struct Mesh_optimization_report_3
   /// is the handle to a vertex of the mesh.
   typedef typename C3T3::Vertex_handle Vertex_handle;
 
-  /// the vertices around which no valid mesh could be made, if `reason` is `NO_VALID_MESH`. What stands in the way are cells and facets
-  /// between them
+  /// the vertices around which no valid mesh could be made, if `reason` is `NO_VALID_MESH`. Cells and facets between them stand in
+  /// the way
   std::vector<Vertex_handle> obstacles;
-  /// the vertices of the cells that were to stay by `cell_is_selected_map`, and could not, since they are no cells of the regular triangulation
-  /// of a mesh that has been deformed
+  /// the vertices of each cell that was to stay by `cell_is_selected_map`, and could not, since it is not in the regular
+  /// triangulation of a mesh that has been deformed
   std::vector<std::array<Vertex_handle, 4> > released_cells;
 
   /// returns whether the mesh has changed.

@@ -75,8 +75,8 @@ struct Mesh_quality_report_3
   std::array<std::size_t, number_of_facet_angle_bins> facet_angles{};   ///< the histogram of the facets' smallest angles
   /// for each bound in degrees, the number of cells with a smaller angle
   std::vector<std::pair<double, std::size_t> > cells_below;
-  /// the subdomains, by their indices as they are printed: `2`, say, and `2 (2)` for another index that prints alike. Indices that cannot be
-  /// printed are numbered from 1 on
+  /// the subdomains, by their indices as they are printed: for example `2`, and `2 (2)` for another index that is printed in the
+  /// same way. Indices that cannot be printed are numbered from 1 on
   std::map<std::string, Subdomain> subdomains;
   /// the numbers of cells and facets that the criteria of the mesh generator call bad, if criteria are given
   std::optional<std::pair<std::size_t, std::size_t> > bad_cells_and_facets;
@@ -141,7 +141,7 @@ void add_facets(Mesh_quality_report_3& report, const C3T3& c3t3)
     report.mean_facet_angle = sum / double(report.number_of_facets);
 }
 
-// The number of the criterion that calls a cell or a facet bad, or 0 if that is not told.
+// Returns the number of the criterion that calls a cell or a facet bad, or 0 if the criteria do not tell it.
 template <class Is_bad>
 std::size_t violated_criterion(const Is_bad& is_bad) { return static_cast<std::size_t>(is_bad->first); }
 inline std::size_t violated_criterion(bool) { return 0; }
@@ -171,7 +171,7 @@ struct Is_printable : std::false_type {};
 template <class T>
 struct Is_printable<T, std::void_t<decltype(std::declval<std::ostream&>() << std::declval<const T&>())> > : std::true_type {};
 
-// The n-th index: concepts do not require that it can be printed.
+// Prints the n-th index. Concepts do not require that this is possible; otherwise it is the number.
 template <class Index>
 std::string printed(const Index& index, std::size_t n)
 {
@@ -183,7 +183,7 @@ std::string printed(const Index& index, std::size_t n)
   return s.str();
 }
 
-// Indices may be printed alike.
+// Different indices may be printed in the same way.
 inline void add_subdomain(Mesh_quality_report_3& report, const std::string& name, const Mesh_quality_report_3::Subdomain& subdomain)
 {
   std::string other = name;

@@ -28,9 +28,10 @@ namespace CGAL {
 /*!
 \ingroup PkgGlobalOdtMesh3Fields
 
-The class `Quadratic_density_3` is a polynomial of degree two or less. As `density` of `odt_optimize_mesh_3()` or
-`odt_energy_3()`, it is integrated over cells exactly, up to rounding, unless the named parameter `quadrature` selects a rule. The
-energy then is that of equation (2.5) of \cgalCite{cgal:cwlls-rodt-14}, and the gradient that of equation (3.1). Unlike other densities, it may be zero at points.
+The class `Quadratic_density_3` is a polynomial of degree two or less. As `density` of `odt_optimize_mesh_3()` or `odt_energy_3()`,
+it is integrated over cells exactly, up to rounding, unless the named parameter `quadrature` selects a rule. The energy then is that
+of equation (2.5) of \cgalCite{cgal:cwlls-rodt-14}, and the gradient that of equation (3.1). Unlike other densities, it may be zero
+at points.
 
 With \f$ \mathbf d = \mathbf x - \mathbf c \f$, it is
 \f$ \rho(\mathbf x) = a + \mathbf b \cdot \mathbf d + q_{xx} d_x^2 + q_{yy} d_y^2 + q_{zz} d_z^2

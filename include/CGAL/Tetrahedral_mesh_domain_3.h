@@ -35,13 +35,13 @@ namespace CGAL {
 /*!
 \ingroup PkgGlobalOdtMesh3Domains
 
-The class `Tetrahedral_mesh_domain_3` is the domain that a tetrahedral mesh fills. It serves where there is no other, for a
-mesh from a file, say. It copies the cells of the complex with their subdomains, the facets with their patches, and the
-curves and corners, so that the mesh may change or go afterwards. Facets of one patch may have different subdomains on their
-sides, and facets may have the same subdomain on both.
+The class `Tetrahedral_mesh_domain_3` is the domain that a tetrahedral mesh fills. It is for meshes that have no other domain, such
+as those from files. It copies the cells of the complex with their subdomains, the facets with their patches, and the
+curves and corners, so that the mesh may be changed or destroyed afterwards. Facets of one patch may have different subdomains on
+their sides, and facets may have the same subdomain on both sides.
 
 The subdomain of a point is that of a cell that contains it, by exact predicates. A point on a facet is in a subdomain beside
-the facet. Several threads may ask at once, so that `domain_is_thread_safe` may be set.
+the facet. Several threads may query the domain at the same time, so that `domain_is_thread_safe` may be set.
 
 Each polyline between two corners, and each cycle, is a curve of its own of the domain, so that its index is not the one in
 the complex.
@@ -87,7 +87,7 @@ public:
   /*!
   copies the boundary, the interfaces, and the features of a mesh.
 
-  \pre All facets between two subdomains are in the complex. `complete_mesh_complex_3()` sees to it.
+  \pre All facets between two subdomains are in the complex. `complete_mesh_complex_3()` adds those that are missing.
   */
   explicit Tetrahedral_mesh_domain_3(const C3T3& c3t3)
     : Base(c3t3)
@@ -105,7 +105,7 @@ public:
   /// returns the AABB tree of the facets, for closest points.
   const AABB_tree& aabb_tree() const;
 #else
-  // An index may have the type of each of its kinds.
+  // `Index` may be the same type as `Surface_patch_index` and the others.
   Surface_patch_index surface_patch_index(const Index& index) const { return value<Surface_patch_index>(index); }
   Subdomain_index subdomain_index(const Index& index) const { return value<Subdomain_index>(index); }
   typename Base::Curve_index curve_index(const Index& index) const { return value<typename Base::Curve_index>(index); }

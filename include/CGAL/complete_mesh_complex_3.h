@@ -27,8 +27,9 @@ namespace CGAL {
 /*!
 \ingroup PkgGlobalOdtMesh3Domains
 
-makes a complete complex of a triangulation whose cells have subdomain indices, 0 being outside, as most files have it. Some
-facets may have patches, some edges curves, and some vertices may be corners; all of these stay. The function adds
+makes a complete complex of a triangulation whose cells have subdomain indices, where 0 means outside. Most files have no more than
+that. Some facets may have patches, some edges may have curves, and some vertices may be corners; all of these stay. The function
+adds
 
 - the facets whose two sides are in different subdomains. Those between the same two subdomains get the same new patch:
 an index greater than all there are or, if patches are pairs, the pair of subdomains;
@@ -59,7 +60,7 @@ void complete_mesh_complex_3(C3T3& c3t3, double angle_bound = 60)
   CGAL_GLOBAL_ODT_MESH_3_CHECK_PARAMETER(c3t3.triangulation().dimension() == 3,
                                          "c3t3 must have a triangulation of dimension 3");
   CGAL_GLOBAL_ODT_MESH_3_CHECK_PARAMETER(angle_bound >= 0 && angle_bound <= 180, "angle_bound must be in [0, 180] degrees");
-  // No cosine is smaller than -2, be it rounded.
+  // Even a rounded cosine is not smaller than -2.
   odt::Complex_completion_3<C3T3>(c3t3, angle_bound == 180 ? -2 : std::cos(angle_bound * CGAL_PI / 180))();
 }
 

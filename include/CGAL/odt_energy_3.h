@@ -40,8 +40,8 @@ namespace Global_odt_mesh_3::internal {
 // What odt_energy_3() reads.
 typedef Parameter_list<tags::sizing_field, internal_np::density_t, internal_np::quadrature_t> Energy_parameters;
 
-// The cells of a complex by the numbers of their vertices. The density of a cell is asked of its vertex of the lowest
-// number, which is one of the highest dimension.
+// The cells of a complex by the numbers of their vertices. A cell has the density of its vertex of the lowest number, which is
+// one of the highest dimension.
 template <class C3t3>
 struct Numbered_cells_3
 {
@@ -53,7 +53,7 @@ struct Numbered_cells_3
     for(auto c = c3t3.cells_in_complex_begin(); c != c3t3.cells_in_complex_end(); ++c)
       for(int i = 0; i < 4; ++i)
         numbers[c->vertex(i)] = 0;
-    // The order of handles is left to chance.
+    // The order of handles differs from run to run.
     for(auto v = c3t3.triangulation().finite_vertices_begin(); v != c3t3.triangulation().finite_vertices_end(); ++v)
       if(numbers.count(v) != 0)
         vertices.push_back(v);
@@ -68,7 +68,7 @@ struct Numbered_cells_3
       cells.push_back({{ numbers[c->vertex(0)], numbers[c->vertex(1)], numbers[c->vertex(2)], numbers[c->vertex(3)] }});
   }
 
-  // The sum over all cells, of which `moments` gives the moments of the density.
+  // Sums the energies of all cells; `moments` gives the moments of the density in a cell.
   template <class Moments>
   double energy(const Moments& moments) const
   {
@@ -83,7 +83,7 @@ struct Numbered_cells_3
   std::vector<Cell_vertices> cells;
 };
 
-// The rule is null if the energy is to be as exact as can be.
+// The rule is null if the energy is to be computed as exactly as possible.
 template <class C3t3, class Rule>
 double odt_energy(const C3t3& c3t3, const User_fields_3<C3t3>& fields, const Rule* rule)
 {

@@ -25,7 +25,7 @@ namespace CGAL {
 /*!
 \ingroup PkgGlobalOdtMesh3Functions
 
-improves the cells of a tetrahedral mesh that comes without a domain, from a file, say. The domain is the one that the mesh
+improves the cells of a tetrahedral mesh that comes without a domain, for example from a file. The domain is the one that the mesh
 fills, a `Tetrahedral_mesh_domain_3`: facets of the complex are its surfaces, and edges and corners its features. This is
 `odt_optimize_mesh_3(c3t3, Tetrahedral_mesh_domain_3<C3T3>(c3t3), np...)`.
 
@@ -38,7 +38,7 @@ fills, a `Tetrahedral_mesh_domain_3`: facets of the complex are its surfaces, an
 \return as `odt_optimize_mesh_3()`
 
 \pre All facets between two subdomains are in the complex, and so are all features that are to stay.
-`complete_mesh_complex_3()` sees to it.
+`complete_mesh_complex_3()` adds what is missing.
 \pre Those of `odt_optimize_mesh_3()`
 
 \sa `complete_mesh_complex_3()`

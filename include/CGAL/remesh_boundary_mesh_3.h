@@ -36,7 +36,7 @@ typedef Parameter_list<tags::time_limit, tags::max_iteration_number, tags::sizin
 /*!
 \ingroup PkgGlobalOdtMesh3Functions
 
-spaces the vertices of a tetrahedral mesh evenly on its surfaces. Those of dimension 2 move to a centroidal Voronoi
+spaces the vertices of a tetrahedral mesh evenly on its surfaces. Vertices of dimension 2 move to a centroidal Voronoi
 tessellation restricted to the surface (section 5.1 of \cgalCite{cgal:cwlls-rodt-14}). This is a minimum of
 \f$ \sum_i \int_{V_i} \rho\,(\|\mathbf{x} - \mathbf{x}_i\|^2 - w_i) \f$, which the L-BFGS method finds in the tangential planes.
 The Voronoi cells \f$ V_i \f$ are taken on the surfaces of the complex, which are reconstructed from
@@ -48,8 +48,8 @@ That function, with `optimize_boundary` set to `false`, completes the procedure 
 minimizes this energy together with that of the cells (see its parameter `surface_weight`), so that there is no need
 to call this function before.
 
-The guarantees are those of `odt_optimize_mesh_3()`, also if the domain, a property map, or the callback throws. Those on
-dihedral angles and on the largest cells are excepted: angles may become smaller, as no slivers are removed.
+The guarantees are those of `odt_optimize_mesh_3()`, also if the domain, a property map, or the callback throws, except for those on
+dihedral angles and on the largest cells: angles may become smaller, as no slivers are removed.
 
 \tparam C3T3 a model of the concept `MeshComplex_3InTriangulation_3`, not periodic
 \tparam MeshDomain a model of the concept `MeshDomain_3`
@@ -61,13 +61,15 @@ dihedral angles and on the largest cells are excepted: angles may become smaller
 
 \cgalNamedParamsBegin
   \cgalParamNBegin{time_limit}
-    \cgalParamDescription{the wall time, in seconds, that the call may take; iterations end early enough for the mesh to be written. 0 means no limit}
+    \cgalParamDescription{the wall time, in seconds, that the call may take; iterations end early enough for the mesh to be written.
+                          0 means no limit}
     \cgalParamType{`double`}
     \cgalParamPrecondition{`time_limit >= 0`}
     \cgalParamDefault{0}
   \cgalParamNEnd
   \cgalParamNBegin{max_iteration_number}
-    \cgalParamDescription{the largest number of iterations, on surfaces and in the interior; 0 means no limit but that of the rounds, of which there are six at most}
+    \cgalParamDescription{the largest number of iterations, on surfaces and in the interior; 0 means no limit but that of the
+                          rounds, of which there are six at most}
     \cgalParamType{`std::size_t`}
     \cgalParamPrecondition{a number, not negative}
     \cgalParamDefault{0}
@@ -135,7 +137,8 @@ dihedral angles and on the largest cells are excepted: angles may become smaller
 - `CGAL::CONVERGENCE_REACHED` when a round lowers the energy by less than 0.02 %, also when no vertex may move;
 - `CGAL::CANT_IMPROVE_ANYMORE` when no valid mesh can be made, in which case `c3t3` is unchanged.
 
-\pre No vertex of dimension 3 carries a weight, that is, `exude_mesh_3()` has not been called before, nor `make_mesh_3()` without `no_exude()`.
+\pre No vertex of dimension 3 carries a weight, that is, `exude_mesh_3()` has not been called before, nor `make_mesh_3()` without
+`no_exude()`.
 
 \sa `odt_optimize_mesh_3()`
 */

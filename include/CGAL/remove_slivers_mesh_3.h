@@ -40,7 +40,8 @@ end, without minimizing an energy before. Like `perturb_mesh_3()`, it moves vert
 angles and keeps the triangulation regular; few vertices move.
 
 The bound on the angles rises in steps of 20, 30, 35, 40, ... degrees, as described in section \ref godt_slivers. In a mesh from
-Delaunay refinement, every tenth cell may be a sliver. There, `odt_optimize_mesh_3()` reaches larger angles in all other cells, too.
+Delaunay refinement, every tenth cell may be a sliver. For such a mesh, `odt_optimize_mesh_3()` is the better choice, since it
+enlarges the angles of all other cells, too.
 
 The guarantees are those of `odt_optimize_mesh_3()`, also if the domain, a property map, or the callback throws.
 
@@ -54,7 +55,8 @@ The guarantees are those of `odt_optimize_mesh_3()`, also if the domain, a prope
 
 \cgalNamedParamsBegin
   \cgalParamNBegin{time_limit}
-    \cgalParamDescription{the wall time, in seconds, that the call may take; the removal ends early enough for the mesh to be written. 0 means no limit}
+    \cgalParamDescription{the wall time, in seconds, that the call may take; the removal ends early enough for the mesh to be
+                          written. 0 means no limit}
     \cgalParamType{`double`}
     \cgalParamPrecondition{`time_limit >= 0`}
     \cgalParamDefault{0}
@@ -102,14 +104,14 @@ The guarantees are those of `odt_optimize_mesh_3()`, also if the domain, a prope
     \cgalParamDefault{a constant property map that is `true` for all cells}
   \cgalParamNEnd
   \cgalParamNBegin{callback}
-    \cgalParamDescription{a functor called before each step of the removal (20, 30, 35, ... degrees) with the fraction done. When it returns
-                          `false`, the process stops before that step, with the mesh found so far.}
+    \cgalParamDescription{a functor called before each step of the removal (20, 30, 35, ... degrees) with the fraction done. When it
+                          returns `false`, the process stops before that step, with the mesh found so far.}
     \cgalParamType{a model of `bool(double)`}
     \cgalParamDefault{none}
     \cgalParamExtra{It is spelled `parameters::callback(f)`; `callback = f` does not compile.}
   \cgalParamNEnd
   \cgalParamNBegin{visitor}
-    \cgalParamDescription{as for `odt_optimize_mesh_3()`; there are no iterations to be told of}
+    \cgalParamDescription{as for `odt_optimize_mesh_3()`, without iterations}
     \cgalParamType{a model of `MeshOptimizationVisitor_3`}
     \cgalParamDefault{a visitor that does nothing}
   \cgalParamNEnd
@@ -123,10 +125,11 @@ The guarantees are those of `odt_optimize_mesh_3()`, also if the domain, a prope
 \return a value of type `CGAL::Mesh_optimization_return_code`, which is
 - `CGAL::TIME_LIMIT_REACHED` when `time_limit` has passed, or `callback` returned `false`;
 - `CGAL::CANT_IMPROVE_ANYMORE` when cells below a positive `sliver_bound` are left, also when no vertex may move;
-- the same when no valid mesh can be made, in which case `c3t3` is unchanged;
+- `CGAL::CANT_IMPROVE_ANYMORE`, too, when no valid mesh can be made, in which case `c3t3` is unchanged;
 - `CGAL::CONVERGENCE_REACHED` otherwise.
 
-\pre No vertex of dimension 3 carries a weight, that is, `exude_mesh_3()` has not been called before, nor `make_mesh_3()` without `no_exude()`.
+\pre No vertex of dimension 3 carries a weight, that is, `exude_mesh_3()` has not been called before, nor `make_mesh_3()` without
+`no_exude()`.
 
 \sa `odt_optimize_mesh_3()`
 */
