@@ -46,8 +46,8 @@ public:
   // Steps for each partition. One more than the iterations that they count as, since vertices at the seams of the partition do not move.
   static constexpr int iterations_in_block = 10, steps_in_block = 11;
 
-  // That is worth the trouble. It depends on the mesh alone, so that the result does not depend on the threads; but numbers
-  // of threads that are powers of two should have as many blocks each.
+  // The number of blocks that pays. It depends on the mesh alone, so that the result does not depend on the threads; but numbers of
+  // threads that are powers of two should have as many blocks each.
   static int usual_number_of_blocks(std::size_t number_of_vertices)
   {
     const int number = (std::max)(1, static_cast<int>(number_of_vertices / vertices_of_block));
@@ -66,8 +66,8 @@ public:
     , threads_(threads)
   {}
 
-  // To be called when the vertices have got other neighbors or motions. The term, of which the energy has been asked for, is
-  // null if there is none.
+  // This has to be called when the vertices have got other neighbors or motions. The term, whose energy has been computed before,
+  // is null if there is none.
   void start(std::vector<Tangential_motion> motions, Surface_cvt_term_3* term)
   {
     motions_ = std::move(motions);
@@ -81,8 +81,8 @@ public:
     mesh_.release_gradient();
   }
 
-  // One step for each fraction of all steps in `done`. No block is begun once may_go_on(), which is asked in the
-  // calling thread only, says no.
+  // Makes one step for each fraction of all steps in `done`. No block is begun once may_go_on() returns false, which is
+  // called in the calling thread only.
   template <class May_go_on>
   void iterate(const std::vector<double>& done, const May_go_on& may_go_on)
   {
@@ -162,7 +162,7 @@ private:
     part.set_quadrature(nullptr);
   }
 
-  // Of the vertices that no block owns.
+  // Adds the gradients of the vertices that no block owns.
   void add_gradients(const Mesh_blocks_3& blocks, const std::vector<std::vector<Site_gradient> >& at_seams)
   {
     const auto for_each = [&](const auto& f)

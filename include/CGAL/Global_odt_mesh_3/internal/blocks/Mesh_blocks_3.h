@@ -50,7 +50,7 @@ public:
       }
   }
 
-  // Those of the mesh, in the order of the block: its own ones first.
+  // The vertices of the mesh, in the order of the block: its own ones first.
   const std::vector<int>& vertices(int block) const { return blocks_[block].vertices; }
 
   int number_of_own_vertices(int block) const { return partition_.vertices().size(block); }
@@ -160,7 +160,7 @@ private:
     }
   }
 
-  // Of each number in the buckets, or -1.
+  // The place of each number in the buckets, or -1.
   std::vector<int> places(const Buckets& buckets, int size) const
   {
     std::vector<int> place(size, -1);
@@ -168,7 +168,7 @@ private:
     return place;
   }
 
-  // In the block, or negative or too large.
+  // The number of the cell in the block; it is negative or too large if the cell is not there.
   int cell_in_block(int block, int cell) const { return cell_place_[cell] - partition_.cells().begin(block); }
   bool is_in_block(int block, int cell) const
   {
@@ -185,7 +185,7 @@ private:
       f(cells.numbers()[n]);
   }
 
-  // Those of the cells that are not its own are at seams.
+  // Vertices of its cells that are not its own are at seams.
   void number_vertices(int block, Block& b) const
   {
     const Buckets& own = partition_.vertices();

@@ -38,7 +38,7 @@ public:
     root_ = split(samples.begin(), samples.end(), number_of_blocks, random);
   }
 
-  // That of a point.
+  // The block of a point.
   int block(const Vector_3& point) const
   {
     const Vector_3 p = in_frame(point);
@@ -144,7 +144,7 @@ public:
 
   int number_of_blocks() const { return cells_.number_of_buckets(); }
   const Buckets& cells() const { return cells_; }
-  // Those with all their cells in one block.
+  // The vertices with all their cells in one block.
   const Buckets& vertices() const { return vertices_; }
 
   // The blocks, so that threads that take one after the other end at about the same time.

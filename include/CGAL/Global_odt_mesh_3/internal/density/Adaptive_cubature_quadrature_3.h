@@ -126,8 +126,8 @@ private:
   // The degree of the rule of an order is twice that and one.
   static constexpr int order = 3, number_of_rules = 3;
 
-  // Of the points with that k in the rule of an order (Grundmann and Moeller, Invariant integration formulas for the
-  // n-simplex by combinatorial methods, SIAM J. Numer. Anal. 15, 1978).
+  // The weight of the points with that k in the rule of an order (Grundmann and Moeller, Invariant integration formulas
+  // for the n-simplex by combinatorial methods, SIAM J. Numer. Anal. 15, 1978).
   static double weight(int of_order, int k)
   {
     const int i = of_order - k, degree = 2 * of_order + 1;

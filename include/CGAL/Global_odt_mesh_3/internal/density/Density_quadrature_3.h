@@ -35,8 +35,8 @@ struct Density_moments_3
     = {{ {{0, 1}}, {{0, 2}}, {{0, 3}}, {{1, 2}}, {{2, 3}}, {{3, 1}} }};
 };
 
-// For a density interpolated linearly between the values `rho` at the vertices (Theorems 4.1
-// and 4.2): m_i = (R + rho_i)/20 and m_ij = (R + rho_i + rho_j)/120, R being the sum of the values.
+// The moments of a density that is interpolated linearly between the values `rho` at the vertices (Theorems 4.1 and
+// 4.2): m_i = (R + rho_i)/20 and m_ij = (R + rho_i + rho_j)/120, where R is the sum of the values.
 inline Density_moments_3 linear_density_moments(const std::array<double, 4>& rho)
 {
   const double R = rho[0] + rho[1] + rho[2] + rho[3];
@@ -87,7 +87,7 @@ public:
   // cell is for what is kept of it.
   virtual Density_moments_3 moments(int cell, const int* vertices, const Site* sites) = 0;
 
-  // To be called when vertices have moved, up to that number; those beyond stay for ever.
+  // This has to be called when vertices have moved, up to that number; those beyond never move.
   virtual void update(const std::vector<Site>&, int /* number_of_movable_vertices */, const Thread_policy&) {}
 
   // The same for a part of the mesh with some of its vertices, given by their numbers, which stay where they are. While the
@@ -98,7 +98,7 @@ public:
   virtual void keep() {}
   virtual void restore() {}
 
-  // By how much, relatively, the energy may rise in a step of the minimizer: little more than rounding errors, unless the
+  // The relative rise of the energy that a step of the minimizer may have: little more than rounding errors, unless the
   // gradient is not its derivative.
   virtual double energy_tolerance() const { return 1e-9; }
 
@@ -108,7 +108,7 @@ protected:
     return [density, vertices](int v, const Site& s) { return density(vertices[v], s); };
   }
 
-  // For moments with which (4.6) is not the derivative of the energy, which therefore need not fall.
+  // The tolerance for moments with which (4.6) is not the derivative of the energy, which therefore need not fall.
   static constexpr double tolerance_of_rough_moments = 1e-3;
 };
 

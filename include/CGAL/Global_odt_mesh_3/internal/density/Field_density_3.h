@@ -46,12 +46,12 @@ public:
   // Whether several threads may ask at the same time, for different vertices.
   virtual bool is_safe_for_threads() const { return false; }
 
-  // At the position of a vertex, given its number. The scale is such that the median of the
-  // vertices has a density of about one.
+  // The density at the position of a vertex, given its number. The scale is such that the median of the vertices has a
+  // density of about one.
   virtual double in_volume(int v, const Site& s) = 0;
   virtual double on_surface(int v, const Site& s) = 0;
 
-  // At a point of a cell around the vertex.
+  // The density at a point of a cell around the vertex.
   virtual double in_cell(int v, const Site& s) { return in_volume(v, s); }
 
   // The density in the volume if it is a polynomial, which can be integrated exactly, or null.

@@ -83,7 +83,7 @@ inline std::unique_ptr<Density_quadrature_3> make_linear_quadrature(Density_3& r
                                                        rho.is_safe_for_threads());
 }
 
-// Without a word of the caller: the linear rule, or exact integrals where the density allows them.
+// The quadrature if the caller names none: the linear rule, or exact integrals if the density allows them.
 inline std::unique_ptr<Density_quadrature_3> make_usual_quadrature(Density_3& rho, const std::vector<Site>& sites)
 {
   if(rho.polynomial() != nullptr)
@@ -91,7 +91,7 @@ inline std::unique_ptr<Density_quadrature_3> make_usual_quadrature(Density_3& rh
   return make_linear_quadrature(rho, sites);
 }
 
-// Of a rule that asks for the density at points of cells.
+// Makes the quadrature of a rule that asks for the density at points of cells.
 template <class Quadrature, class... Rule>
 Quadrature_maker maker_with_cache(const Rule&... rule)
 {

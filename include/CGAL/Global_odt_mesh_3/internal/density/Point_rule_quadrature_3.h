@@ -105,7 +105,7 @@ public:
     , rule_(std::move(rule))
   {}
 
-  // Of degree 2 (Stroud, Approximate Calculation of Multiple Integrals, T3:2-1).
+  // The rule of degree 2 (Stroud, Approximate Calculation of Multiple Integrals, T3:2-1).
   static Rule four_points()
   {
     Rule rule = { 2, {} };
@@ -113,7 +113,7 @@ public:
     return rule;
   }
 
-  // Of degree 5 (the same, T3:5-1).
+  // The rule of degree 5 (the same, T3:5-1).
   static Rule fifteen_points()
   {
     const double root = std::sqrt(15.);

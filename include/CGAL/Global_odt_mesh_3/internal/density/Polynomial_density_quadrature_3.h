@@ -46,14 +46,14 @@ public:
     kept_values_ = values_;
   }
 
-  // With the values of vertices.
+  // Takes the values at vertices.
   Linear_density_quadrature_3(Density density, std::vector<double> values)
     : density_(std::move(density))
     , values_(std::move(values))
     , kept_values_(values_)
   {}
 
-  // Of vertices.
+  // The values at vertices.
   const std::vector<double>& values() const { return values_; }
 
   // The same for loops over cells: the compiler need not fear that what they write alters where the values are.

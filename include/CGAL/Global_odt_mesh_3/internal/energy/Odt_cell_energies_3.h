@@ -99,7 +99,7 @@ inline Cell_energy odt_energy(const Cell_products& t,
   return r;
 }
 
-// Which energy the cells of a mesh have: with a density or without.
+// The energy that the cells of a mesh have: with a density or without.
 class Energy_choice_3
 {
 public:

@@ -103,7 +103,7 @@ public:
     });
   }
 
-  // At most of this length.
+  // The displacement is at most that long.
   Vector_3 displacement(double longest) const
   {
     // Cramer's rule, which compiles in a fraction of the time of a factorization.
@@ -174,7 +174,8 @@ struct Sliver_count
   }
 };
 
-// Of the cells of a mesh, for the first steps, up to 30 degrees; larger angles do not count. And how large cells are.
+// What is counted of the cells of a mesh: smallest angles and numbers below the first steps, up to 30 degrees, as larger angles do
+// not count; and how large cells are.
 class Sliver_census_3
 {
 public:
@@ -189,7 +190,7 @@ public:
     count_.add({ 0, smallest }, steps);
   }
 
-  // In the smallest angle and, if these matter, the numbers below the steps.
+  // Compares the smallest angle and, if these matter, the numbers below the steps.
   bool is_not_worse_than(const Sliver_census_3& other, bool counts) const
   { return count_.is_not_worse_than(other.count_, counts ? steps : 0); }
 

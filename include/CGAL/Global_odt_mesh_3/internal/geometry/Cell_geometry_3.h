@@ -76,10 +76,10 @@ struct Cell_products
     nz = ha * bcz + hb * caz + hc * abz;
   }
 
-  // From the first site to the dual point, which is the circumcenter where there are no weights.
+  // The vector from the first site to the dual point, which is the circumcenter if there are no weights.
   Vector_3 to_dual() const { return Vector_3(nx, ny, nz) / (2 * determinant); }
 
-  // Of the longest edge at the first vertex: what to compare the determinant with.
+  // The cube of the longest edge at the first vertex, with which the determinant is compared.
   double cubed_length() const
   {
     const double squared_length = (std::max)({ aa, bb, cc });
@@ -105,8 +105,9 @@ struct Cell_facets_3
       area[i] = normal[i].length();
   }
 
-  // Of the angle between the facets opposite to i and j, with respect to vertex m. A vertex off their common edge
-  // opens the angle along the normal of its facet; an end of the edge does the opposite, by its share of the lever.
+  // The gradient of the angle between the facets opposite to i and j, with respect to vertex m. A vertex off their
+  // common edge opens the angle along the normal of its facet; an end of the edge does the opposite, by its share of
+  // the lever.
   Vector_3 gradient(int i, int j, int m) const
   {
     const int k = m != i && m != j ? m : other_than(i, j, -1), l = other_than(i, j, k);
@@ -196,7 +197,7 @@ inline Vector_3 centroid(const Triple& t, const std::vector<Site>& s)
 
 inline double squared_distance(const Site& s, const Vector_3& p) { return (position(s) - p).squared_length(); }
 
-// In degrees.
+// The angle is in degrees.
 inline double smallest_angle_of_facet(const std::array<Site, 3>& s)
 {
   double smallest = 180;

@@ -30,7 +30,7 @@ public:
 
   explicit Split_mix_engine(std::uint64_t seed) : counter_(seed) {}
 
-  // For the n-th of many things that share a seed.
+  // The engine of the n-th of many things that share a seed.
   Split_mix_engine(std::uint64_t seed, int n)
     : counter_(Split_mix_engine(seed + UINT64_C(0xd1342543de82ef95) * static_cast<std::uint64_t>(n))())
   {}
@@ -56,10 +56,10 @@ class Random_numbers
 public:
   explicit Random_numbers(const Engine& engine) : engine_(engine) {}
 
-  // In [0, 1).
+  // A number in [0, 1).
   double uniform() { return static_cast<double>(engine_() >> 11) * 0x1p-53; }
 
-  // For another source.
+  // A seed for another source.
   unsigned int seed() { return static_cast<unsigned int>(engine_() >> 32); }
 
   // Uniform on the unit sphere: a point of the disk, lifted (Marsaglia, Choosing a point from
@@ -79,13 +79,13 @@ public:
   }
 
 private:
-  // In (-1, 1), from 32 bits.
+  // A number in (-1, 1), from 32 bits.
   static double half(std::uint64_t bits) { return (static_cast<double>(bits) + 0.5) * 0x1p-31 - 1; }
 
   Engine engine_;
 };
 
-// One after the other.
+// Random numbers that are drawn one after the other.
 class Random_source
   : public Random_numbers<std::mt19937_64>
 {

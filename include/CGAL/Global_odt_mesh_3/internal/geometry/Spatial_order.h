@@ -48,7 +48,7 @@ inline std::vector<std::size_t> hilbert_order(const std::vector<Site>& sites)
                       { CGAL::hilbert_sort(order.begin(), order.end(), traits); });
 }
 
-// In rounds of growing size, each along a Hilbert curve, as insertion wants it.
+// The order in which sites are inserted fast: rounds of growing size, each along a Hilbert curve.
 inline std::vector<std::size_t> insertion_order(const std::vector<Site>& sites)
 {
   return sorted_sites(sites, [](std::vector<std::size_t>& order, const auto& traits)

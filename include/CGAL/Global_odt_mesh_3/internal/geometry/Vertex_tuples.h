@@ -113,7 +113,7 @@ public:
 private:
   static constexpr int none = -1;
 
-  // Where the tuple is, or else where it may be put.
+  // The place of the tuple, or the one where it may be put.
   std::size_t place(const Tuple& tuple) const
   {
     std::uint64_t hash = 0;

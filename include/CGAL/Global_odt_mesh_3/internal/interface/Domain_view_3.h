@@ -38,24 +38,24 @@ public:
   // Whether closest points are cheap: where there is an AABB tree, it projects.
   bool tells_distances() const { return has_tree_; }
 
-  // Those that may ask the domain.
+  // The threads that may query the domain.
   const Thread_policy& threads() const { return threads_; }
 
-  // Calls f(n) for the numbers n below `size`, on threads if these may ask the domain.
+  // Calls f(n) for the numbers n below `size`, on threads if these may query the domain.
   template <class F>
   void for_each(std::size_t size, const F& f) const
   {
     for_each_in_chunks(static_cast<int>(size), threads_, f, least_questions);
   }
 
-  // In the same way, collects what f(n, found) appends, in the order of the numbers.
+  // Collects what f(n, found) appends, in the same way, in the order of the numbers.
   template <class T, class F>
   std::vector<T> collect(std::size_t size, const F& f) const
   {
     return collect_in_chunks<T>(static_cast<int>(size), threads_, f, least_questions);
   }
 
-  // Of the subdomain in which the point lies.
+  // The label of the subdomain in which the point lies.
   virtual int label(const Vector& p) const = 0;
 
   // Whether the mesh is its own domain. Then no cell passes through the surface, which need not be sampled well enough for a restricted
@@ -99,7 +99,7 @@ public:
   bool intersect(Vector& p, const Vector& direction, double half_length, int& patch) const
   {
     const Vector from = p - half_length * direction, to = p + half_length * direction;
-    // That of cospherical cells is a point, which domains do not expect.
+    // The dual segment of cospherical cells is a point, which domains do not expect.
     return (to - from).length() > 0 && find_intersection(from, to, p, patch);
   }
 
@@ -113,7 +113,7 @@ private:
   static constexpr int least_questions = 64;      // that are worth the trouble of a thread
 
   virtual bool find_intersection(const Vector& from, const Vector& to, Vector& p, int& patch) const = 0;
-  // Where there is a tree.
+  // This is called only if there is a tree.
   virtual Vector closest_point(const Vector& p, int& patch) const = 0;
 
   bool has_tree_, has_cells_of_mesh_ = false;

@@ -44,7 +44,7 @@ struct Mesh_table_3
     bool is_kept = false;                       // because the user wants it so; its vertices are fixed
   };
 
-  // On a surface, seen from one of its cells.
+  // A facet on a surface, seen from one of its cells.
   struct Facet
   {
     int cell, index;
@@ -69,14 +69,14 @@ struct Mesh_table_3
 
   std::array<Site, 4> cell_sites(const Quadruple& v) const { return {{ sites[v[0]], sites[v[1]], sites[v[2]], sites[v[3]] }}; }
 
-  // That facet of a cell, from the neighbor across it.
+  // The index of that facet of a cell in the neighbor across it.
   int mirror_index(int cell, int index) const
   {
     const Quadruple& back = cells[cells[cell].neighbors[index]].neighbors;
     return static_cast<int>(std::find(back.begin(), back.end(), cell) - back.begin());
   }
 
-  // Of the input, or null.
+  // The facet of the input, or null.
   const Facet* facet(int cell, int index) const
   {
     if(!(cells[cell].facets & 1 << index))
@@ -133,12 +133,12 @@ public:
   // Whether a vertex stays, whatever surrounds it: on a feature or with a weight, or because the user wants it so.
   virtual bool is_fixed(int vertex) const = 0;
 
-  // Of a table for the same vertices, some of which are removed, and those that have been inserted; nothing has changed if that
-  // throws.
+  // Writes a table of the same vertices, some of which are removed, and of those that have been inserted. If this throws, nothing
+  // has changed.
   virtual void write(const Mesh_table_3& table) = 0;
 };
 
-// That of the user, whatever its type.
+// The mesh of the user, whatever its type.
 class User_mesh_view_3
   : public Mesh_view_3
 {
@@ -146,7 +146,7 @@ public:
   // How many cells of the complex have a dihedral angle below a bound, in degrees.
   virtual std::size_t number_of_slivers(double bound) const = 0;
 
-  // By the vertices, as they have been read.
+  // The edges of features, by their vertices as they have been read.
   virtual std::vector<std::array<int, 2> > feature_edges() const = 0;
 
   // Whether something has been written.
@@ -155,7 +155,7 @@ public:
   // Whether there are cells that are to stay.
   virtual bool keeps_cells() const { return false; }
 
-  // Of cells that are to stay, and cannot: they and their vertices may change as those may that are selected.
+  // Names cells that are to stay and cannot: they and their vertices may change as those that are selected.
   virtual void release(const std::vector<Quadruple>&) {}
 };
 

@@ -35,7 +35,7 @@ struct User_field_3
 {
   enum Meaning { SIZE, DENSITY };
 
-  // At the position of a vertex.
+  // The value at the position of a vertex.
   typedef std::function<double(const Vertex_stratum&, const Site&)> Function;
 
   Meaning meaning = SIZE;

@@ -30,7 +30,7 @@
 
 namespace CGAL::Global_odt_mesh_3::internal {
 
-// Which way the global search goes, with its constants.
+// The method of the global search, with its constants.
 typedef std::variant<Momentum_annealing_schedule, Metropolis_annealing_schedule> Annealing_schedule;
 
 // Random displacements of the vertices, in the scale of their mean incident edges (section 4.3
@@ -41,17 +41,17 @@ class Vertex_noise
 public:
   explicit Vertex_noise(unsigned int seed) : seeds_(seed) { draw(); }
 
-  // To be called first and when the edges have got other lengths.
+  // This has to be called first, and when the edges have got other lengths.
   template <class Function>
   void measure_edges(const Function& f) { f.mean_edge_lengths(edge_length_); }
   // The same with lengths that have been measured.
   void set_edges(std::vector<double> lengths) { edge_length_ = std::move(lengths); }
   double mean_edge_length(int v) const { return edge_length_[v]; }
 
-  // To be called when all vertices are to get other displacements.
+  // This has to be called when all vertices are to get other displacements.
   void draw() { seed_ = seeds_(); }
 
-  // In a random direction, its tangential part on surfaces, of a length uniform between zero and
+  // The displacement of a vertex in a random direction, or its tangential part on surfaces. Its length is uniform between zero and
   // the amplitude times the mean edge. Frozen vertices stay.
   template <class Function>
   Vector_3 displacement(const Function& f, int v, double interior_amplitude, double surface_amplitude) const
@@ -85,8 +85,8 @@ public:
     , noise_(seed)
   {}
 
-  // To be called when the vertices have got other neighbors or motions: forgets the
-  // momentum and measures the edges.
+  // This has to be called when the vertices have got other neighbors or motions. It forgets the momentum and measures
+  // the edges.
   void start(const Odt_objective_3& f)
   {
     noise_.measure_edges(f);
@@ -102,7 +102,7 @@ public:
 
   const Eigen::VectorXd& velocity() const { return velocity_; }
 
-  // One step when the fraction `done` of all steps is behind; false if it cannot be taken.
+  // Makes one step when the fraction `done` of all steps has been made; false if it cannot be taken.
   bool iterate(Odt_objective_3& f, double done)
   {
     const double left = std::pow((std::max)(0., 1 - done), schedule_.decay);

@@ -33,8 +33,7 @@ struct Search_rounds
 inline Search_rounds usual_rounds(const Annealing_schedule& schedule)
 {
   const auto* metropolis = std::get_if<Metropolis_annealing_schedule>(&schedule);
-  // Two rounds of momentum annealing end with 0.001 (ball) to 0.006 (image of a liver) less of 3r/R, in about four fifths of the
-  // time of the call; eight with up to 0.008 more (elephant), in one and a half times that.
+  // More rounds lead to better cells and take longer. CONTRIBUTING.md has measurements.
   return metropolis == nullptr ? Search_rounds{ 4, 50, 20 }
                                : Search_rounds{ 20, metropolis->iterations_in_round, metropolis->final_iterations };
 }

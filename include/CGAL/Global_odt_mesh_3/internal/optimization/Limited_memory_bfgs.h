@@ -52,7 +52,7 @@ class Limited_memory_bfgs
 public:
   enum Status { STEP_TAKEN, NO_STEP_FOUND };
 
-  // Where it goes does not depend on the threads.
+  // The result does not depend on the threads.
   explicit Limited_memory_bfgs(const Limited_memory_bfgs_parameters& parameters = Limited_memory_bfgs_parameters(),
                                const Thread_policy& threads = Thread_policy())
     : parameters_(parameters)
@@ -62,7 +62,7 @@ public:
   // Forgets the curvature seen so far, as needed when the function changes.
   void reset() { pairs_.clear(); }
 
-  // One iteration from the function's current point.
+  // Makes one iteration from the function's current point.
   template <class Function>
   Status iterate(Function& f)
   {
@@ -137,7 +137,8 @@ private:
     return false;
   }
 
-  // For the step really taken, which the function may have shortened at some vertices. Negative curvature says nothing of use.
+  // Adds the pair of the step really taken, which the function may have shortened at some vertices. A negative curvature is of no
+  // use.
   void add_pair(const Eigen::VectorXd& x, const Eigen::VectorXd& g, const Eigen::VectorXd& diagonal)
   {
     Pair p = { x - x_, g - g_, 0 };

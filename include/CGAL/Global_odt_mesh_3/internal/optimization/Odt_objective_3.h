@@ -27,7 +27,7 @@
 
 namespace CGAL::Global_odt_mesh_3::internal {
 
-// Of an energy, which is negative where weights are large.
+// The relative rise of an energy, which is negative if weights are large.
 inline double relative_rise(double before, double after) { return (after - before) / std::abs(before); }
 
 // Leads a site back to within a distance of another one.

@@ -82,7 +82,7 @@ std::vector<T> collect_in_chunks(int size, const Thread_policy& threads, const F
 template <class Value>
 class Chunked_sums
 {
-  // In whole cache lines.
+  // Blocks are whole cache lines.
   static constexpr int length_of_block = 16;
   struct alignas(64) Block { Value values[length_of_block]; };
 
@@ -179,7 +179,7 @@ public:
   Buckets(int size, int number_of_buckets, const Bucket& bucket, const Thread_policy& threads)
     : first_(number_of_buckets + 1, 0)
   {
-    // At least as long as there are buckets, as each chunk counts for all of them.
+    // Chunks are at least as long as there are buckets, as each of them counts for all buckets.
     const Chunks chunks(size, (std::max)(int(least_length), number_of_buckets), most_chunks);
     std::vector<std::vector<int> > place(chunks.number());      // in each bucket, of the next one of a chunk
     threads.for_each_chunk(chunks.number(), [&](int k)
@@ -212,7 +212,7 @@ public:
 
   int number_of_buckets() const { return static_cast<int>(first_.size()) - 1; }
 
-  // One after the other, the numbers of all buckets, and where those of a bucket are there.
+  // The numbers of all buckets, one bucket after the other, and where those of a bucket are there.
   const std::vector<int>& numbers() const { return numbers_; }
   int begin(int bucket) const { return first_[bucket]; }
   int end(int bucket) const { return first_[bucket + 1]; }

@@ -34,7 +34,7 @@
 
 namespace CGAL::Global_odt_mesh_3::internal {
 
-// Where the time of a call goes: the seconds that each stage takes, those of stages within it left out.
+// The seconds that each stage of a call takes, without those of stages within it.
 class Stage_clock
 {
 public:
@@ -51,7 +51,7 @@ public:
 
   double seconds(int stage) const { return seconds_[stage]; }
 
-  // From here to the end of the scope.
+  // The stage lasts from here to the end of the scope.
   class In_stage
   {
   public:
@@ -91,7 +91,7 @@ private:
 class Thread_policy
 {
 public:
-  // One thread.
+  // Loops run on one thread.
   Thread_policy() {}
 
   // Threads for what is made for them, if TBB is linked.
@@ -158,7 +158,7 @@ public:
 #endif
   }
 
-  // Of elements that are all different, so that there is one order.
+  // Sorts elements that are all different, so that there is one order.
   template <class Iterator, class Less>
   void sort(Iterator begin, Iterator end, const Less& less) const
   {
@@ -177,7 +177,7 @@ private:
   // All threads round as the one that calls.
   static std::uintptr_t context_traits() { return tbb::task_group_context::default_traits | tbb::task_group_context::fp_settings; }
 
-  // One function for all loops, as what TBB makes of each takes time to compile.
+  // This is one function for all loops, as what TBB makes of each takes time to compile.
   static void run_chunks(int number_of_chunks, const std::function<void(int)>& f)
   {
     const auto run = [&f](const tbb::blocked_range<int>& chunks)

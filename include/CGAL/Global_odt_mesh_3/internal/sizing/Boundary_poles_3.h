@@ -56,7 +56,7 @@ std::vector<Boundary_sample> samples_of_mesh(const C3t3& c3t3)
     for(int i = 0; i < 4; ++i)
       if(i != f->second)
         on_surface.insert(f->first->vertex(i));
-  // In the order of the triangulation, since that of handles is left to chance.
+  // Samples are in the order of the triangulation, since that of handles differs from run to run.
   std::vector<Boundary_sample> samples;
   samples.reserve(on_surface.size());
   for(auto v : c3t3.triangulation().finite_vertex_handles())

@@ -43,10 +43,10 @@ public:
       last_cell_[v] = topology_.incident_cell(static_cast<int>(v));
   }
 
-  // Where vertex v is now; vertices that stay have their own.
+  // The value at the site where vertex v is now; vertices that stay have their own.
   double at(int v, const Site& s) { return v < number_of_movable_vertices_ ? interpolated(last_cell_[v], s) : values_[v]; }
 
-  // At a point of a cell around the vertex.
+  // The value at a point of a cell around the vertex.
   double beside(int v, const Site& s) const
   {
     int c = last_cell_[v];
@@ -195,7 +195,7 @@ private:
   static constexpr int rings = 6;
   static constexpr double share_of_ring = 0.7;
 
-  // Of sizes at the vertices.
+  // The factors on the sizes at the vertices.
   template <class Is_on_feature>
   std::vector<double> factors(const Moving_triangulation_3& mesh, const Is_on_feature& is_on_feature)
   {
@@ -216,7 +216,7 @@ private:
     return ratios;
   }
 
-  // One at and beside features.
+  // The share of the sizes of the input, which is one at and beside features.
   template <class Is_on_feature>
   static std::vector<double> shares_of_input(const Moving_triangulation_3& mesh, const Is_on_feature& is_on_feature)
   {

@@ -82,7 +82,8 @@ public:
         add(mesh.topology.cell(c), squared_circumradius(mesh.cell_sites(c)), sizes);
   }
 
-  // Around the vertices where they are in a mesh. Next to those on surfaces, each subdomain may have its own.
+  // The bound on the cells around each vertex, where it is in a mesh. Next to vertices on surfaces, each subdomain may have a bound
+  // of its own.
   template <class Size>
   Circumradius_bound_3 bound(const Constrained_triangulation_3& mesh, const Size& size) const
   {
@@ -90,7 +91,7 @@ public:
     for(std::size_t v = 0; v < radii.size(); ++v)
     {
       const Largest& largest = subdomain_[v] >= 0 ? largest_[subdomain_[v]] : largest_of_all_;
-      // Without any vertex that moves, nothing is known.
+      // Nothing is known of a subdomain of which no vertex moves.
       if(largest.over_size > 0)
         radii[v] *= largest.over_size;
       if(has_sizes_of_input_)
@@ -123,7 +124,7 @@ private:
         largest_[subdomain_[v]].add(squared_radius, least);
   }
 
-  // Those that do not move have any.
+  // The size of vertices that do not move is infinite.
   template <class Size>
   static std::vector<double> squared_sizes(const Constrained_triangulation_3& mesh, const Size& size)
   {
@@ -142,9 +143,9 @@ private:
   Largest largest_of_all_;
 };
 
-// How large cells and facets may be, much as by the criteria of the mesh generator: cells by their circumradii, as in each
-// subdomain of the input or as a field says; facets by theirs, as in the input, since files do not keep surface centers. The
-// distances of facets to the surface are not bounded: on an elephant of 1768 vertices, that takes 300 more and makes cells worse.
+// Bounds on the sizes of cells and facets, much as the criteria of the mesh generator have them. Cells are bounded by their
+// circumradii, as in each subdomain of the input or as a field says, and facets by theirs, as in the input, since files do not keep
+// surface centers. The distances of facets to the surface are not bounded: this would take more vertices and make cells worse.
 class Size_criteria_3
 {
 public:

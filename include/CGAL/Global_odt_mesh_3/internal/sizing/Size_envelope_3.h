@@ -40,7 +40,7 @@ public:
   typedef Power_diagram_3::Kernel Kernel;
   typedef Kernel::Point_3 Point_3;
 
-  // One size for each sample.
+  // There is one size for each sample.
   Size_envelope_3(const std::vector<Point_3>& samples, const std::vector<double>& sizes, double gradation, double largest)
     : gradation_(gradation)
     , largest_(largest)

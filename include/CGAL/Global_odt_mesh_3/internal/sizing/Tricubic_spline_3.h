@@ -167,7 +167,7 @@ private:
 
   std::ptrdiff_t place(int i, int j, int k) const { return i + j * stride(1) + k * stride(2); }
 
-  // From a coefficient to the next one along an axis.
+  // The distance from a coefficient to the next one along an axis.
   std::ptrdiff_t stride(int axis) const
   {
     std::ptrdiff_t n = 1;
@@ -197,7 +197,8 @@ private:
     c(n + 1) = c(n - 1) + 2 * high;
   }
 
-  // Of fourth order, so that cubic polynomials are reproduced and the spline is as accurate at the ends as elsewhere.
+  // The slope at an end. It is of fourth order, so that cubic polynomials are reproduced and the spline is as accurate at the ends
+  // as elsewhere.
   template <class Values>
   static double end_slope(const Values& f) { return (-25 * f(0) + 48 * f(1) - 36 * f(2) + 16 * f(3) - 3 * f(4)) / 12; }
 

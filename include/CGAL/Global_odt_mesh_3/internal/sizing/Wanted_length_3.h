@@ -37,7 +37,7 @@ public:
   // mean lengths of the mesh.
   typedef User_field_3::Function Size;
 
-  // Of vertices between subdomains, the labels of these; empty for others.
+  // The labels of vertices between subdomains; empty for others.
   typedef std::vector<std::vector<int> > Labels;
 
   // The vertices have strata.
@@ -86,14 +86,14 @@ public:
       l *= factor;
   }
 
-  // At the middle of an edge.
+  // The wanted length at the middle of an edge.
   double operator()(int u, int v) const
   {
     const Vector_3 p = (position(sites_[u]) + position(sites_[v])) / 2;
     return (std::min)({ (std::max)(length_[u], length_[v]), graded(source_[u], p), graded(source_[v], p) });
   }
 
-  // For a vertex that is inserted into an edge.
+  // Adds what a vertex needs that is inserted into an edge.
   void add(const Vertex_stratum& stratum, const Site& s, int u, int v)
   {
     sites_.push_back(s);
@@ -106,8 +106,7 @@ public:
   }
 
 private:
-  // K decides on how many vertices come, and how good cells get: couplingdown of CGAL's data ends with 9269, 8802, 8605 vertices
-  // and a mean 3r/R of .8405, .8345, .8305 for K = .47, .5, .52.
+  // A smaller gradation leads to more vertices and better cells. CONTRIBUTING.md has measurements.
   static constexpr double share_of_feature_edge = 1.3, gradation = 0.48;
   static constexpr double infinity = (std::numeric_limits<double>::infinity)();
   static constexpr int none = -1;
@@ -127,7 +126,7 @@ private:
                                                   gradation * (position(sites_[source]) - p).length());
   }
 
-  // By Dijkstra's algorithm: the one of a neighbor that asks for least.
+  // Finds, by Dijkstra's algorithm, the source of each vertex: that of the neighbor that asks for the least length.
   void find_sources(const std::vector<std::vector<int> >& neighbors)
   {
     typedef std::pair<double, int> Reached;

@@ -96,7 +96,7 @@ public:
   const Umbrella& umbrella(int number) const { return umbrellas_[number]; }
   int umbrella_of_corner(int corner) const { return umbrella_of_corner_[corner]; }
 
-  // Of each patch.
+  // The numbers of facets and components of each patch.
   const std::map<int, std::pair<std::size_t, std::size_t> >& facets_and_components() const { return counts_; }
 
   // Whether both pairs are the same subdomains, on whichever side.
@@ -167,7 +167,7 @@ private:
     }
   }
 
-  // Of the facet that has it.
+  // The corner of the facet that is at the vertex.
   int corner(int facet, int v) const
   {
     const Triple& t = facets_[facet].vertices;

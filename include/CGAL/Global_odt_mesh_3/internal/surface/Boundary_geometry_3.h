@@ -138,9 +138,8 @@ private:
   std::vector<Umbrella_shape> shapes_;
 };
 
-// Where the dual line meets the surface of which the normals at the vertices are
-// known: on a sphere, and so in second order, half as high over the facet as the
-// tangential planes at the vertices.
+// The point where the dual line meets the surface of which the normals at the vertices are known: on a sphere, and so
+// in second order, it is half as high over the facet as the tangential planes at the vertices.
 inline Vector_3 estimated_surface_center(const std::array<int, 3>& t, const Boundary_geometry_3& boundary,
                                                 const std::vector<Site>& sites)
 {

@@ -43,7 +43,7 @@ public:
       add({ sorted(f.vertices), sorted(f.labels), f.patch });
   }
 
-  // Which has no facets at first.
+  // Adds a vertex, which has no facets at first.
   void add_vertex() { around_.emplace_back(); }
   void remove_last_vertex() { around_.pop_back(); }
 
@@ -198,7 +198,7 @@ private:
     return a.patch != Boundary_facet::no_patch && a.patch == b.patch && a.labels == b.labels;
   }
 
-  // Of the facets around v.
+  // The pattern of the facets around v.
   static Pattern pattern(int v, const std::vector<Facet>& facets)
   {
     std::vector<std::pair<int, int> > edges;

@@ -52,7 +52,7 @@ struct Surface_cvt_contribution_3
   std::array<Vector_3, 3> gradient;
   std::array<double, 3> mass = {{ 0, 0, 0 }};       // of the corners' parts
 
-  // Of a facet without area.
+  // The contribution of a facet without area.
   Surface_cvt_contribution_3() {}
 
   // The density is one, and no vertex has a weight. The part at each end of an edge of length l is a right triangle
@@ -134,7 +134,7 @@ private:
 // The density at a vertex, given its number and position; none: one everywhere.
 typedef std::function<double(int, const Site&)> Surface_density;
 
-// That at the vertices of the facets; empty if it is one everywhere.
+// The density at the vertices of the facets; empty if it is one everywhere.
 inline std::vector<double> surface_densities(const Surface_triangulation_3& surface, const std::vector<Site>& sites,
                                              const Surface_density& density)
 {
@@ -267,7 +267,7 @@ public:
   // Whether it is known how much the term weighs, which depends on where the energy is asked for first.
   bool has_scale() const { return factor_ >= 0; }
 
-  // To be called before parts are made for these sites.
+  // This has to be called before parts are made for these sites.
   void prepare_parts(const std::vector<Site>& sites)
   {
     update_densities(sites);

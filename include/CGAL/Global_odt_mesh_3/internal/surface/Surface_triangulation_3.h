@@ -144,7 +144,7 @@ private:
   // Angles have to differ from the straight one by more than rounding.
   static constexpr double least_sine = 1e-9;
 
-  // One for each edge.
+  // The corners opposite to edges that can be flipped, one for each edge.
   std::vector<int> flippable_corners(const std::vector<Site>& sites, const Thread_policy& threads) const
   {
     return collect_in_chunks(static_cast<int>(opposite_.size()), threads, [&](int c, std::vector<int>& found)
@@ -195,7 +195,7 @@ private:
   // Whether an edge leads from the vertex of c to w.
   bool is_edge(int c, int w) const
   {
-    // Around the vertex in one direction and, from a junction, in the other.
+    // The search goes around the vertex in one direction and, from a junction, in the other.
     int e = c;
     do
     {

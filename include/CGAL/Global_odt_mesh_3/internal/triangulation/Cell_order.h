@@ -52,7 +52,7 @@ public:
   // The cell at that place.
   int number(int place) const { return numbers_[place]; }
 
-  // In the order of slots.
+  // The vertices, in the order of slots.
   const std::vector<int>& vertices() const { return vertices_; }
   std::vector<int> take_vertices() { return std::move(vertices_); }
 

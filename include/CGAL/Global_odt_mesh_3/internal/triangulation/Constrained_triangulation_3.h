@@ -53,8 +53,8 @@ struct Constrained_triangulation_3
 
   bool is_inverted(int cell) const { return topology.is_alive(cell) && is_inverted(products(cell)); }
 
-  // By more than rounding can feign. A cell that is so flat may have vertices that stay, as in structured meshes, and then
-  // nothing would ever untangle it.
+  // The cell is inverted by more than rounding errors. A cell that is so flat may have vertices that stay, as in structured meshes,
+  // and then nothing would ever untangle it.
   static bool is_inverted(const Cell_products& t)
   {
     return !(t.determinant > 0) && !(t.determinant > -1e-14 * t.cubed_length());

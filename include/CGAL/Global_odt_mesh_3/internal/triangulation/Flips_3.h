@@ -29,7 +29,7 @@ namespace CGAL::Global_odt_mesh_3::internal {
 // The cells around an edge of degree three: cell after cell, the slot of the vertex that the next cell does not have.
 typedef std::array<Half_facet, 3> Edge_ring_3;
 
-// Where a vertex is in a triangle that has it.
+// The index of a vertex in a triangle that has it.
 inline int index_in(const std::array<int, 3>& triangle, int v)
 {
   CGAL_assertion(v == triangle[0] || v == triangle[1] || v == triangle[2]);
@@ -187,7 +187,7 @@ private:
     return mesh_.is_irregular(t.power(mesh_.sites[origin], mesh_.sites[q]), mesh_.squared_distance(origin, q));
   }
 
-  // By a flip, if there is one. The facets between the cells that it makes are regular.
+  // Removes the facet by a flip, if there is one. The facets between the cells that it makes are regular.
   bool remove_facet(Half_facet s)
   {
     const double volume = determinant_ + mesh_.products(mesh_.topology.neighbor(s).cell()).determinant;

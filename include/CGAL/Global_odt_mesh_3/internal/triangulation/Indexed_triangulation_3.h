@@ -91,7 +91,7 @@ class Undoable_arrays
 public:
   const std::vector<int>& operator[](int array) const { return arrays_[array]; }
 
-  // For changes that are not to be undone.
+  // The array, for changes that are not to be undone.
   std::vector<int>& unguarded(int array)
   {
     CGAL_assertion(changes_[array].empty());
@@ -190,7 +190,7 @@ public:
   Indexed_triangulation_3() {}
 
   static constexpr int no_vertex = -1;
-  // With room for those that flips make, their slots have numbers of type int.
+  // With this number, and room for the cells that flips make, slots have numbers of type int.
   static constexpr std::size_t most_cells = std::size_t(1) << 28;
 
   int number_of_constrained_facets() const { return static_cast<int>(arrays_[CONSTRAINED_SLOTS].size() / 2); }
@@ -219,10 +219,10 @@ public:
 
   int incident_cell(int vertex) const { return arrays_[VERTEX_CELL][vertex]; }
 
-  // In the order of slots.
+  // The vertices of all cells, in the order of slots.
   const int* cell_vertices() const { return arrays_[CELL_VERTICES].data(); }
   const int* neighbors() const { return arrays_[NEIGHBORS].data(); }
-  // Of one cell.
+  // The vertices of one cell.
   const int* vertices(int cell) const { return cell_vertices() + 4 * cell; }
   std::array<int, 4> cell(int c) const { return {{ vertices(c)[0], vertices(c)[1], vertices(c)[2], vertices(c)[3] }}; }
 
@@ -410,7 +410,7 @@ private:
     arrays_.extend(NEIGHBORS, 4, Half_facet().id());
   }
 
-  // For each cell, -1 for those that are not alive.
+  // The place of each cell, or -1 for those that are not alive.
   std::vector<int> places_by_first_vertex() const
   {
     const auto first_vertex = [this](int c) { return *std::min_element(vertices(c), vertices(c) + 4); };

@@ -84,7 +84,7 @@ public:
   }
 
 private:
-  // Those of the tangled cells and of so many rings around. Leads back to the kept topology.
+  // The vertices of the tangled cells and of so many rings around. Leads back to the kept topology.
   std::vector<int> vertices_to_slow_down(int rings)
   {
     std::vector<int> vertices;
@@ -119,7 +119,7 @@ private:
     return times == parameters_.times_to_standstill ? 0 : std::ldexp(1., -times);
   }
 
-  // Between the kept position and another one.
+  // The site between the kept position and another one.
   Site on_the_way(int v, const Site& to, double part) const
   {
     const Site& from = mesh_.kept_site(v);
@@ -145,7 +145,7 @@ public:
   void set_quadrature(Density_quadrature_3* quadrature) { choice_.set_quadrature(quadrature); }
   Density_quadrature_3* quadrature() const { return choice_.quadrature(); }
 
-  // One thread, unless this is called. What comes out does not depend on them.
+  // Loops run on one thread unless this is called. The result does not depend on the threads.
   void set_threads(const Thread_policy& threads) { threads_ = threads; }
   const Thread_policy& threads() const { return threads_; }
 
@@ -322,7 +322,7 @@ private:
     return asked_for == asked_for_sites_.end() ? sites[v] : asked_for->second;
   }
 
-  // In the course of repairs.
+  // Replaces a site in the course of repairs.
   void replace(int v, const Site& s)
   {
     asked_for_sites_.emplace(v, sites[v]);    // unless it has been replaced before
@@ -357,7 +357,7 @@ private:
     return inverted_.empty() || untangle();
   }
 
-  // With all that the pass finds out about a cell.
+  // Adds a cell with all that the pass finds out about it.
   void add_anew(int c)
   {
     add_cell(c, 1);
