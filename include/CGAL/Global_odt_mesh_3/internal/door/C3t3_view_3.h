@@ -101,7 +101,7 @@ public:
                   "as for Mesh_3, points are to have coordinates of type double");
   }
 
-  // By their numbers in the table.
+  // The vertex of that number in the table.
   Vertex_handle vertex(int n) const { return vertices_[n]; }
   bool has_vertex(int n) const { return static_cast<std::size_t>(n) < vertices_.size(); }
 
@@ -157,7 +157,7 @@ public:
     constraints_.release(handles);
   }
 
-  // By their vertices.
+  // The cells that could not stay, by their vertices.
   const std::vector<std::array<Vertex_handle, 4> >& released_cells() const { return released_cells_; }
 
   // But for those that stay.
@@ -202,7 +202,7 @@ public:
     vertices_.reserve(table.sites.size());
     Created_elements created(tr.tds());
     create_inserted(table, created);
-    // At least one cell, since the first may make the container allocate memory.
+    // At least one cell is made, since the first may make the container allocate memory.
     do
       created.create_cell();
     while(cells.size() + created.cells().size() < table.cells.size());
@@ -235,7 +235,7 @@ private:
   typedef typename Mesh_domain_view_3<Mesh_domain>::Index Index;
   typedef CGAL::Hash_handles_with_or_without_timestamps Hash;
   typedef CGAL::Unique_hash_map<Vertex_handle, int, Hash> Vertex_numbers;
-  // As a cell has it of a facet.
+  // The surface center of a facet, as a cell has it.
   typedef std::pair<Bare_point, Index> Center;
 
   // Vertices and cells that are erased again unless they are kept.
@@ -404,7 +404,7 @@ private:
       c = tds.create_cell();
   }
 
-  // One that has not moved keeps its point. The radius is what CGAL's optimizers leave there.
+  // A vertex that has not moved keeps its point. The radius is what CGAL's optimizers leave there.
   static void write_vertex(Vertex_handle v, const Site& s, double mean_circumradius)
   {
     if(const Site before = weighted_site(v->point()); !same_place(s, before) || s.weight != before.weight)

@@ -78,7 +78,7 @@ private:
     c3t3_.rescan_after_load_of_triangulation();
   }
 
-  // Those between two subdomains.
+  // Adds the facets between two subdomains.
   void add_facets()
   {
     const Triangulation& tr = c3t3_.triangulation();
@@ -152,7 +152,7 @@ private:
     return a * b < smallest_cosine_ * CGAL::sqrt((a * a) * (b * b));
   }
 
-  // Where curves end or meet.
+  // Adds the vertices where curves end or meet.
   void add_corners()
   {
     std::map<Vertex_handle, std::vector<Curve_index> > curves;
@@ -173,7 +173,7 @@ private:
     c3t3_.set_index(v, index);
   }
 
-  // Those of lower dimensions come last.
+  // Indices of lower dimensions are set last.
   void set_indices()
   {
     const Triangulation& tr = c3t3_.triangulation();

@@ -129,7 +129,7 @@ public:
     cell_tree_.rebuild(cells_.cbegin(), cells_.cend());
     cell_tree_.build();
     tree_.rebuild(triangles_.cbegin(), triangles_.cend());
-    // Not when the first thread asks.
+    // The tree is built here, and not when the first thread asks.
     if(!triangles_.empty())
       tree_.accelerate_distance_queries();
   }
@@ -154,7 +154,7 @@ public:
   {
     const Facet_domain_3& domain;
 
-    // Of a segment, a ray, or a line.
+    // The intersection with a segment, a ray, or a line.
     template <class Query>
     Surface_patch operator()(const Query& query) const
     {

@@ -45,7 +45,7 @@ struct Has_aabb_tree<Mesh_domain,
                                    std::declval<typename Mesh_domain::AABB_tree::Primitive_id>()))> >
   : std::true_type {};
 
-// Those made of a mesh say so.
+// Domains that are made of a mesh say so.
 template <class Mesh_domain, class = void>
 struct Has_facets_of_mesh : std::false_type {};
 
@@ -116,17 +116,17 @@ public:
     subdomains_.number(Subdomain_index());            // outside
   }
 
-  // Those of a mesh get numbers; not while threads ask.
+  // Subdomains of a mesh get numbers. This must not be called while threads query the domain.
   int number_subdomain(const Subdomain_index& subdomain) { return subdomains_.number(subdomain); }
   int number_patch(const Surface_patch_index& patch) { return patches_.number(patch); }
 
   const Subdomain_index& subdomain(int label) const { return subdomains_.value(label); }
   const Surface_patch_index& patch(int number) const { return patches_.value(number); }
 
-  // Of points on the patch.
+  // The index of points on the patch.
   Index index(int patch_number) const { return domain_.index_from_surface_patch_index(patch(patch_number)); }
 
-  // Of points on a patch or, for dimension 3, in a subdomain.
+  // The index of points on a patch or, for dimension 3, in a subdomain.
   Index index(int dimension, int place) const
   { return dimension == 3 ? domain_.index_from_subdomain_index(subdomain(place)) : index(place); }
 
@@ -184,7 +184,7 @@ private:
 
   static Point_3 point(const Vector& p) { return Point_3(p[0], p[1], p[2]); }
 
-  // Where Mesh_3 still asks the predicate first, domains rely on that.
+  // Versions of Mesh_3 that ask the predicate first have domains that rely on it.
   bool may_intersect([[maybe_unused]] const Segment_3& s) const
   {
 #ifdef CGAL_MESH_3_NO_LONGER_CALLS_DO_INTERSECT_3

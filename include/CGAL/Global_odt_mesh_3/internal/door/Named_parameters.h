@@ -214,11 +214,11 @@ struct Argument_traits<Named_function_parameters<T, Own_tag, Base> >
   typedef Named_function_parameters<T, Own_tag, Base> Chain;
   static constexpr bool is_parameter = true;
 
-  // Those that have an effect.
+  // The parameters that have an effect.
   typedef std::conditional_t<std::is_same<Own_tag, internal_np::all_default_t>::value, Parameter_list<>, Parameter_list<Own_tag> > Own_tags;
   typedef decltype(Own_tags() + typename Argument_traits<Base>::Tags()) Tags;
 
-  // As it was given: a copy, or the wrapper of a reference.
+  // The value as it was given: a copy, or the wrapper of a reference.
   template <class Tag>
   static const auto& get(const Chain& chain)
   {
@@ -315,7 +315,7 @@ public:
   template <class Tag>
   static constexpr bool has = are_valid && Tags::template count<Tag> != 0;
 
-  // As it was given.
+  // The argument as it was given.
   template <class Tag, std::size_t n = 0>
   const auto& get() const
   {

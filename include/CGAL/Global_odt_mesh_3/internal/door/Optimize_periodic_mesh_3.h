@@ -138,7 +138,7 @@ private:
     std::size_t number = 0;
   };
 
-  // Of the period, between the first cut and that of a round: as far from all before as can be (van der Corput, 1935).
+  // The part of the period between the first cut and that of a round: as far from all before as possible (van der Corput, 1935).
   static double shift(int round)
   {
     double result = 0;
@@ -147,7 +147,7 @@ private:
     return result;
   }
 
-  // Of the work and the time that are left, what the next round may take.
+  // The share of the work and the time that are left that the next round may take.
   double share() const
   {
     if(removes())
@@ -190,7 +190,7 @@ private:
       make_step();
   }
 
-  // Until a round has nothing left to do, or does not pay.
+  // Makes rounds until one has nothing left to do, or does not pay.
   void make_step()
   {
     const bool goes_on = goes_on_;
@@ -267,7 +267,7 @@ private:
     return stays != before;
   }
 
-  // None if there is nothing left to do.
+  // The parameters of the next round; none if there is nothing left to do.
   std::optional<Odt_parameters> parameters_of_round()
   {
     Odt_parameters p = parameters_;
@@ -351,7 +351,7 @@ private:
     return true;
   }
 
-  // Where the domain does not fit, vertices go back, and where all have gone back, those around them.
+  // If the domain does not fit somewhere, vertices go back, and where all have gone back, those around them.
   std::optional<Periodic_complex_3> rebuilt(std::vector<Site> sites)
   {
     const double begin = timer_.time();
@@ -382,7 +382,7 @@ private:
         }
   }
 
-  // In topology and volumes.
+  // Compares topology and volumes.
   bool is_like_input(const Periodic_complex_3& candidate) const
   {
     const std::map<int, double> volumes = candidate.volumes();

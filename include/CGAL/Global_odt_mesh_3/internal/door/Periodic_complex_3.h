@@ -53,7 +53,7 @@ struct Periodic_cube_3
 
   Vector_3 translated(const Vector_3& p, const Periods& n) const { return p + period * Vector_3(n[0], n[1], n[2]); }
 
-  // Where roundings lead out of the cube, the opposite side is as good.
+  // If rounding leads out of the cube, the opposite side is as good.
   Vector_3 canonical(const Vector_3& p) const
   {
     Vector_3 q = translated(p, periods_into(p, corner));
@@ -75,7 +75,7 @@ struct Periodic_complex_3
     int label;
   };
 
-  // In the complex.
+  // A facet in the complex.
   struct Facet
   {
     int cell, index;
@@ -108,7 +108,7 @@ struct Periodic_complex_3
     return {{ v[(f.index + 1) & 3], v[(f.index + 2) & 3], v[(f.index + 3) & 3] }};
   }
 
-  // On the two sides, sorted.
+  // The labels on the two sides, sorted.
   std::array<int, 2> labels(const Facet& f) const
   {
     const Cell& c = cells[f.cell];
@@ -166,7 +166,7 @@ struct Periodic_complex_3
                                                   { return is_inside(c) && deficit(cell_sites(c)) > 0; }));
   }
 
-  // What all cells lack of an angle, in square degrees.
+  // The sum of what is missing of an angle in all cells, in square degrees.
   double deficit(double angle) const
   {
     const Angle_deficit_3 deficit(angle);

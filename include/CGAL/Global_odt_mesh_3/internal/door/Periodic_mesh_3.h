@@ -229,7 +229,7 @@ private:
   typedef typename Mesh_domain::Subdomain_index Subdomain_index;
   typedef CGAL::Hash_handles_with_or_without_timestamps Hash;
 
-  // By its vertices; without a patch if it is not in the complex.
+  // A facet by its vertices; it has no patch if it is not in the complex.
   struct Kept_facet
   {
     std::array<int, 2> labels;
@@ -246,10 +246,10 @@ private:
   template <class Vertex>
   static bool is_dummy(const Vertex&, long) { return false; }
 
-  // Of a cell: zero or one period.
+  // The offsets of a cell: zero or one period.
   static int bits(const Periods& n) { return 4 * n[0] + 2 * n[1] + n[2]; }
 
-  // Without labels and facets.
+  // Reads the cells, without labels and facets.
   static void read_cells(const Triangulation& tr, const std::vector<Vertex_handle>& vertices, const std::vector<Cell_handle>& cells,
                          Periodic_complex_3& complex)
   {
@@ -313,8 +313,8 @@ private:
     return true;
   }
 
-  // Those in the complex. Facets that are in the complex without separating subdomains, or are not though they do, stay, and so do
-  // their vertices, unless cells have other labels than those of the domain.
+  // Reads the facets in the complex. Some facets are in the complex without separating subdomains, and some are not though they
+  // separate some. These stay, and so do their vertices, unless cells have other labels than those of the domain.
   void read_facets(const std::vector<Cell_handle>& cells, Periodic_complex_3& complex)
   {
     for(std::size_t n = 0; n < cells.size(); ++n)
@@ -383,8 +383,8 @@ private:
     return f.patch != Domain_view_3::other_patch;
   }
 
-  // Between two subdomains of a domain with labels, it is their pair: where three meet, the dual of a facet between two may go
-  // through the third, and the domain find a patch of that.
+  // Between two subdomains of a domain with labels, the patch is their pair: where three meet, the dual of a facet between two may
+  // go through the third, and the domain may find a patch of that.
   int patch_between([[maybe_unused]] const std::array<int, 2>& labels, int found) const
   {
     if constexpr(Is_ordered_index<Subdomain_index>::value

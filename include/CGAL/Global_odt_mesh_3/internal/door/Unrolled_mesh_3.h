@@ -64,7 +64,7 @@ public:
   // Whether all cells around vertices that may move are there.
   bool is_faithful() const { return is_faithful_; }
 
-  // Those of the periodic complex, where the optimizer has moved them.
+  // The sites of the periodic complex, where the optimizer has moved them.
   std::vector<Site> periodic_sites() const
   {
     std::vector<Site> sites = complex_.sites;
@@ -76,7 +76,8 @@ public:
 
   bool is_changed() const override { return !moved_.empty(); }
 
-  // Those of cells around vertices that have moved that are so large that they take several sheets. CGAL needs seconds to find that out.
+  // The vertices of cells around vertices that have moved that are so large that they take several sheets. CGAL takes long to find
+  // that out.
   const std::vector<int>& vertices_of_large_cells() const { return vertices_of_large_cells_; }
 
   Mesh_table_3 read(const Thread_policy&) override { return table_; }
@@ -270,7 +271,7 @@ private:
     return true;
   }
 
-  // From both sides, those of cells in the complex.
+  // Reads the facets of cells in the complex, from both sides.
   void read_facets()
   {
     Tuple_table<Triple, int> numbers;

@@ -76,7 +76,7 @@ public:
         }
   }
 
-  // Of cells, as far as none of the others has their vertices, and no map says that these stay.
+  // Releases the vertices of cells, as far as none of the others has them, and no map says that these stay.
   void release(const std::vector<Cell_handle>& cells)
   {
     for(Cell_handle c : cells)
