@@ -145,8 +145,8 @@ version of %CGAL in use accepts: `parameters::time_limit = 10, parameters::do_fr
     \cgalParamExtra{Without insertion and removal, and with `number_of_vertices`, only ratios of sizes matter. Near features, whose
                     vertices stay, the sizes of the mesh replace those of the field.}
     \cgalParamExtra{With `do_insert_vertices`, sizes bound circumradii, as those of `Mesh_criteria_3` do: larger cells are split,
-                    unless a feature edge or junction is in the way. With `do_remove_vertices`, vertices are removed where the mesh
-                    is finer.}
+                    unless a feature edge, or an edge where surfaces meet, is in the way. With `do_remove_vertices`, vertices are
+                    removed where the mesh is finer.}
     \cgalParamExtra{The field is evaluated at vertices, with their dimension and index, also outside of the domain, no farther from
                     it than the surrounding edges are long. A `quadrature` also evaluates it inside of cells, with dimension and
                     index of the vertex of the highest dimension. Insertion and removal also evaluate it for dimension 3 and the
@@ -240,7 +240,7 @@ version of %CGAL in use accepts: `parameters::time_limit = 10, parameters::do_fr
                           \cgalCite{cgal:cwlls-rodt-14}). Edges are compared with `sizing_field` or `density` or, without these,
                           with the surrounding edges. The shortest lose vertices and the longest get some until the number is
                           reached, and no insertion exceeds it. The number is met within 1 %, or two vertices, unless features,
-                          junctions, topology, or volumes do not permit that. Then the function returns
+                          lines where surfaces meet, topology, or volumes do not permit that. Then the function returns
                           `CGAL::CANT_IMPROVE_ANYMORE`.}
     \cgalParamType{`std::size_t`}
     \cgalParamPrecondition{positive, and at most \f$ 2^{25} \f$; `do_insert_vertices` and `do_remove_vertices` are `true`}
