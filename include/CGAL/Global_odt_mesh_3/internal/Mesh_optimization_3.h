@@ -119,7 +119,7 @@ private:
   std::optional<Outcome> optimize_regular(Mesh_view_3& mesh, Odt_task task)
   {
     Tabulated_mesh_3 regular(mesh, threads_);
-    const Sliver_census_3 slivers = Optimization_attempt_3::slivers_of_input(regular.table(), threads_);
+    const Sliver_census_3 slivers = Optimization_attempt_3::slivers_of_input(regular.table(), domain_);
     CGAL_assertion(regular.table().inserted.empty());
     if(!make_regular(regular))
       return attempt(mesh, task, true);
@@ -236,7 +236,7 @@ private:
     const auto is_inside = [](const Mesh_table_3::Cell& c) { return c.label != Domain_view_3::outside; };
     if(std::none_of(adapted.table().cells.begin(), adapted.table().cells.end(), is_inside))
       return optimize(mesh, task);
-    const Sliver_census_3 slivers = Optimization_attempt_3::slivers_of_input(adapted.table(), threads_);
+    const Sliver_census_3 slivers = Optimization_attempt_3::slivers_of_input(adapted.table(), domain_);
     const std::optional<Size_criteria_3> criteria = size_criteria(adapted.table());
     const auto may_go_on = [this] { return control_.may_go_on(); };
     // There are many edges to ask for.

@@ -69,7 +69,7 @@ public:
     const auto in_stage = during(Stage_clock::READ);
     const double begin = control.time();
     Snapshot_reader_3 reader(input, threads);
-    slivers_of_input_ = slivers_of_input(reader.table(), threads);
+    slivers_of_input_ = slivers_of_input(reader.table(), domain);
     complex_.start(reader.read(mesh_, boundary_moves));
     control.has_read(begin);
     plan_ = std::make_unique<Round_plan>(task, parameters, number_of_surface_vertices() > 0);
@@ -144,10 +144,11 @@ public:
     return census;
   }
 
-  static Sliver_census_3 slivers_of_input(const Mesh_table_3& mesh, const Thread_policy& threads)
+  static Sliver_census_3 slivers_of_input(const Mesh_table_3& mesh, const Domain_view_3& domain)
   {
     Sliver_census_3 census = slivers(mesh);
-    census.is_of_deformed_mesh = is_deformed(mesh, threads);
+    census.is_of_deformed_mesh = is_deformed(mesh, domain.threads());
+    census.is_of_moved_mesh = census.is_of_deformed_mesh && !domain.has_cells_of_mesh();
     return census;
   }
 

@@ -16,7 +16,8 @@
 #include <CGAL/Global_odt_mesh_3/internal/complex/Complex_candidate_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/complex/Complex_snapshot_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/complex/Defect_report_3.h>
-#include <CGAL/Global_odt_mesh_3/internal/complex/Empty_sphere_3.h>
+#include <CGAL/Global_odt_mesh_3/internal/complex/Facet_spheres_3.h>
+#include <CGAL/Global_odt_mesh_3/internal/complex/Facet_weights_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/complex/Labelled_triangulation_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/geometry/Angle_deficit_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/geometry/Cell_geometry_3.h>
@@ -277,17 +278,43 @@ inline int label_beyond(const Complex_snapshot_3& snapshot, const Labelled_trian
   return labels[0] == label ? labels[1] : labels[0];
 }
 
-// For a facet that stays, with its surface center: vertices go back that are not to stay, or else, if others that stay are in the way, its
-// vertices gain weight.
-inline void make_room(const Complex_candidate_3& candidate, const Triple& facet, const Vector_3& center, Defect_report_3& report)
+// For a facet that stays, with its surface center: vertices go back that are not to stay. False if others are in the way, too.
+inline bool make_room(const Complex_candidate_3& candidate, const Triple& facet, const Vector_3& center, Defect_report_3& report)
 {
   if(const std::vector<int> inside = intruders(candidate, facet, center); !inside.empty())
-    return revert_intruders(candidate, inside, facet, center, report);
-  const Empty_sphere_3 sphere(candidate, facet);
-  if(sphere.is_empty())
-    revert_intruders(candidate, intruders(candidate, facet, sphere.center()), facet, sphere.center(), report);
-  else if(!candidate.has_way_back || !report.revert_around(facet))
-    report.add_weights(facet, sphere.lacking_weights());
+  {
+    revert_intruders(candidate, inside, facet, center, report);
+    return true;
+  }
+  const Facet_spheres_3 spheres(candidate, facet);
+  if(!spheres.are_empty(candidate.sites))
+    return candidate.has_way_back && report.revert_around(facet);
+  const Vector_3 p = spheres.center(candidate.sites);
+  revert_intruders(candidate, intruders(candidate, facet, p), facet, p, report);
+  return true;
+}
+
+// Where others that stay are in the way of facets, vertices gain weight. What is around counts, since it is to stay, too.
+template <class Stays>
+void make_heavier(const Complex_candidate_3& candidate, const std::vector<Triple>& facets, const Stays& stays, Defect_report_3& report)
+{
+  constexpr int rings = 3;
+  std::set<int> vertices;
+  for(const Triple& f : facets)
+    vertices.insert(f.begin(), f.end());
+  Vertex_rings_3 region(candidate.triangulation, vertices);
+  for(int ring = 0; ring < rings; ++ring)
+    region.grow();
+  vertices.insert(region.vertices().begin(), region.vertices().end());
+  std::vector<Triple> around;
+  for(const Boundary_facet& f : candidate.snapshot.boundary.complex().facets())
+    if(stays(f) && std::all_of(f.vertices.begin(), f.vertices.end(), [&](int v) { return vertices.count(v) > 0; }))
+      around.push_back(f.vertices);
+  const std::map<int, double> gains = Facet_weights_3(candidate, around).gains();
+  report.add_weights(gains);
+  if(gains.empty())
+    for(const Triple& f : facets)
+      report.revert(f);
 }
 
 // Whether the facets of the snapshot are there that are to stay: all of a boundary at rest, and those that the user wants so. One that is
@@ -310,9 +337,12 @@ inline Defect_report_3 check_facets_stay(const Complex_candidate_3& candidate)
     if(stays(f) && (old < 0 || !Boundary_complex_3::same_labels(f.labels, facets[old].labels)))
       report.revert(f.vertices);
   }
+  std::vector<Triple> in_need;
   for(std::size_t n = 0; n < is_found.size(); ++n)
-    if(!is_found[n] && stays(facets[n]))
-      make_room(candidate, facets[n].vertices, candidate.snapshot.centers[n].point, report);
+    if(!is_found[n] && stays(facets[n]) && !make_room(candidate, facets[n].vertices, candidate.snapshot.centers[n].point, report))
+      in_need.push_back(facets[n].vertices);
+  if(!in_need.empty())
+    make_heavier(candidate, in_need, stays, report);
   return report;
 }
 

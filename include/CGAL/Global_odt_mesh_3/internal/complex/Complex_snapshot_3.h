@@ -165,7 +165,8 @@ struct Complex_snapshot_3
   // Whether the vertices are there.
   bool has_positions(const std::vector<Site>& positions) const
   {
-    return std::equal(sites().begin(), sites().end(), positions.begin(), positions.end(), same_place);
+    return std::equal(sites().begin(), sites().end(), positions.begin(), positions.end(),
+                      [](const Site& a, const Site& b) { return same_place(a, b) && a.weight == b.weight; });
   }
 
   // Whether this is the input, and no vertex has moved since.

@@ -22,7 +22,6 @@
 #include <CGAL/Global_odt_mesh_3/internal/surface/Boundary_geometry_3.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <cstddef>
 #include <limits>
@@ -131,24 +130,8 @@ public:
   // The displacements of the vertices that retreat.
   const std::map<int, Vector_3>& retreats() const { return retreats_; }
 
-  // More weight for vertices of a facet that stay, unless that makes balls as large as others are far away.
-  void add_weights(const Triple& facet, const std::array<double, 3>& weights)
-  {
-    constexpr double largest_ball = 0.75;                // over the shortest edge
-    for(int i = 0; i < 3; ++i)
-    {
-      double squared_edge = (std::numeric_limits<double>::max)();
-      for(int w : candidate_.triangulation.neighbors(facet[i]))
-        squared_edge = (std::min)(squared_edge, squared_distance(candidate_.sites[w], position(candidate_.sites[facet[i]])));
-      const double weight = candidate_.sites[facet[i]].weight + weights[i];
-      if(candidate_.numbering.is_movable(facet[i]) || weight > largest_ball * largest_ball * squared_edge)
-        return revert(facet);
-    }
-    for(int i = 0; i < 3; ++i)
-      if(weights[i] > 0)
-        weights_[facet[i]] = (std::max)(weights_[facet[i]], weights[i]);
-  }
-
+  // For vertices that stay.
+  void add_weights(const std::map<int, double>& weights) { weights_.insert(weights.begin(), weights.end()); }
   const std::map<int, double>& weights() const { return weights_; }
 
   // Those only that have not reverted, or else those around them; whether there are any. Numbers below zero, of the infinite
@@ -172,8 +155,7 @@ public:
     offending_vertices_.insert(later.offending_vertices_.begin(), later.offending_vertices_.end());
     for(const auto& r : later.retreats_)
       add_retreat(r.first, r.second);
-    for(const auto& w : later.weights_)
-      weights_[w.first] = (std::max)(weights_[w.first], w.second);
+    add_weights(later.weights_);
   }
 
 private:

@@ -13,6 +13,7 @@
 #include <CGAL/license/Global_odt_mesh_3.h>
 
 #include <CGAL/Global_odt_mesh_3/internal/complex/Exact_triangulation_3.h>
+#include <CGAL/Global_odt_mesh_3/internal/geometry/Cell_geometry_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/geometry/Site.h>
 #include <CGAL/Global_odt_mesh_3/internal/geometry/Vector_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/geometry/Vertex_tuples.h>
@@ -24,6 +25,7 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
+#include <limits>
 #include <numeric>
 #include <utility>
 #include <vector>
@@ -139,6 +141,15 @@ public:
       std::copy_if(vertices(c).begin(), vertices(c).end(), std::back_inserter(result), [v](int w) { return w >= 0 && w != v; });
     std::sort(result.begin(), result.end());
     result.erase(std::unique(result.begin(), result.end()), result.end());
+    return result;
+  }
+
+  // Which a vertex may have: of a ball without others.
+  double largest_weight(int v) const
+  {
+    double result = (std::numeric_limits<double>::max)();
+    for(int w : neighbors(v))
+      result = (std::min)(result, squared_distance(sites()[w], position(sites()[v])));
     return result;
   }
 

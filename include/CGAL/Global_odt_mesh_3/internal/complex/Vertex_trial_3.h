@@ -79,6 +79,37 @@ public:
     return result;
   }
 
+  // Those of a cell, and the one beyond it, that may get another weight: of a boundary at rest.
+  std::vector<int> weighted_vertices(const Quadruple& q, int beyond) const
+  {
+    std::vector<int> result;
+    for(int v : { q[0], q[1], q[2], q[3], beyond })
+      if(v >= 0 && !complex_.boundary_moves && !complex_.is_inserted(v) && complex_.numbering.is_on_boundary(v)
+         && complex_.triangulation.keeps_dimension_without(v))
+        result.push_back(v);
+    return result;
+  }
+
+  // With the weight that it has when the vertex beyond enters the sphere around the cell, and more or less than that by a share of the squared
+  // mean edge; none if that is too heavy or less than it was.
+  std::optional<Site> heavier(const Quadruple& q, int beyond, double share) const
+  {
+    const int v = cavity_.vertex();
+    const double step = mean_edge_ * mean_edge_;
+    const auto power = [&](double weight)
+    {
+      std::array<Site, 4> cell = cavity_.sites(q);
+      Site other = complex_.sites[beyond];
+      (v == beyond ? other : cell[index_of(q, v)]).weight = weight;
+      return Cell_products(cell[0], cell[1], cell[2], cell[3]).power(cell[0], other);
+    };
+    // It is linear.
+    const double gain = power(from_.weight) / (power(from_.weight) - power(from_.weight + step));
+    const double weight = from_.weight + (gain + (gain < 0 ? -share : share)) * step;
+    const bool is_permitted = weight >= complex_.numbering.input_sites[v].weight && weight <= complex_.triangulation.largest_weight(v);
+    return is_permitted ? std::make_optional(site_at(position(from_), weight)) : std::nullopt;
+  }
+
   // Those opposite to a cell in its neighbors that may move.
   std::vector<int> movable_vertices_beyond(int c) const
   {
@@ -164,7 +195,7 @@ public:
   {
     constexpr double farthest_projection = 1;         // over the shortest edge
     const int v = cavity_.vertex();
-    if(complex_.numbering.is_interior(v))
+    if(complex_.numbering.is_interior(v) || same_place(s, from_))
       return move(s, most);
     if(normal_ == Vector_3())                              // no facet around it is on its own surface
       return infinity;

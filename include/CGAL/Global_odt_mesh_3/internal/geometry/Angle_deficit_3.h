@@ -180,6 +180,7 @@ class Sliver_census_3
 {
 public:
   bool is_of_deformed_mesh = false;           // which is not regular
+  bool is_of_moved_mesh = false;              // in a domain that was there before
 
   void add(const std::array<Site, 4>& cell, int label)
   {
@@ -209,13 +210,13 @@ public:
   }
 
   // Whether it may take the place of the other one. Who wants a bound for angles does not mind sizes. A regular mesh is worth more
-  // than one that is not: then neither sizes nor angles above 20 degrees matter.
+  // than one that is not: then sizes do not matter nor, where it has moved, angles above 20 degrees.
   bool may_replace(const Sliver_census_3& other, double sliver_bound) const
   {
-    if(!other.is_of_deformed_mesh)
-      return is_not_worse_than(other, true) && (sliver_bound > 0 || is_not_coarser_than(other));
     const int slivers = count_.below[1];
-    return slivers == 0 || (slivers <= other.count_.below[1] && count_.smallest >= other.count_.smallest);
+    if(other.is_of_moved_mesh)
+      return slivers == 0 || (slivers <= other.count_.below[1] && count_.smallest >= other.count_.smallest);
+    return is_not_worse_than(other, true) && (sliver_bound > 0 || other.is_of_deformed_mesh || is_not_coarser_than(other));
   }
 
 private:

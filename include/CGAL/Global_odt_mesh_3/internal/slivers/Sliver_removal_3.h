@@ -44,6 +44,7 @@ struct Sliver_removal_parameters
   std::array<double, 3> shares_of_step = {{ 1, 0.5, 0.25 }};
   std::size_t most_steps = 3;               // tried for a cell
   std::array<double, 3> shares_of_radius = {{ 0.005, 0.05, 0.2 }};   // by how much a vertex enters a circumsphere
+  std::array<double, 3> shares_of_weight = {{ 0.001, 0.01, 0.05 }};  // beyond what makes another vertex do so, over the squared edge
   int fewest_failures = 2, most_failures = 8;      // for the same cell: more where few cells are left
   double share_of_failures = 0.2;                   // of the tries
   std::size_t tries_of_failure = 150;
@@ -258,6 +259,8 @@ private:
     {
       if(!find_step(trial, s, best))
         enter_sphere(trial, s, best);
+      if(best.vertex < 0)
+        change_weight(trial, s, best);
       return best;
     }
     const std::vector<int> vertices = failures % 2 == 0 ? trial.movable_vertices_beyond(s.cell) : trial.movable_vertices(s.vertices);
@@ -310,6 +313,22 @@ private:
     for(int v : trial.movable_vertices_beyond(s.cell))
       if(try_places(trial, v, shares.size(), [&](std::size_t n) { return trial.place_in_sphere(q, shares[n]); }, best))
         return;
+  }
+
+  // The same by another weight of a vertex that stays.
+  void change_weight(Vertex_trial_3& trial, const Sliver_3& s, Proposal& best) const
+  {
+    const auto& shares = parameters_.shares_of_weight;
+    const Quadruple q = complex_.triangulation.vertices(s.cell);
+    for(int i = 0; i < 4; ++i)
+    {
+      const int beyond = complex_.triangulation.vertex(complex_.triangulation.mirror(Half_facet(s.cell, i)));
+      if(beyond < 0)
+        continue;
+      for(int v : trial.weighted_vertices(q, beyond))
+        if(try_places(trial, v, shares.size(), [&](std::size_t n) { return trial.heavier(q, beyond, shares[n]); }, best))
+          return;
+    }
   }
 
   // The best place of those that are tried, or the first without deficit; whether one of these was found. `place(n)` gives one

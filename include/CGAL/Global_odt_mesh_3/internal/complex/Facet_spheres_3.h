@@ -1,0 +1,173 @@
+// Copyright (c) 2026 The Global ODT Mesh authors.
+// All rights reserved.
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later OR LicenseRef-Commercial
+//
+// Author(s)     : The Global ODT Mesh authors
+
+#ifndef CGAL_GLOBAL_ODT_MESH_3_INTERNAL_COMPLEX_FACET_SPHERES_3_H
+#define CGAL_GLOBAL_ODT_MESH_3_INTERNAL_COMPLEX_FACET_SPHERES_3_H
+
+#include <CGAL/license/Global_odt_mesh_3.h>
+
+#include <CGAL/Global_odt_mesh_3/internal/complex/Complex_candidate_3.h>
+#include <CGAL/Global_odt_mesh_3/internal/complex/Defect_report_3.h>
+#include <CGAL/Global_odt_mesh_3/internal/geometry/Cell_geometry_3.h>
+#include <CGAL/Global_odt_mesh_3/internal/geometry/Site.h>
+#include <CGAL/Global_odt_mesh_3/internal/geometry/Vector_3.h>
+#include <CGAL/Global_odt_mesh_3/internal/geometry/Vertex_tuples.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <vector>
+
+namespace CGAL::Global_odt_mesh_3::internal {
+
+// The spheres that pass through the vertices of a facet, orthogonally, and those vertices around it that stay: the facet is one of the
+// regular triangulation of all of these iff some sphere is empty. Powers with respect to the spheres are linear, along the dual line as
+// well as in the weights.
+class Facet_spheres_3
+{
+public:
+  // What is missing in weight so that some sphere is empty, along the gradient, which is normalized.
+  struct Condition
+  {
+    double lack = 0;
+    std::array<int, 5> vertices = {{ -1, -1, -1, -1, -1 }};
+    std::array<double, 5> gradient = {{ 0, 0, 0, 0, 0 }};
+  };
+
+  Facet_spheres_3(const Complex_candidate_3& candidate, const Triple& facet)
+    : facet_(facet)
+  {
+    constexpr int rings = 2;
+    Vertex_rings_3 region(candidate.triangulation, facet);
+    for(int ring = 0; ring < rings; ++ring)
+      region.grow();
+    std::array<Site, 3> corners{{ candidate.sites[facet[0]], candidate.sites[facet[1]], candidate.sites[facet[2]] }};
+    for(Site& s : corners)
+      s.weight = 0;
+    const Facet_dual_3 circle(corners);
+    radius_ = circle.radius;
+    for(int v : region.vertices())
+      if(!candidate.numbering.is_movable(v) && std::find(facet.begin(), facet.end(), v) == facet.end())
+        around_.push_back(neighbor(v, position(candidate.sites[v]), corners, circle));
+  }
+
+  // What powers have to be, over the squared radius of the facet.
+  static constexpr double least_margin = 5e-5;
+
+  bool are_empty(const std::vector<Site>& sites, double margin = least_margin) const
+  { return !(lower(sites, margin).height > upper(sites, margin).height); }
+
+  // Of the smallest empty sphere.
+  Vector_3 center(const std::vector<Site>& sites) const
+  {
+    return Facet_dual_3(facet_, sites).point_at((std::max)(lower(sites, least_margin).height, (std::min)(upper(sites, least_margin).height, 0.)));
+  }
+
+  Condition condition(const std::vector<Site>& sites, double margin) const
+  {
+    Condition result;
+    const Bound low = lower(sites, margin), high = upper(sites, margin);
+    if(!(low.height > high.height))
+      return result;
+    // Of the powers of the two vertices that set the bounds, the mean that is the same in all spheres.
+    const double a = low.neighbor == nullptr ? 0 : -low.neighbor->height, b = high.neighbor == nullptr ? 0 : high.neighbor->height;
+    const double share = a == 0 ? 0 : b == 0 ? 1 : b / (a + b);
+    std::copy(facet_.begin(), facet_.end(), result.vertices.begin());
+    double squared = 0;
+    for(int n = 0; n < 2; ++n)
+      if(const Neighbor* const w = n == 0 ? low.neighbor : high.neighbor; w != nullptr)
+      {
+        const double s = n == 0 ? share : 1 - share;
+        result.vertices[3 + n] = w->vertex;
+        result.gradient[3 + n] = -s;
+        for(int i = 0; i < 3; ++i)
+          result.gradient[i] += s * w->shares[i];
+      }
+    for(double g : result.gradient)
+      squared += g * g;
+    const double length = std::sqrt(squared);
+    for(double& g : result.gradient)
+      g /= length;
+    result.lack = 2 * (low.height - high.height) * (a == 0 || b == 0 ? a + b : a * b / (a + b)) / length;
+    return result;
+  }
+
+private:
+  static constexpr double most_radii = 1;
+  static constexpr double rounding = 1e-12;
+
+  // A vertex around the facet: over its plane, in barycentric coordinates, and with its power without weights.
+  struct Neighbor
+  {
+    int vertex;
+    double height, power;
+    std::array<double, 3> shares;
+  };
+
+  // For the heights of empty spheres, with the vertex that sets it.
+  struct Bound
+  {
+    double height;
+    const Neighbor* neighbor = nullptr;
+  };
+
+  static Neighbor neighbor(int v, const Vector_3& p, const std::array<Site, 3>& corners, const Facet_dual_3& circle)
+  {
+    Neighbor result = { v, circle.height(p), (p - circle.center).squared_length() - circle.radius * circle.radius, {} };
+    // One in the plane sets the same bound on either side.
+    if(std::abs(result.height) < rounding * circle.radius)
+      result.height = rounding * circle.radius;
+    double sum = 0;
+    for(int i = 0; i < 3; ++i)
+    {
+      const Vector_3 to_next = position(corners[(i + 1) % 3]) - p, to_last = position(corners[(i + 2) % 3]) - p;
+      sum += result.shares[i] = circle.normal.dot(to_next.cross(to_last));
+    }
+    for(double& share : result.shares)
+      share /= sum;
+    return result;
+  }
+
+  // Where the power of a vertex is the margin.
+  double height_at(const Neighbor& n, const std::vector<Site>& sites, double margin) const
+  {
+    double power = n.power - sites[n.vertex].weight - margin * radius_ * radius_;
+    for(int i = 0; i < 3; ++i)
+      power += n.shares[i] * sites[facet_[i]].weight;
+    return power / (2 * n.height);
+  }
+
+  Bound lower(const std::vector<Site>& sites, double margin) const
+  {
+    Bound result = { -most_radii * radius_ };
+    for(const Neighbor& n : around_)
+      if(n.height < 0)
+        if(const double h = height_at(n, sites, margin); h > result.height)
+          result = { h, &n };
+    return result;
+  }
+
+  Bound upper(const std::vector<Site>& sites, double margin) const
+  {
+    Bound result = { most_radii * radius_ };
+    for(const Neighbor& n : around_)
+      if(n.height > 0)
+        if(const double h = height_at(n, sites, margin); h < result.height)
+          result = { h, &n };
+    return result;
+  }
+
+  const Triple facet_;
+  double radius_ = 0;                                 // of the circumcircle
+  std::vector<Neighbor> around_;
+};
+
+} // namespace CGAL::Global_odt_mesh_3::internal
+
+#endif // CGAL_GLOBAL_ODT_MESH_3_INTERNAL_COMPLEX_FACET_SPHERES_3_H
