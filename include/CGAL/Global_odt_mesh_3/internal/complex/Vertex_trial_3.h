@@ -79,33 +79,15 @@ public:
     return result;
   }
 
-  // Those of a cell, and the one beyond it, that may get another weight: of a boundary at rest.
-  std::vector<int> weighted_vertices(const Quadruple& q, int beyond) const
-  {
-    std::vector<int> result;
-    for(int v : { q[0], q[1], q[2], q[3], beyond })
-      if(v >= 0 && !complex_.boundary_moves && !complex_.is_inserted(v) && complex_.numbering.is_on_boundary(v)
-         && complex_.triangulation.keeps_dimension_without(v))
-        result.push_back(v);
-    return result;
-  }
-
-  // With the weight that it has when the vertex beyond enters the sphere around the cell, and more or less than that by a share of the squared
-  // mean edge; none if that is too heavy or less than it was.
-  std::optional<Site> heavier(const Quadruple& q, int beyond, double share) const
+  // With the weight with which a vertex opposite to a cell, or one of it, lets the former enter the sphere around the latter, and more
+  // by a share of the squared mean edge; none if that is too heavy, or less than it was.
+  std::optional<Site> place_with_weight(const Quadruple& q, int beyond, double share) const
   {
     const int v = cavity_.vertex();
-    const double step = mean_edge_ * mean_edge_;
-    const auto power = [&](double weight)
-    {
-      std::array<Site, 4> cell = cavity_.sites(q);
-      Site other = complex_.sites[beyond];
-      (v == beyond ? other : cell[index_of(q, v)]).weight = weight;
-      return Cell_products(cell[0], cell[1], cell[2], cell[3]).power(cell[0], other);
-    };
-    // It is linear.
-    const double gain = power(from_.weight) / (power(from_.weight) - power(from_.weight + step));
-    const double weight = from_.weight + (gain + (gain < 0 ? -share : share)) * step;
+    const std::array<Site, 4> cell = cavity_.sites(q);
+    const double unit = mean_edge_ * mean_edge_;
+    const double gain = gain_on_sphere({{ cell[0], cell[1], cell[2], cell[3], complex_.sites[beyond] }}, index_of(q, v), unit);
+    const double weight = from_.weight + gain + (gain < 0 ? -share : share) * unit;
     const bool is_permitted = weight >= complex_.numbering.input_sites[v].weight && weight <= complex_.triangulation.largest_weight(v);
     return is_permitted ? std::make_optional(site_at(position(from_), weight)) : std::nullopt;
   }
@@ -173,15 +155,8 @@ public:
   // On the way into the sphere around a cell, in the tangential plane on a surface, by so much of the radius; none if it is there.
   std::optional<Site> place_in_sphere(const Quadruple& q, double share) const
   {
-    const std::array<Site, 4> cell = cavity_.sites(q);
-    const Vector_3 to_center = Cell_products(cell[0], cell[1], cell[2], cell[3]).to_dual();
-    Vector_3 way = position(cell[0]) + to_center - position(from_);
-    const double height = normal_.dot(way);
-    way -= height * normal_;
-    const double radius = std::sqrt(to_center.squared_length() - cell[0].weight - height * height), length = way.length();
-    if(!(radius > 0) || !std::isfinite(radius) || !(length > radius))
-      return std::nullopt;
-    return site_at(position(from_) + (1 - (1 - share) * radius / length) * way, from_.weight);
+    const std::optional<Vector_3> way = way_into_sphere(cavity_.sites(q), position(from_), normal_, share);
+    return way ? std::make_optional(site_at(position(from_) + *way, from_.weight)) : std::nullopt;
   }
 
   // The change of the sum of the deficits with the vertex there, or infinity if it may not be there, if a cell is worse than all

@@ -21,6 +21,7 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <optional>
 #include <vector>
 
 namespace CGAL::Global_odt_mesh_3::internal {
@@ -86,6 +87,30 @@ struct Cell_products
     return squared_length * std::sqrt(squared_length);
   }
 };
+
+// From a point into the sphere around a cell, by so much of the radius of the circle in the plane with the normal, if there is one; none if
+// it is inside.
+inline std::optional<Vector_3> way_into_sphere(const std::array<Site, 4>& cell, const Vector_3& from, const Vector_3& normal, double share)
+{
+  const Vector_3 to_center = Cell_products(cell[0], cell[1], cell[2], cell[3]).to_dual();
+  Vector_3 way = position(cell[0]) + to_center - from;
+  const double height = normal.dot(way);
+  way -= height * normal;
+  const double radius = std::sqrt(to_center.squared_length() - cell[0].weight - height * height), length = way.length();
+  if(!(radius > 0) || !std::isfinite(radius) || !(length > radius))
+    return std::nullopt;
+  return Vector_3((1 - (1 - share) * radius / length) * way);
+}
+
+// What one of five sites has to gain in weight so that all are on one sphere. Powers are linear in weights; the unit is any change of
+// a weight.
+inline double gain_on_sphere(std::array<Site, 5> s, int i, double unit)
+{
+  const auto power = [&s] { return Cell_products(s[0], s[1], s[2], s[3]).power(s[0], s[4]); };
+  const double before = power();
+  s[std::size_t(i)].weight += unit;
+  return before / (before - power()) * unit;
+}
 
 // The facets opposite to each vertex, by their outward normals, which are as long as twice the areas.
 struct Cell_facets_3

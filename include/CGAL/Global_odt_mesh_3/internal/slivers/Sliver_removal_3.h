@@ -323,10 +323,9 @@ private:
     for(int i = 0; i < 4; ++i)
     {
       const int beyond = complex_.triangulation.vertex(complex_.triangulation.mirror(Half_facet(s.cell, i)));
-      if(beyond < 0)
-        continue;
-      for(int v : trial.weighted_vertices(q, beyond))
-        if(try_places(trial, v, shares.size(), [&](std::size_t n) { return trial.heavier(q, beyond, shares[n]); }, best))
+      for(int v : { q[0], q[1], q[2], q[3], beyond })
+        if(beyond >= 0 && complex_.may_gain_weight(v)
+           && try_places(trial, v, shares.size(), [&](std::size_t n) { return trial.place_with_weight(q, beyond, shares[n]); }, best))
           return;
     }
   }
