@@ -19,6 +19,7 @@
 #include <CGAL/Global_odt_mesh_3/internal/Optimization_attempt_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/complex/Candidate_checks_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/complex/Complex_updater_3.h>
+#include <CGAL/Global_odt_mesh_3/internal/complex/Defect_report_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/complex/Labelled_triangulation_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/complex/Snapshot_reader_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/complex/Snapshot_tabulation_3.h>
@@ -40,6 +41,7 @@
 #include <cstddef>
 #include <map>
 #include <optional>
+#include <set>
 #include <utility>
 #include <vector>
 
@@ -64,10 +66,15 @@ public:
   Mesh_optimization_return_code run(User_mesh_view_3& mesh, Odt_task task)
   {
     const std::map<int, double> volumes_before = visitor_.summary != nullptr ? volumes(mesh.read(threads_)) : std::map<int, double>();
-    release_cells(mesh);
-    const std::optional<Outcome> outcome
-      = parameters_.do_insert_vertices || parameters_.do_remove_vertices ? adapt_and_optimize(mesh, task)
-                                                                         : optimize(mesh, task);
+    const auto adapt_or_optimize = [&]
+    { return parameters_.do_insert_vertices || parameters_.do_remove_vertices ? adapt_and_optimize(mesh, task) : optimize(mesh, task); };
+    const bool may_release = release_cells(mesh);
+    std::optional<Outcome> outcome = adapt_or_optimize();
+    if(may_release && !mesh.is_changed())
+    {
+      mesh.release(kept_cells(mesh.read(threads_)));
+      outcome = adapt_or_optimize();
+    }
     const std::size_t slivers = parameters_.sliver_bound > 0 ? mesh.number_of_slivers(parameters_.sliver_bound) : 0;
     if(visitor_.summary != nullptr)
       complete_summary(mesh, volumes_before, *visitor_.summary);
@@ -88,7 +95,7 @@ private:
   };
 
   static constexpr unsigned int most_adaptations = 3;
-  static constexpr int most_releases = 5, edges_of_question = 100;
+  static constexpr int most_releases = 4, edges_of_question = 100;
   // In which cells are split that are too large: in the end, no more angles get below 30 degrees. Where cells were split whatever
   // that did to angles, those of an elephant fell from 30 to 8 degrees.
   static constexpr int step_on_the_way = 1, last_step = 3;
@@ -184,26 +191,24 @@ private:
   bool may_be_worse() const { return !parameters_.do_remove_slivers || field_ || parameters_.number_of_vertices > 0; }
 
   // Cells of a deformed mesh that are to stay, but are none of the regular triangulation of the vertices where these are, cannot
-  // stay, nor can those whose vertices stand in the way of a valid complex.
-  void release_cells(User_mesh_view_3& mesh)
+  // stay, nor can those around vertices that stand in the way of a valid complex. Whether some are left.
+  bool release_cells(User_mesh_view_3& mesh)
   {
     if(!mesh.keeps_cells())
-      return;
+      return false;
     const Mesh_table_3 table = mesh.read(threads_);
     std::vector<Quadruple> kept = kept_cells(table);
     if(kept.empty() || !is_deformed(table, threads_))
-      return;
+      return false;
     Labelled_triangulation_3 regular;
     regular.build(table.sites);
-    const auto release = [&](const auto& stays)
+    const auto release_others = [&](const auto& stays)
     {
       kept.erase(std::remove_if(kept.begin(), kept.end(), stays), kept.end());
       mesh.release(kept);
-      return !kept.empty();
     };
-    release([&](const Quadruple& q) { return regular.find_cell(q) >= 0; });
-    bool has_released = true;
-    for(int n = 0; n < most_releases && has_released; ++n)
+    release_others([&](const Quadruple& q) { return regular.find_cell(q) >= 0; });
+    for(int n = 0; n < most_releases; ++n)
     {
       Facet_bounds_3 bounds(domain_, parameters_.facet_distance);
       Moving_triangulation_3 indexed;
@@ -211,11 +216,16 @@ private:
       Snapshot_reader_3 reader(mesh, threads_);
       kept = kept_cells(reader.table());
       complex.start(reader.read(indexed, parameters_.optimize_boundary));
-      if(complex.make_regular())
-        return;
-      has_released = release([&](const Quadruple& q)
-                             { return std::none_of(q.begin(), q.end(), [&](int v) { return complex.obstacles().count(v) > 0; }); });
+      if(kept.empty() || complex.make_regular())
+        return !kept.empty();
+      Vertex_rings_3 region(regular, complex.obstacles());
+      for(int ring = 0; ring < n; ++ring)
+        region.grow();
+      const std::set<int> around(region.vertices().begin(), region.vertices().end());
+      release_others([&](const Quadruple& q)
+                     { return std::none_of(q.begin(), q.end(), [&](int v) { return around.count(v) > 0; }); });
     }
+    return true;
   }
 
   static std::vector<Quadruple> kept_cells(const Mesh_table_3& table)
