@@ -82,8 +82,8 @@ struct Mesh_optimization_report_3
   /// the vertices around which no valid mesh could be made, if `reason` is `NO_VALID_MESH`. Cells and facets between them stand in
   /// the way
   std::vector<Vertex_handle> obstacles;
-  /// the vertices of each cell that was to stay by `cell_is_selected_map`, and could not, since it is not in the regular
-  /// triangulation of a mesh that has been deformed
+  /// the vertices of each cell of a deformed mesh that was to stay by `cell_is_selected_map`, and could not, since it is not in
+  /// the regular triangulation of the vertices, or is near to where no valid mesh could be made
   std::vector<std::array<Vertex_handle, 4> > released_cells;
 
   /// returns whether the mesh has changed.

@@ -109,8 +109,8 @@ version of %CGAL in use accepts: `parameters::time_limit = 10, parameters::do_fr
   \cgalParamNEnd
   \cgalParamNBegin{optimize_boundary}
     \cgalParamDescription{whether vertices of dimension 2 move on the surface. Otherwise they stay, and so do all facets of the
-                          complex. If some of these are not in the Delaunay triangulation of the vertices, vertices of dimension 2
-                          get small weights.}
+                          complex. Vertices on surfaces then get small weights where facets are not in the Delaunay triangulation
+                          of the vertices, and where weights remove slivers.}
     \cgalParamType{`bool`}
     \cgalParamDefault{`true`}
   \cgalParamNEnd

@@ -68,7 +68,7 @@ The guarantees are those of `odt_optimize_mesh_3()`, also if the domain, a prope
     \cgalParamDefault{0, that is, no bound}
   \cgalParamNEnd
   \cgalParamNBegin{optimize_boundary}
-    \cgalParamDescription{whether vertices of dimension 2 move on the surface}
+    \cgalParamDescription{whether vertices of dimension 2 move on the surface; as for `odt_optimize_mesh_3()`}
     \cgalParamType{`bool`}
     \cgalParamDefault{`true`}
   \cgalParamNEnd
