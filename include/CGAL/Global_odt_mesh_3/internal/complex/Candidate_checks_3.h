@@ -238,8 +238,8 @@ inline Defect_report_3 check_topology(const Complex_candidate_3& candidate)
   return report;
 }
 
-// Those of the vertices around a boundary facet or a cell, none of which may move, that lie in the ball around its surface or dual
-// center.
+// Those of the vertices around a boundary facet or a cell, none of which may move, that do not stay in the ball around its surface or
+// dual center.
 template <class Vertices>
 std::vector<int> intruders(const Complex_candidate_3& candidate, const Vertices& around, const Vector_3& center)
 {
@@ -250,7 +250,7 @@ std::vector<int> intruders(const Complex_candidate_3& candidate, const Vertices&
     region.grow();
   std::vector<int> result;
   for(int v : region.vertices())
-    if(candidate.numbering.is_movable(v) && squared_distance(candidate.sites[v], center) < radius)
+    if(!candidate.stays(v) && squared_distance(candidate.sites[v], center) < radius)
       result.push_back(v);
   return result;
 }

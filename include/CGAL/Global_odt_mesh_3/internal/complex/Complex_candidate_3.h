@@ -100,6 +100,8 @@ struct Complex_candidate_3
     return false;
   }
 
+  // Whether the vertex has no other place: on a surface, it does not retreat.
+  bool stays(int v) const { return !numbering.is_movable(v) || (!has_way_back && !numbering.is_interior(v)); }
   bool is_at_input(int v) const { return numbering.is_input_site(v, sites[v]); }
   bool is_reverted(int v) const { return same_place(sites[v], revert_sites[v]); }
 

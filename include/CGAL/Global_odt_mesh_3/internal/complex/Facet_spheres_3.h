@@ -53,8 +53,8 @@ public:
     const Facet_dual_3 circle(corners);
     radius_ = circle.radius;
     for(int v : region.vertices())
-      if(!candidate.numbering.is_movable(v) && std::find(facet.begin(), facet.end(), v) == facet.end())
-        around_.push_back(neighbor(v, position(candidate.sites[v]), corners, circle));
+      if(candidate.stays(v) && std::find(facet.begin(), facet.end(), v) == facet.end())
+        around_.push_back(neighbor(v, !candidate.numbering.is_movable(v), position(candidate.sites[v]), corners, circle));
   }
 
   // What powers have to be, over the squared radius of the facet.
@@ -84,8 +84,11 @@ public:
       if(const Neighbor* const w = n == 0 ? low.neighbor : high.neighbor; w != nullptr)
       {
         const double s = n == 0 ? share : 1 - share;
-        result.vertices[3 + n] = w->vertex;
-        result.gradient[3 + n] = -s;
+        if(w->may_gain_weight)
+        {
+          result.vertices[3 + n] = w->vertex;
+          result.gradient[3 + n] = -s;
+        }
         for(int i = 0; i < 3; ++i)
           result.gradient[i] += s * w->shares[i];
       }
@@ -106,6 +109,7 @@ private:
   struct Neighbor
   {
     int vertex;
+    bool may_gain_weight;
     double height, power;
     std::array<double, 3> shares;
   };
@@ -117,9 +121,10 @@ private:
     const Neighbor* neighbor = nullptr;
   };
 
-  static Neighbor neighbor(int v, const Vector_3& p, const std::array<Site, 3>& corners, const Facet_dual_3& circle)
+  static Neighbor neighbor(int v, bool may_gain_weight, const Vector_3& p, const std::array<Site, 3>& corners,
+                           const Facet_dual_3& circle)
   {
-    Neighbor result = { v, circle.height(p), (p - circle.center).squared_length() - circle.radius * circle.radius, {} };
+    Neighbor result = { v, may_gain_weight, circle.height(p), (p - circle.center).squared_length() - circle.radius * circle.radius, {} };
     // One in the plane sets the same bound on either side.
     if(std::abs(result.height) < rounding * circle.radius)
       result.height = rounding * circle.radius;
