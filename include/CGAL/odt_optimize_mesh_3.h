@@ -110,7 +110,7 @@ version of %CGAL in use accepts: `parameters::time_limit = 10, parameters::do_fr
   \cgalParamNBegin{optimize_boundary}
     \cgalParamDescription{whether vertices of dimension 2 move on the surface. Otherwise they stay, and so do all facets of the
                           complex. Vertices on surfaces then get small weights where facets are not in the Delaunay triangulation
-                          of the vertices, and where weights remove slivers.}
+                          of the vertices and, if `domain` is a `Tetrahedral_mesh_domain_3`, where weights remove slivers.}
     \cgalParamType{`bool`}
     \cgalParamDefault{`true`}
   \cgalParamNEnd

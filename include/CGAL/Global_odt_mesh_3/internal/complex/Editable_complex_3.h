@@ -103,9 +103,12 @@ struct Editable_complex_3
   // Whether the snapshot does not have the vertex.
   bool is_inserted(int v) const { return v >= static_cast<int>(snapshot.sites().size()); }
 
-  // Vertices of a boundary at rest may get other weights, instead of moving.
+  // Vertices of a boundary at rest may get other weights, instead of moving; not where surface centers are those of a domain.
   bool may_gain_weight(int v) const
-  { return v >= 0 && !boundary_moves && !is_inserted(v) && numbering.is_on_boundary(v) && triangulation.keeps_dimension_without(v); }
+  {
+    return v >= 0 && !boundary_moves && domain.has_cells_of_mesh() && !is_inserted(v) && numbering.is_on_boundary(v)
+           && triangulation.keeps_dimension_without(v);
+  }
 
   // The next one, out of the triangulation.
   int add_vertex(const Site& s)
