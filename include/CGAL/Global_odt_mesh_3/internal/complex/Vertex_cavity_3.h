@@ -50,6 +50,7 @@ public:
     Quadruple vertices;                         // -1 for the infinite one
     int label = unlabelled;
     int number = Labelled_triangulation_3::no_cell;     // in the triangulation, if it is there
+    bool is_guessed = false;                    // whether only the domain knows the label
     bool is_asked = false, fits = true;         // whether the domain has been asked, and agrees about the label
     Vector_3 dual;       // once it has been asked
     Cell_lack lack = Cell_lack();
@@ -79,6 +80,7 @@ public:
     is_new_ = is_filled_ = false;
     hole_.clear();
     outer_.clear();
+    outer_numbers_.clear();
     return find_star();
   }
 
@@ -92,6 +94,7 @@ public:
     hole_.clear();
     outer_.clear();
     outer_.push_back({ known_cell(nearby), Sphere() });
+    outer_numbers_.assign(1, nearby);
   }
 
   // Finds the cells for another place; false if the vertex would be hidden there or not be near.
@@ -205,16 +208,17 @@ private:
     for(int c : numbers_)
       keys_.emplace_back(sorted(triangulation_.vertices(c)), c);
     std::sort(keys_.begin(), keys_.end());
+    std::transform(keys_.begin(), keys_.end(), numbers_.begin(), [](const auto& k) { return k.second; });
     star_.clear();
     link_.clear();
     for(const auto& k : keys_)
     {
       star_.push_back(known_cell(k.second));
-      link_.insert(link_.end(), k.first.begin(), k.first.end());
+      for(int w : k.first)
+        if(w != vertex() && std::find(link_.begin(), link_.end(), w) == link_.end())
+          link_.push_back(w);
     }
     std::sort(link_.begin(), link_.end());
-    link_.erase(std::unique(link_.begin(), link_.end()), link_.end());
-    link_.erase(std::find(link_.begin(), link_.end(), vertex()));
     has_infinite_ = link_.front() < 0;
     if(has_infinite_)
       link_.erase(link_.begin());
@@ -323,13 +327,15 @@ private:
   int local(int c)
   {
     if(!is_new_ && index_of(triangulation_.vertices(c), vertex()) < 4)
-      return ~static_cast<int>(std::find_if(star_.begin(), star_.end(), [c](const Cell& s) { return s.number == c; }) - star_.begin());
-    for(std::size_t n = 0; n < outer_.size(); ++n)
-      if(outer_[n].cell.number == c)
-        return static_cast<int>(n);
-    const Cell cell = known_cell(c);
-    outer_.push_back({ cell, sphere(cell.vertices) });
-    return static_cast<int>(outer_.size()) - 1;
+      return ~static_cast<int>(std::find(numbers_.begin(), numbers_.end(), c) - numbers_.begin());
+    const std::size_t n = std::find(outer_numbers_.begin(), outer_numbers_.end(), c) - outer_numbers_.begin();
+    if(n == outer_.size())
+    {
+      const Cell cell = known_cell(c);
+      outer_.push_back({ cell, sphere(cell.vertices) });
+      outer_numbers_.push_back(c);
+    }
+    return static_cast<int>(n);
   }
 
   // Whether a cell outside of the hole is in conflict; if so, its neighbors are to be visited.
@@ -413,7 +419,7 @@ private:
 
   const Labelled_triangulation_3& triangulation_;
   bool is_new_ = false, is_filled_ = false, has_infinite_ = false;
-  std::vector<int> numbers_;
+  std::vector<int> numbers_, outer_numbers_;    // of the cells of the star and outside
   std::vector<std::pair<Quadruple, int> > keys_;
   std::vector<Cell> star_, created_;
   std::vector<int> link_, hole_of_star_;        // finite neighbors; of the star, which cells of the hole are at its outer facets

@@ -124,6 +124,7 @@ public:
     cavity_.start_new(v, nearby);
   }
 
+  int vertex() const { return cavity_.vertex(); }
   const Site& from() const { return from_; }
 
   // Over which it makes sense to move the vertex.
@@ -160,7 +161,7 @@ public:
   }
 
   // The change of the sum of the deficits with the vertex there, or infinity if it may not be there, if a cell is worse than all
-  // that go, or if the change would not be less than `most`. Of cells off the boundary, the domain is not asked.
+  // that go, or if the change would not be less than `most`. The domain is not asked where it is seen what it would say.
   double move(const Site& s, double most)
   { return find_cells(s) && (!cavity_.is_new() || has_room(0)) ? change(most) : infinity; }
 
@@ -316,65 +317,75 @@ private:
     return result;
   }
 
-  // Of the sum of the deficits, by the cells that have been found.
+  // Of the sum of the deficits, by the cells that have been found. Where those lie of which only the domain knows the subdomain is
+  // nearly always seen from their vertices, so that it is asked about places that are good if that is true.
   double change(double most)
   {
-    return promises(most) && ask_in_doubt(most) && after_.is_not_worse_than(before_, goal_.steps())
-           && (!complex_.snapshot.has_unseparating_facets || ask_all()) && exchange_.is_permitted(change_)
+    const bool is_better = has_better_angles(most) && (are_labels_right() || has_better_angles(most));
+    return is_better && (!complex_.snapshot.has_unseparating_facets || ask_all()) && exchange_.is_permitted(change_)
            ? after_.deficit - before_.deficit : infinity;
   }
 
-  // Whether the change is less than `most` if cells of which only the domain knows the subdomain are where that is seen from
-  // their vertices or, if it is not, outside.
+  bool has_better_angles(double most)
+  { return promises(most) && ask_in_doubt(most) && after_.is_not_worse_than(before_, goal_.steps()); }
+
+  // Whether the change is less than `most` without cells of which it is not seen where they are.
   bool promises(double most)
   {
     before_ = after_ = Sliver_count();
-    double guessed = 0;
-    questions_.clear();
     for(Cell* c : cavity_.old_cells())
       if(is_inside(c->label))
         before_.add(lack(*c), goal_.steps());
-    const std::vector<Cell*>& cells = cavity_.new_cells();
-    for(std::size_t n = 0; n < cells.size(); ++n)
+    for(Cell* c : cavity_.new_cells())
     {
-      Cell& c = *cells[n];
-      if(c.label == Vertex_cavity_3::unlabelled)
-        c.label = complex_.label_of_vertices(c.vertices);
-      if(c.label == Editable_complex_3::mixed)
+      if(c->label == Vertex_cavity_3::unlabelled)
+        find_label(*c);
+      if(c->label == Editable_complex_3::mixed || !c->fits)
         return false;
-      if(c.label == Editable_complex_3::unknown)
-      {
-        questions_.emplace_back(-lack(c).deficit, n);
-        if(c.lack.deficit > 0 && is_inside(guess(c)))
-          guessed += c.lack.deficit;
-      }
-      else if(is_inside(c.label))
-        after_.add(lack(c), goal_.steps());
-      if(c.label != Editable_complex_3::unknown && is_at_boundary(c))
-        questions_.emplace_back(0., n);
-      if(!(after_.deficit + guessed - before_.deficit < most))
-        return false;
-    }
-    return true;
-  }
-
-  // Asks about these, those first that lack most, which are the most likely to decide, and then about the others at the boundary;
-  // false as soon as the change is not less, or one does not fit.
-  bool ask_in_doubt(double most)
-  {
-    std::sort(questions_.begin(), questions_.end());
-    for(const auto& d : questions_)
-    {
-      Cell& c = *cavity_.new_cells()[d.second];
-      const bool was_unknown = c.label == Editable_complex_3::unknown;
-      if(!ask(c))
-        return false;
-      if(was_unknown && is_inside(c.label))
-        after_.add(c.lack, goal_.steps());
+      if(is_inside(c->label))
+        after_.add(lack(*c), goal_.steps());
       if(!(after_.deficit - before_.deficit < most))
         return false;
     }
     return true;
+  }
+
+  // The same with these.
+  bool ask_in_doubt(double most)
+  {
+    for(Cell* c : cavity_.new_cells())
+    {
+      if(c->label != Editable_complex_3::unknown)
+        continue;
+      ask(*c);
+      if(is_inside(c->label))
+        after_.add(lack(*c), goal_.steps());
+      if(!(after_.deficit - before_.deficit < most))
+        return false;
+    }
+    return true;
+  }
+
+  void find_label(Cell& c) const
+  {
+    c.label = complex_.label_of_vertices(c.vertices);
+    c.is_guessed = c.label == Editable_complex_3::unknown;
+    if(const int seen = c.is_guessed ? guess(c) : int(Boundary_geometry_3::no_label); seen != Boundary_geometry_3::no_label)
+      c.label = seen;
+  }
+
+  // Whether the domain agrees, as far as that is not seen from the vertices. The labels are right then.
+  bool are_labels_right() const
+  {
+    bool are_right = true;
+    for(Cell* c : cavity_.new_cells())
+    {
+      const int label = c->label, seen = guess(*c);
+      if(c->is_guessed || (seen != Boundary_geometry_3::no_label && seen != label))
+        ask(*c);
+      are_right = are_right && c->label == label;
+    }
+    return are_right;
   }
 
   // The label of the dual point as the surfaces at the vertices tell, one of them if they do not agree.
@@ -394,11 +405,6 @@ private:
     return Boundary_geometry_3::no_label;
   }
 
-  bool is_at_boundary(const Cell& c) const
-  {
-    return std::any_of(c.vertices.begin(), c.vertices.end(), [this](int v) { return v >= 0 && complex_.numbering.is_on_boundary(v); });
-  }
-
   bool ask_all() const
   { return std::all_of(cavity_.new_cells().begin(), cavity_.new_cells().end(), [this](Cell* c) { return ask(*c); }); }
 
@@ -408,11 +414,10 @@ private:
     if(c.is_asked || *std::min_element(c.vertices.begin(), c.vertices.end()) < 0)
       return c.fits;
     c.dual = exact_dual_point(cavity_.sites(c.vertices));
-    const bool is_unknown = c.label == Editable_complex_3::unknown;
     int label = complex_.domain.label(c.dual);
-    if(complex_.domain.has_cells_of_mesh() && (is_unknown ? !complex_.boundary_moves : label != c.label))
+    if(complex_.domain.has_cells_of_mesh() && (c.is_guessed ? !complex_.boundary_moves : label != c.label))
       label = complex_.domain.label(centroid(cavity_.sites(c.vertices)));
-    c.fits = is_unknown || c.label == label;
+    c.fits = c.is_guessed || c.label == label;
     c.label = label;
     c.is_asked = true;
     return c.fits;
@@ -446,7 +451,6 @@ private:
   Site from_ = { 0, 0, 0, 0 };
   double mean_edge_ = 0, shortest_edge_ = 0;    // of all, and on the boundary
   Vector_3 normal_;            // zero if there is no facet of the patch
-  std::vector<std::pair<double, std::size_t> > questions_;         // new cells, by what they may lack
   Sliver_count before_, after_;
 };
 

@@ -29,14 +29,20 @@ typedef std::array<int, 4> Quadruple;
 template <class Tuple>
 int index_of(const Tuple& t, int v)
 {
-  return static_cast<int>(std::find(t.begin(), t.end(), v) - t.begin());
+  int n = 0;
+  while(n < static_cast<int>(t.size()) && t[n] != v)
+    ++n;
+  return n;
 }
 
 // They are keys that do not depend on the order of the vertices once they are sorted.
 template <class Tuple>
 Tuple sorted(Tuple t)
 {
-  std::sort(t.begin(), t.end());
+  // By insertion: calls of std::sort() would take longer than the few exchanges.
+  for(std::size_t n = 1; n < t.size(); ++n)
+    for(std::size_t m = n; m > 0 && t[m] < t[m - 1]; --m)
+      std::swap(t[m], t[m - 1]);
   return t;
 }
 

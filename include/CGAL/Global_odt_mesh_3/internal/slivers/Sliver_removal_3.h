@@ -295,8 +295,14 @@ private:
     for(const Promising_step& step : steps)
     {
       Site to = step.site;
-      best.tries += parameters_.tries_of_start + 1;
-      if(!trial.start(step.vertex) || !(trial.move_near(to, best.change) < best.change))
+      ++best.tries;
+      // Shares of the same step come one after the other, as a rule.
+      if(step.vertex != trial.vertex())
+      {
+        best.tries += parameters_.tries_of_start;
+        trial.start(step.vertex);
+      }
+      if(!(trial.move_near(to, best.change) < best.change))
         continue;
       best.vertex = step.vertex;
       best.site = to;
