@@ -69,13 +69,56 @@ public:
     return Facet_dual_3(facet_, sites).point_at((std::max)(lower(sites, least_margin).height, (std::min)(upper(sites, least_margin).height, 0.)));
   }
 
+  // Of the conditions for two neighbors each, the one that is missed by most: a convex function of the weights.
   Condition condition(const std::vector<Site>& sites, double margin) const
   {
+    Condition worst;
+    const double lowest = lower(sites, margin).height, highest = upper(sites, margin).height;
+    if(!(lowest > highest))
+      return worst;
+    const Bound bottom = { -most_radii * radius_ }, top = { most_radii * radius_ };
+    std::vector<Bound> below, above;
+    if(bottom.height > highest)
+      below.push_back(bottom);
+    if(top.height < lowest)
+      above.push_back(top);
+    for(const Neighbor& n : around_)
+      if(const double h = height_at(n, sites, margin); n.height < 0 && h > highest)
+        below.push_back({ h, &n });
+      else if(n.height > 0 && h < lowest)
+        above.push_back({ h, &n });
+    for(const Bound& low : below)
+      for(const Bound& high : above)
+        if(low.height > high.height)
+          if(const Condition c = condition(low, high); c.lack > worst.lack)
+            worst = c;
+    return worst;
+  }
+
+private:
+  static constexpr double most_radii = 1;
+  static constexpr double rounding = 1e-12;
+
+  // A vertex around the facet: over its plane, in barycentric coordinates, and with its power without weights.
+  struct Neighbor
+  {
+    int vertex;
+    bool may_gain_weight;
+    double height, power;
+    std::array<double, 3> shares;
+  };
+
+  // For the heights of empty spheres, with the vertex that sets it.
+  struct Bound
+  {
+    double height;
+    const Neighbor* neighbor = nullptr;
+  };
+
+  // Of the powers of the two vertices that set the bounds, the mean that is the same in all spheres has to be as large as the margin.
+  Condition condition(const Bound& low, const Bound& high) const
+  {
     Condition result;
-    const Bound low = lower(sites, margin), high = upper(sites, margin);
-    if(!(low.height > high.height))
-      return result;
-    // Of the powers of the two vertices that set the bounds, the mean that is the same in all spheres.
     const double a = low.neighbor == nullptr ? 0 : -low.neighbor->height, b = high.neighbor == nullptr ? 0 : high.neighbor->height;
     const double share = a == 0 ? 0 : b == 0 ? 1 : b / (a + b);
     std::copy(facet_.begin(), facet_.end(), result.vertices.begin());
@@ -100,26 +143,6 @@ public:
     result.lack = 2 * (low.height - high.height) * (a == 0 || b == 0 ? a + b : a * b / (a + b)) / length;
     return result;
   }
-
-private:
-  static constexpr double most_radii = 1;
-  static constexpr double rounding = 1e-12;
-
-  // A vertex around the facet: over its plane, in barycentric coordinates, and with its power without weights.
-  struct Neighbor
-  {
-    int vertex;
-    bool may_gain_weight;
-    double height, power;
-    std::array<double, 3> shares;
-  };
-
-  // For the heights of empty spheres, with the vertex that sets it.
-  struct Bound
-  {
-    double height;
-    const Neighbor* neighbor = nullptr;
-  };
 
   static Neighbor neighbor(int v, bool may_gain_weight, const Vector_3& p, const std::array<Site, 3>& corners,
                            const Facet_dual_3& circle)
