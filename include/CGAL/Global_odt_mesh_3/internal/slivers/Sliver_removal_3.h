@@ -160,7 +160,7 @@ private:
   template <class Predicate>
   bool make_passes(int step, std::size_t most_tries, const Predicate& may_go_on)
   {
-    set_goal(Sliver_goal(Sliver_steps::angles[step], step));
+    set_goal(Sliver_goal(Sliver_steps::angles[step], step_));
     const double share = parameters_.share_of_failures * double(most_tries - (std::min)(number_of_tries_, most_tries));
     bool goes_on = true;
     for(int pass = 0; pass < parameters_.most_passes && goes_on; ++pass)
