@@ -70,7 +70,7 @@ public:
     { return parameters_.do_insert_vertices || parameters_.do_remove_vertices ? adapt_and_optimize(mesh, task) : optimize(mesh, task); };
     const bool may_release = release_cells(mesh);
     std::optional<Outcome> outcome = adapt_or_optimize();
-    if(may_release && !mesh.is_changed())
+    if(may_release && !mesh.is_changed() && !control_.is_stopped())
     {
       mesh.release(kept_cells(mesh.read(threads_)));
       outcome = adapt_or_optimize();
