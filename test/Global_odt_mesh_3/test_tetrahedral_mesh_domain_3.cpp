@@ -264,6 +264,13 @@ static std::map<C3t3::Vertex_handle, double> check_weights(const std::string& na
   return weights;
 }
 
+static void check_not_less(const std::string& name, const std::map<C3t3::Vertex_handle, double>& before,
+                           const std::map<C3t3::Vertex_handle, double>& after)
+{
+  for(const auto& w : before)
+    check::that(after.count(w.first) == 1 && after.at(w.first) >= w.second, name, ": a weight has become less");
+}
+
 // A boundary at rest keeps facets that are none of the Delaunay triangulation of the vertices, which takes weights. These stay.
 static void check_fixed_boundary()
 {
@@ -294,8 +301,7 @@ static void check_fixed_boundary()
       check::that(call > 0 || report.is_changed(), n, ": unchanged");
       check::that(call == 0 || angle_now >= (std::min)(angle, 30.), n, ": the smallest angle falls from ", angle, " to ", angle_now);
       check::that(!weights_now.empty(), n, ": no facet has needed a weight");
-      for(const auto& w : weights)
-        check::that(weights_now.count(w.first) == 1 && weights_now.at(w.first) >= w.second, n, ": a weight has become less");
+      check_not_less(n, weights, weights_now);
       weights = weights_now;
     }
 
@@ -305,7 +311,7 @@ static void check_fixed_boundary()
       places[w.first] = w.first->point().point();
     CGAL::remove_slivers_mesh_3(c3t3, domain);
     CGAL::odt_optimize_tetrahedral_mesh_3(c3t3, params::number_of_rounds = 1);
-    check::that(check_weights(name + ", then moving", c3t3) == weights, name, ": weights change in later calls");
+    check_not_less(name + ", then moving", weights, check_weights(name + ", then moving", c3t3));
     const auto moved = std::count_if(places.begin(), places.end(), [](const auto& p) { return p.first->point().point() != p.second; });
     check::that(moved == 0, name, ": ", moved, " vertices with weights have moved");
   }
@@ -336,12 +342,12 @@ static void check_structured_boundary(int cells_in_hexahedron)
     std::cout << name << ": smallest angle " << before.smallest_angle << " -> " << after.smallest_angle << ", mean radius ratio "
               << before.mean_radius_ratio << " -> " << after.mean_radius_ratio << std::endl;
     check::that(after.smallest_angle > (std::max)(before.smallest_angle, 24.), name, ": smallest angle ", after.smallest_angle);
-    check::that(after.mean_radius_ratio > before.mean_radius_ratio + 0.05, name, ": mean radius ratio ", after.mean_radius_ratio);
+    check::that(after.mean_radius_ratio > before.mean_radius_ratio + 0.03, name, ": mean radius ratio ", after.mean_radius_ratio);
   }
 }
 
 // Facets that the user wants to stay, in meshes whose triangulation may not have them if all other vertices stay.
-static void check_constrained_facets(int cells_in_hexahedron, double in_faces)
+static void check_constrained_facets(int cells_in_hexahedron, double in_faces, double share)
 {
   for(unsigned int seed = 1; seed <= 3; ++seed)
   {
@@ -350,7 +356,7 @@ static void check_constrained_facets(int cells_in_hexahedron, double in_faces)
     const Medit_mesh input = distorted_box(seed, cells_in_hexahedron, in_faces);
     C3t3 c3t3;
     const Complex_of_medit_mesh<C3t3> complex(input, c3t3, 60);
-    std::set<C3t3::Facet> constrained = kept_facets::some(c3t3, 0.1 * seed, seed);
+    std::set<C3t3::Facet> constrained = kept_facets::some(c3t3, share, seed);
     const auto records = kept_facets::records(c3t3, constrained);
     const std::map<int, double> volume = volumes(c3t3);
     const auto all = kept_facets::all(c3t3);
@@ -552,8 +558,9 @@ int main()
   check_fixed_boundary();
   check_structured_boundary(5);
   check_structured_boundary(6);
-  check_constrained_facets(5, 0.05);
-  check_constrained_facets(6, 0.12);
+  check_constrained_facets(5, 0.05, 0.1);
+  check_constrained_facets(5, 0.05, 0.3);
+  check_constrained_facets(6, 0.12, 0.1);
   check_turned_over();
   check_facet_distance();
   return check::result();
