@@ -61,7 +61,7 @@ struct Sliver_removal_parameters
 //
 // A cell is helped by steps that promise more in first order; then by the vertices opposite
 // to it in its neighbors, whose way into its circumsphere makes it go; then by random positions of its vertices and of
-// these. A cell that nothing helps is left alone until it gives way to another.
+// these. Vertices of a boundary at rest may get another weight instead. A cell that nothing helps is left alone until it gives way to another.
 //
 // Proposals are made for several cells at once, by threads if these may ask the domain, and then accepted one after the other.
 class Sliver_removal_3
