@@ -380,6 +380,8 @@ private:
     bool are_right = true;
     for(Cell* c : cavity_.new_cells())
     {
+      if(*std::min_element(c->vertices.begin(), c->vertices.end()) < 0)
+        continue;
       const int label = c->label, seen = guess(*c);
       if(c->is_guessed || (seen != Boundary_geometry_3::no_label && seen != label))
         ask(*c);
