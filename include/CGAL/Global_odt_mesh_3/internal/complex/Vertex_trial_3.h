@@ -231,10 +231,8 @@ private:
 
   // Those that are kept do not go.
   bool find_cells(const Site& s)
-  {
-    return cavity_.find_cells(s) && std::none_of(cavity_.old_cells().begin(), cavity_.old_cells().end(),
-                                                 [this](const Cell* c) { return complex_.numbering.is_kept(c->vertices); });
-  }
+  { return cavity_.find_cells(s) && std::none_of(cavity_.old_cells().begin(), cavity_.old_cells().end(),
+                                                 [this](const Cell* c) { return complex_.numbering.is_kept(c->vertices); }); }
 
   // Whatever becomes of angles.
   bool is_permitted() { return promises(infinity) && ask_all() && exchange_.is_permitted(change_); }
