@@ -259,23 +259,36 @@ inline std::string title(const std::string& when, const CGAL::Mesh_quality_repor
   return out.str();
 }
 
-inline void write_script(const CGAL::Mesh_quality_report_3& before, const CGAL::Mesh_quality_report_3& after,
-                         const Window& w, const std::string& prefix)
+// Begins the script prefix.gp for prefix.png, of several plots of what is in the window, which is so high relative to its width.
+inline std::ofstream begin_script(const std::string& terminal, const std::string& prefix, const Window& w, double height = 1)
 {
   std::ofstream out(prefix + ".gp");
-  out << "set terminal pngcairo size 1000,838 font 'sans,12'\n"
+  out << "set terminal pngcairo " << terminal << '\n'
       << "set output '" << prefix << ".png'\n"
       << "set multiplot\n"
       << "unset key; unset border; unset tics; set style fill solid 1 noborder\n"
       << "set xrange [" << w.x - w.width / 2 << ':' << w.x + w.width / 2 << "]\n"
-      << "set yrange [" << w.y - w.width / 2 << ':' << w.y + w.width / 2 << "]\n"
-      << "set tmargin at screen 0.965; set bmargin at screen 0.40\n"
+      << "set yrange [" << w.y - w.width * height / 2 << ':' << w.y + w.width * height / 2 << "]\n";
+  return out;
+}
+
+// The command that plots a file of write_facets().
+inline std::string plot_facets(const std::string& file)
+{
+  return "plot '" + file + "' using 1:2:3 with filledcurves closed lc rgb variable\n";
+}
+
+inline void write_script(const CGAL::Mesh_quality_report_3& before, const CGAL::Mesh_quality_report_3& after,
+                         const Window& w, const std::string& prefix)
+{
+  std::ofstream out = begin_script("size 1000,838 font 'sans,12'", prefix, w);
+  out << "set tmargin at screen 0.965; set bmargin at screen 0.40\n"
       << "set lmargin at screen 0.005; set rmargin at screen 0.485\n"
       << "set title '" << title("before", before) << "' offset 0,-0.5\n"
-      << "plot '" << prefix << "_before.dat' using 1:2:3 with filledcurves closed lc rgb variable\n"
+      << plot_facets(prefix + "_before.dat")
       << "set lmargin at screen 0.515; set rmargin at screen 0.995\n"
       << "set title '" << title("after", after) << "'\n"
-      << "plot '" << prefix << "_after.dat' using 1:2:3 with filledcurves closed lc rgb variable\n"
+      << plot_facets(prefix + "_after.dat")
       << "set border 1; set xtics nomirror out; set key top left; set yrange [0:*]; set style fill solid 0.35 noborder\n"
       << "set tmargin at screen 0.345; set bmargin at screen 0.04\n"
       << "set lmargin at screen 0.02; set rmargin at screen 0.475\n"
@@ -331,18 +344,12 @@ void draw_whole_and_cut(const C3t3& c3t3, const std::string& prefix)
   const Window w = best_window(whole, 1);
   write_facets(whole, w, prefix + "_left.dat");
   write_facets(Cutaway<C3t3>(c3t3).visible_facets(), w, prefix + "_right.dat");
-  std::ofstream out(prefix + ".gp");
-  out << "set terminal pngcairo size 1600,800\n"
-      << "set output '" << prefix << ".png'\n"
-      << "set multiplot\n"
-      << "unset key; unset border; unset tics; set style fill solid 1 noborder\n"
-      << "set xrange [" << w.x - w.width / 2 << ':' << w.x + w.width / 2 << "]\n"
-      << "set yrange [" << w.y - w.width / 2 << ':' << w.y + w.width / 2 << "]\n"
-      << "set tmargin at screen 1; set bmargin at screen 0\n"
+  std::ofstream out = begin_script("size 1600,800", prefix, w);
+  out << "set tmargin at screen 1; set bmargin at screen 0\n"
       << "set lmargin at screen 0; set rmargin at screen 0.5\n"
-      << "plot '" << prefix << "_left.dat' using 1:2:3 with filledcurves closed lc rgb variable\n"
+      << plot_facets(prefix + "_left.dat")
       << "set lmargin at screen 0.5; set rmargin at screen 1\n"
-      << "plot '" << prefix << "_right.dat' using 1:2:3 with filledcurves closed lc rgb variable\n"
+      << plot_facets(prefix + "_right.dat")
       << "unset multiplot\n";
   out.close();
   draw(prefix, { prefix + "_left.dat", prefix + "_right.dat" });

@@ -80,11 +80,8 @@ int main()
   using namespace mesh_picture;
   const Window w = best_window(Cutaway<Polyhedral_c3t3>(input).visible_facets(), 1);
   const int columns = 3, rows = (static_cast<int>(calls.size()) + columns - 1) / columns, width = 420, height = 290;
-  std::ofstream script("parameters.gp");
-  script << "set terminal pngcairo noenhanced size " << columns * width << ',' << rows * height << " font 'sans,13'\n"
-         << "set output 'parameters.png'\nset multiplot\nunset key; unset border; unset tics; set style fill solid 1 noborder\n"
-         << "set xrange [" << w.x - w.width / 2 << ':' << w.x + w.width / 2 << "]\n"
-         << "set yrange [" << w.y - w.width * 0.28 << ':' << w.y + w.width * 0.28 << "]\n";
+  std::ofstream script = begin_script("noenhanced size " + std::to_string(columns * width) + ',' + std::to_string(rows * height)
+                                      + " font 'sans,13'", "parameters", w, 0.56);
   std::vector<std::string> files;
   for(std::size_t n = 0; n < calls.size(); ++n)
   {
@@ -96,7 +93,7 @@ int main()
     const double left = double(column) / columns, top = 1 - (row + 50. / height) / rows;
     script << "set lmargin at screen " << left << "; set rmargin at screen " << left + 1. / columns << "; set tmargin at screen " << top
            << "; set bmargin at screen " << top - 235. / height / rows << "\nset title \"" << title(calls[n].first, c3t3)
-           << "\" offset 0,-0.5\nplot '" << files.back() << "' using 1:2:3 with filledcurves closed lc rgb variable\n";
+           << "\" offset 0,-0.5\n" << plot_facets(files.back());
   }
   script << "unset multiplot\n";
   script.close();

@@ -192,9 +192,8 @@ private:
   {
     if(std::none_of(s.facet.begin(), s.facet.end(), [this](int v) { return complex_.numbering.is_on_boundary(v); }))
       return false;
-    const auto is_infinite = [](const Cell& c) { return *std::min_element(c.vertices.begin(), c.vertices.end()) < 0; };
     const std::vector<Cell*>& cells = cavity_.new_cells();
-    if(is_infinite(*cells[s.cell]) || (other != nullptr && is_infinite(*cells[other->cell])))
+    if(cells[s.cell]->is_infinite() || (other != nullptr && cells[other->cell]->is_infinite()))
       return false;
     const Vector_3 from = cells[s.cell]->dual;
     Vector_3 to;

@@ -61,19 +61,20 @@ public:
   static constexpr double least_margin = 5e-5;
 
   bool are_empty(const std::vector<Site>& sites, double margin = least_margin) const
-  { return !(lower(sites, margin).height > upper(sites, margin).height); }
+  { return !(bound(-1, sites, margin) > bound(1, sites, margin)); }
 
   // Of the smallest empty sphere.
   Vector_3 center(const std::vector<Site>& sites) const
   {
-    return Facet_dual_3(facet_, sites).point_at((std::max)(lower(sites, least_margin).height, (std::min)(upper(sites, least_margin).height, 0.)));
+    const double least = bound(-1, sites, least_margin), most = bound(1, sites, least_margin);
+    return Facet_dual_3(facet_, sites).point_at((std::max)(least, (std::min)(most, 0.)));
   }
 
   // Of the conditions for two neighbors each, the one that is missed by most: a convex function of the weights.
   Condition condition(const std::vector<Site>& sites, double margin) const
   {
     Condition worst;
-    const double lowest = lower(sites, margin).height, highest = upper(sites, margin).height;
+    const double lowest = bound(-1, sites, margin), highest = bound(1, sites, margin);
     if(!(lowest > highest))
       return worst;
     const Bound bottom = { -most_radii * radius_ }, top = { most_radii * radius_ };
@@ -108,7 +109,7 @@ private:
     std::array<double, 3> shares;
   };
 
-  // For the heights of empty spheres, with the vertex that sets it.
+  // For the heights of empty spheres, with the vertex that sets it, if there is one.
   struct Bound
   {
     double height;
@@ -171,23 +172,14 @@ private:
     return power / (2 * n.height);
   }
 
-  Bound lower(const std::vector<Site>& sites, double margin) const
+  // For the heights of empty spheres, by the vertices on one side: the least for those below (-1), the most for those above (1).
+  double bound(int side, const std::vector<Site>& sites, double margin) const
   {
-    Bound result = { -most_radii * radius_ };
+    double result = side * most_radii * radius_;
     for(const Neighbor& n : around_)
-      if(n.height < 0)
-        if(const double h = height_at(n, sites, margin); h > result.height)
-          result = { h, &n };
-    return result;
-  }
-
-  Bound upper(const std::vector<Site>& sites, double margin) const
-  {
-    Bound result = { most_radii * radius_ };
-    for(const Neighbor& n : around_)
-      if(n.height > 0)
-        if(const double h = height_at(n, sites, margin); h < result.height)
-          result = { h, &n };
+      if(side * n.height > 0)
+        if(const double h = height_at(n, sites, margin); side * h < side * result)
+          result = h;
     return result;
   }
 

@@ -66,10 +66,10 @@ private:
   bool find()
   {
     double missing = measure();
-    for(int step = 0; step < most_steps && !are_empty(); ++step)
-      if(!make_step(missing))
-        return false;
-    return are_empty();
+    bool is_found = are_empty();
+    for(int step = 0; step < most_steps && !is_found && make_step(missing); ++step)
+      is_found = are_empty();
+    return is_found;
   }
 
   bool are_empty() const

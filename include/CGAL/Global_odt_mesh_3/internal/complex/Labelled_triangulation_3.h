@@ -73,6 +73,15 @@ public:
   int vertex(Half_facet f) const { return cells_[f.cell()].vertices[f.index()]; }
   Half_facet mirror(Half_facet f) const { return Half_facet(cells_[f.cell()].neighbors[f.index()]); }
   int neighbor(int c, int i) const { return mirror(Half_facet(c, i)).cell(); }
+  // Those opposite to a cell in its neighbors.
+  Quadruple vertices_beyond(int c) const
+  {
+    Quadruple result;
+    for(int i = 0; i < 4; ++i)
+      result[i] = vertex(mirror(Half_facet(c, i)));
+    return result;
+  }
+
   bool is_infinite(int c) const { return index_of(vertices(c), infinite) < 4; }
 
   std::array<Site, 4> cell_sites(int c) const

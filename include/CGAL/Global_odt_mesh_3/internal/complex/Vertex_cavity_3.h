@@ -55,6 +55,8 @@ public:
     Vector_3 dual;       // once it has been asked
     Cell_lack lack = Cell_lack();
     bool is_measured = false;
+
+    bool is_infinite() const { return *std::min_element(vertices.begin(), vertices.end()) < 0; }
   };
 
   explicit Vertex_cavity_3(const Labelled_triangulation_3& triangulation)

@@ -95,10 +95,7 @@ public:
   // Those opposite to a cell in its neighbors that may move.
   std::vector<int> movable_vertices_beyond(int c) const
   {
-    std::array<int, 4> beyond;
-    for(int i = 0; i < 4; ++i)
-      beyond[i] = complex_.triangulation.vertex(complex_.triangulation.mirror(Half_facet(c, i)));
-    return movable_vertices(beyond);
+    return movable_vertices(complex_.triangulation.vertices_beyond(c));
   }
 
   // Begins with a vertex that may move; false if it has too many neighbors.
@@ -368,9 +365,10 @@ private:
   {
     c.label = complex_.label_of_vertices(c.vertices);
     c.is_guessed = c.label == Editable_complex_3::unknown;
-    if(const int seen = c.is_guessed ? guess(c) : int(Boundary_geometry_3::no_label); seen != Boundary_geometry_3::no_label)
-      c.label = seen;
+    c.label = c.is_guessed ? guess(c) : c.label;
   }
+
+  bool sees_other_label(const Cell& c) const { return !c.is_infinite() && guess(c) != c.label; }
 
   // Whether the domain agrees, as far as that is not seen from the vertices. The labels are right then.
   bool are_labels_right() const
@@ -378,17 +376,16 @@ private:
     bool are_right = true;
     for(Cell* c : cavity_.new_cells())
     {
-      if(*std::min_element(c->vertices.begin(), c->vertices.end()) < 0)
-        continue;
-      const int label = c->label, seen = guess(*c);
-      if(c->is_guessed || (seen != Boundary_geometry_3::no_label && seen != label))
+      const int label = c->label;
+      if(c->is_guessed || sees_other_label(*c))
         ask(*c);
       are_right = are_right && c->label == label;
     }
     return are_right;
   }
 
-  // The label of the dual point as the surfaces at the vertices tell, one of them if they do not agree.
+  // The label of the dual point as the surfaces at the vertices tell, one of them if they do not agree; if they do not tell, that of
+  // the cell.
   int guess(const Cell& c) const
   {
     constexpr double margin = 0.1;
@@ -402,7 +399,7 @@ private:
       if(label != Boundary_geometry_3::no_label)
         return label;
     }
-    return Boundary_geometry_3::no_label;
+    return c.label;
   }
 
   bool ask_all() const
@@ -411,7 +408,7 @@ private:
   // Asks the domain for the subdomain in which the dual point lies; false if that does not fit.
   bool ask(Cell& c) const
   {
-    if(c.is_asked || *std::min_element(c.vertices.begin(), c.vertices.end()) < 0)
+    if(c.is_asked || c.is_infinite())
       return c.fits;
     c.dual = exact_dual_point(cavity_.sites(c.vertices));
     int label = complex_.domain.label(c.dual);

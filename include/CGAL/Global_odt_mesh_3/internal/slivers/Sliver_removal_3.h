@@ -326,14 +326,11 @@ private:
   {
     const auto& shares = parameters_.shares_of_weight;
     const Quadruple q = complex_.triangulation.vertices(s.cell);
-    for(int i = 0; i < 4; ++i)
-    {
-      const int beyond = complex_.triangulation.vertex(complex_.triangulation.mirror(Half_facet(s.cell, i)));
+    for(int beyond : complex_.triangulation.vertices_beyond(s.cell))
       for(int v : { q[0], q[1], q[2], q[3], beyond })
         if(beyond >= 0 && complex_.may_gain_weight(v)
            && try_places(trial, v, shares.size(), [&](std::size_t n) { return trial.place_with_weight(q, beyond, shares[n]); }, best))
           return;
-    }
   }
 
   // The best place of those that are tried, or the first without deficit; whether one of these was found. `place(n)` gives one
