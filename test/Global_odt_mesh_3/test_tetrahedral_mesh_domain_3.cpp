@@ -550,8 +550,120 @@ static void check_generated()
   check::that(c3t3.number_of_facets_in_complex() == facets, "facets that are missing are not added");
 }
 
+// Two bars above each other, of which the vertices are close to the middles of the facets of the other one: there is no regular
+// triangulation with all of these. Vertices inside are close to facets, too.
+static Medit_mesh bars(double gap, double shift)
+{
+  constexpr int n = 2;
+  Medit_mesh result;
+  for(int bar = 0; bar < 2; ++bar)
+  {
+    const Medit_mesh box = structured_box::mesh(n, 6);
+    const int first = static_cast<int>(result.points.size());
+    for(const auto& p : box.points)
+    {
+      const double height = p[0] == 1 && p[1] == 1 && p[2] == 1 ? 0.01 : p[2];
+      result.points.push_back({{ 4 * p[0] + bar * shift, p[1] + bar * 0.3 * shift, 0.5 * height + bar * (0.5 * n + gap) }});
+    }
+    for(Medit_mesh::Element<4> t : box.tetrahedra)
+    {
+      for(int& v : t.vertices)
+        v += first;
+      t.reference = bar + 1;
+      result.tetrahedra.push_back(t);
+    }
+  }
+  result.point_references.resize(result.points.size());
+  return result;
+}
+
+static std::map<int, double> lengths_of_curves(const C3t3& c3t3)
+{
+  std::map<int, double> result;
+  for(auto e = c3t3.edges_in_complex_begin(); e != c3t3.edges_in_complex_end(); ++e)
+  {
+    const auto v = e->first->vertex(e->second), w = e->first->vertex(e->third);
+    result[c3t3.curve_index(*e)] += std::sqrt(CGAL::squared_distance(v->point().point(), w->point().point()));
+    for(const auto u : { v, w })
+      check::that(c3t3.in_dimension(u) == 0 || (c3t3.in_dimension(u) == 1 && c3t3.index(u) == c3t3.curve_index(*e)),
+                  "a vertex on a curve has dimension ", c3t3.in_dimension(u));
+  }
+  return result;
+}
+
+static std::map<int, double> areas_of_patches(const C3t3& c3t3)
+{
+  std::map<int, double> result;
+  for(auto f = c3t3.facets_in_complex_begin(); f != c3t3.facets_in_complex_end(); ++f)
+    result[c3t3.surface_patch_index(*f)] += std::sqrt(c3t3.triangulation().triangle(*f).squared_area());
+  return result;
+}
+
+static void check_equal(const std::string& name, const std::map<int, double>& before, const std::map<int, double>& after)
+{
+  bool are_equal = before.size() == after.size();
+  for(const auto& b : before)
+    are_equal = are_equal && after.count(b.first) > 0 && std::abs(after.at(b.first) - b.second) < 1e-4 * b.second;
+  if(!are_equal)
+    for(const auto& a : after)
+      std::cout << a.first << ": " << (before.count(a.first) > 0 ? before.at(a.first) : 0) << " -> " << a.second << std::endl;
+  check::that(are_equal, name);
+}
+
+// Where vertices may be inserted, edges and facets of the boundary are split, and otherwise obstacles are named.
+static void check_conforming_refinement()
+{
+  for(unsigned int seed = 1; seed <= 3; ++seed)
+  {
+    C3t3 c3t3;
+    const Complex_of_medit_mesh<C3t3> complex(bars(0.1 * seed, 0.3 + 0.1 * seed), c3t3, 60);
+    const std::string name = "bars " + std::to_string(seed) + ": ";
+    const auto curves = lengths_of_curves(c3t3), patches = areas_of_patches(c3t3);
+    const auto volumes_before = volumes(c3t3);
+    std::map<C3t3::Vertex_handle, std::pair<Point_3, int> > vertices;
+    for(const auto v : c3t3.triangulation().finite_vertex_handles())
+      vertices[v] = std::make_pair(v->point().point(), c3t3.in_dimension(v));
+    CGAL::Mesh_optimization_report_3<C3t3> report;
+    CGAL::odt_optimize_tetrahedral_mesh_3(c3t3, params::optimization_report(std::ref(report)), params::random_seed(seed));
+    check::that(!report.is_changed() && report.reason == report.NO_VALID_MESH && !report.obstacles.empty(), name, "no obstacles are named");
+    std::set<C3t3::Facet> facets(c3t3.facets_in_complex_begin(), c3t3.facets_in_complex_end());
+    CGAL::odt_optimize_tetrahedral_mesh_3(c3t3, params::optimization_report(std::ref(report)), params::do_insert_vertices(true),
+                                          params::facet_is_constrained_map(CGAL::Boolean_property_map<std::set<C3t3::Facet> >(facets)));
+    check::that(!report.is_changed(), name, "facets that are to stay are split");
+    const double before = CGAL::mesh_quality_report_3(c3t3).mean_radius_ratio;
+    CGAL::odt_optimize_tetrahedral_mesh_3(c3t3, params::optimization_report(std::ref(report)), params::do_insert_vertices(true),
+                                          params::random_seed(seed));
+    const CGAL::Mesh_quality_report_3 quality = CGAL::mesh_quality_report_3(c3t3);
+    std::cout << name << vertices.size() << " vertices, " << report.number_of_inserted_vertices << " inserted, smallest angle "
+              << quality.smallest_angle << ", 3r/R " << before << " -> " << quality.mean_radius_ratio << std::endl;
+    check::that(report.is_changed() && quality.mean_radius_ratio > before, name, "is not refined");
+    if(!report.is_changed())
+      continue;
+    check::that(kept_facets::is_regular(c3t3.triangulation()), name, "no regular triangulation");
+    std::size_t on_curves = 0;
+    for(const auto v : c3t3.triangulation().finite_vertex_handles())
+      if(const auto old = vertices.find(v); old == vertices.end())
+        on_curves += c3t3.in_dimension(v) == 1;
+      else
+      {
+        check::that(c3t3.in_dimension(v) == old->second.second && (old->second.second > 1 || v->point().point() == old->second.first), name,
+                    "a vertex on a feature has changed");
+        vertices.erase(old);
+      }
+    check::that(vertices.empty(), name, "vertices are lost");
+    check::that(on_curves > 0, name, "no edge of a feature is split");
+    check_equal(name + "curves have other lengths", curves, lengths_of_curves(c3t3));
+    check_equal(name + "patches have other areas", patches, areas_of_patches(c3t3));
+    check_equal(name + "subdomains have other volumes", volumes_before, volumes(c3t3));
+    C3t3 rescanned(c3t3);
+    rescanned.rescan_after_load_of_triangulation();
+    check::that(numbers(rescanned) == numbers(c3t3), name, "counts", printed(numbers(c3t3)), ", after a rescan", printed(numbers(rescanned)));
+  }
+}
+
 int main()
 {
+  check_conforming_refinement();
   check_box();
   check_generated();
   check_call();

@@ -59,11 +59,11 @@ public:
     number_of_input_vertices_ = static_cast<int>(table().sites.size());
   }
 
-  // With feature edges, by the vertices that have been read.
+  // With feature edges.
   Tabulated_mesh_3(User_mesh_view_3& input, const Thread_policy& threads)
     : Tabulated_mesh_3(static_cast<Mesh_view_3&>(input), threads)
   {
-    feature_edges_ = input.feature_edges();
+    state_.table.feature_edges = input.feature_edges();
   }
 
   const Mesh_table_3& table() const { return state_.table; }
@@ -74,7 +74,6 @@ public:
     return static_cast<int>(dimensions.size() - std::count(dimensions.begin(), dimensions.end(), int(Mesh_table_3::removed)));
   }
   const State& state() const { return state_; }
-  const std::vector<std::array<int, 2> >& feature_edges() const { return feature_edges_; }
   bool is_changed() const { return state_.is_changed; }
 
   // To what it was once.
@@ -85,13 +84,15 @@ public:
   int patch(int v) const override
   { return v < number_of_input_vertices_ ? input_.patch(v) : table().inserted[v - number_of_input_vertices_]; }
 
-  bool is_fixed(int v) const override { return table().sites[v].weight != 0 || (v < number_of_input_vertices_ && input_.is_fixed(v)); }
+  bool is_fixed(int v) const override
+  { return table().sites[v].weight != 0 || (v < number_of_input_vertices_ ? input_.is_fixed(v) : table().dimensions[v] < 2); }
 
   // The places of those that have been inserted before stay.
   void write(const Mesh_table_3& table) override
   {
     Mesh_table_3 next = table;
     next.inserted.insert(next.inserted.begin(), state_.table.inserted.begin(), state_.table.inserted.end());
+    next.feature_edges = state_.table.feature_edges;
     next.facets.clear();
     for(const Mesh_table_3::Facet& f : table.facets)
     {
@@ -115,7 +116,6 @@ public:
 private:
   Mesh_view_3& input_;
   State state_;
-  std::vector<std::array<int, 2> > feature_edges_;
   int number_of_input_vertices_ = 0;
 };
 
@@ -143,16 +143,16 @@ public:
     is_editable_ = mesh.is_changed() || complex_.make_regular();
   }
 
-  // Where edges are too short or too long for the sizes that are wanted.
+  // Where edges are too short or too long for the sizes that are wanted. False if the complex is not regular.
   template <class Predicate>
-  void adapt_sizes(const User_field_3& field, const Predicate& may_go_on)
+  bool adapt_sizes(const User_field_3& field, const Predicate& may_go_on)
   {
     if(!is_editable_)
-      return;
+      return false;
     const std::vector<int> number = numbers_of_table();
-    std::vector<std::array<int, 2> > feature_edges = mesh_.feature_edges();
-    for(std::array<int, 2>& e : feature_edges)
-      e = {{ number[e[0]], number[e[1]] }};
+    std::vector<std::array<int, 2> > feature_edges;
+    for(const Mesh_table_3::Feature_edge& e : mesh_.table().feature_edges)
+      feature_edges.push_back({{ number[e.vertices[0]], number[e.vertices[1]] }});
     const bool wants_number = parameters_.number_of_vertices > 0;
     const bool has_sizes = field && field.meaning == User_field_3::SIZE;
     Wanted_length_3 wanted(indexed_, feature_edges, has_sizes || (field && wants_number) ? size_of(field) : User_field_3::Function(),
@@ -183,6 +183,7 @@ public:
     if(parameters_.do_insert_vertices)
       adaptation.insert_vertices(may_go_on);
     store(edits);
+    return true;
   }
 
   // Into cells and facets that are too large, the worst first; whether there are such places.

@@ -19,6 +19,7 @@
 #include <CGAL/Global_odt_mesh_3/internal/Optimization_attempt_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/complex/Candidate_checks_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/complex/Complex_updater_3.h>
+#include <CGAL/Global_odt_mesh_3/internal/complex/Conforming_refinement_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/complex/Defect_report_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/complex/Labelled_triangulation_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/complex/Snapshot_reader_3.h>
@@ -105,16 +106,16 @@ private:
   std::optional<Outcome> optimize(Mesh_view_3& mesh, Odt_task task)
   {
     std::optional<Outcome> outcome;
+    bool may_be_regular = true;
     if(parameters_.optimize_boundary)
     {
-      bool has_way_back = true;
-      outcome = attempt(mesh, task, true, &has_way_back);
-      if(!has_way_back)
-        outcome = optimize_regular(mesh, task);
+      outcome = attempt(mesh, task, true, &may_be_regular);
+      if(!may_be_regular)
+        outcome = optimize_regular(mesh, task, may_be_regular);
     }
     // Where vertices are inserted or removed, further steps follow.
     const bool is_last = !parameters_.do_insert_vertices && !parameters_.do_remove_vertices && !control_.is_stopped();
-    const bool is_in_vain = !outcome || (is_refused_ && is_last);
+    const bool is_in_vain = may_be_regular && (!outcome || (is_refused_ && is_last));
     if(is_in_vain && task != Odt_task::REMESH_BOUNDARY)
       if(const std::optional<Outcome> other = attempt(mesh, task, false))
         return other;
@@ -123,13 +124,15 @@ private:
 
   // Of a mesh that is not regular unless its vertices stay that are on the surface: those that need a weight for that stay, and the
   // others move. Where there is no such mesh either, moves may still lead to a valid complex.
-  std::optional<Outcome> optimize_regular(Mesh_view_3& mesh, Odt_task task)
+  std::optional<Outcome> optimize_regular(Mesh_view_3& mesh, Odt_task task, bool& is_regular)
   {
     Tabulated_mesh_3 regular(mesh, threads_);
     const Sliver_census_3 slivers = Optimization_attempt_3::slivers_of_input(regular.table(), domain_);
     CGAL_assertion(regular.table().inserted.empty());
-    if(!make_regular(regular))
+    is_regular = make_regular(regular, false);
+    if(!is_regular)
       return attempt(mesh, task, true);
+    regular.return_to({ regular.table() });
     const std::optional<Outcome> outcome = attempt(regular, task, true);
     if(!outcome || !regular.is_changed())
       return outcome;
@@ -144,16 +147,15 @@ private:
     return outcome;
   }
 
-  // With a boundary that stays.
-  bool make_regular(Tabulated_mesh_3& mesh)
+  // False if it cannot be made so, or is so already.
+  bool make_regular(Tabulated_mesh_3& mesh, bool boundary_moves)
   {
     Moving_triangulation_3 indexed;
-    Complex_updater_3 complex(domain_, bounds_, false, threads_);
-    complex.start(Snapshot_reader_3(mesh, threads_).read(indexed, false));
+    Complex_updater_3 complex(domain_, bounds_, boundary_moves, threads_);
+    complex.start(Snapshot_reader_3(mesh, threads_).read(indexed, boundary_moves));
     if(!complex.make_regular() || complex.snapshot().is_input)
       return false;
     mesh.write(Snapshot_tabulation_3(complex.take_snapshot(), threads_)());
-    mesh.return_to({ mesh.table() });
     return true;
   }
 
@@ -246,12 +248,14 @@ private:
     const auto is_inside = [](const Mesh_table_3::Cell& c) { return c.label != Domain_view_3::outside; };
     if(std::none_of(adapted.table().cells.begin(), adapted.table().cells.end(), is_inside))
       return optimize(mesh, task);
-    const Sliver_census_3 slivers = Optimization_attempt_3::slivers_of_input(adapted.table(), domain_);
+    Sliver_census_3 slivers = Optimization_attempt_3::slivers_of_input(adapted.table(), domain_);
     const std::optional<Size_criteria_3> criteria = size_criteria(adapted.table());
     const auto may_go_on = [this] { return control_.may_go_on(); };
-    // There are many edges to ask for.
-    int questions = 0;
-    adaptation(adapted).adapt_sizes(field_, [&] { return questions++ % edges_of_question != 0 || control_.may_move(); });
+    if(!adapt_sizes(adapted) && conform(adapted))
+    {
+      slivers.is_of_moved_mesh = true;
+      adapt_sizes(adapted);
+    }
     if(adapted.is_changed())
       control_.note_work();
     std::optional<Outcome> outcome = optimize(adapted, task);
@@ -273,6 +277,33 @@ private:
     for(unsigned int n = 0; n < most_adaptations && !control_.is_stopped() && refine(adapted, criteria, last_step, n); ++n)
       control_.may_go_on();
     return conclude(mesh, adapted, slivers, *outcome);
+  }
+
+  // Inserts and removes vertices for the sizes that are wanted. False if the mesh is not regular, and cannot be made so.
+  bool adapt_sizes(Tabulated_mesh_3& mesh)
+  {
+    // There are many edges to ask for.
+    int questions = 0;
+    return adaptation(mesh).adapt_sizes(field_, [&] { return questions++ % edges_of_question != 0 || control_.may_move(); });
+  }
+
+  // Where the mesh cannot be made regular without vertices on edges and facets of the boundary, inserts them. False if that is not
+  // permitted, or does not help.
+  bool conform(Tabulated_mesh_3& mesh)
+  {
+    if(!parameters_.do_insert_vertices || !parameters_.optimize_boundary || !domain_.has_cells_of_mesh())
+      return false;
+    Conforming_refinement_3 refinement(mesh.table());
+    if(!refinement.run(Mesh_adaptation_3::most_vertices(parameters_, mesh), [this] { return control_.may_move(); }))
+      return false;
+    Tabulated_mesh_3::State before = mesh.state();
+    mesh.return_to({ refinement.take_table() });
+    bounds_.forget();
+    if(make_regular(mesh, true))
+      return true;
+    mesh.return_to(std::move(before));
+    bounds_.forget();
+    return false;
   }
 
   // The mesh becomes the adapted one, unless that is worse.

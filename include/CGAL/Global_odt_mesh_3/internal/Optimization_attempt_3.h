@@ -86,13 +86,13 @@ public:
     if(mesh_.number_of_movable_vertices == 0)
       return true;
     control_.start(plan_->usual_most_iterations(), removes_slivers());
-    // So that vertices have a way back; where that is not to be had, moves may still lead to a valid complex.
+    // So that vertices have a way back; where that is not to be had, moves of the boundary may still lead to a valid complex.
     if(slivers_of_input_.is_of_deformed_mesh)
     {
       has_way_back_ = complex_.make_regular();
       if(has_way_back_)
         complex_.load_into(mesh_);
-      else if(needs_way_back)
+      else if(needs_way_back || !boundary_moves())
         return false;
     }
     if(plan_->is_done())
@@ -172,6 +172,7 @@ public:
 
 private:
   static constexpr double least_gain_of_round = 2e-4;     // of the energy, relatively
+  static constexpr int most_lost_rounds = 2;              // of a mesh that is not regular, and cannot be made so
 
   Stage_clock::In_stage during(Stage_clock::Stage stage) const { return Stage_clock::In_stage(threads_.clock(), stage); }
 
@@ -211,8 +212,8 @@ private:
         plan_->skip(plan_->stage());
       if(control_.goes_on() && pays && !plan_->is_done())
       {
-        if(boundary_moves())
-          store_round();
+        if(boundary_moves() && !store_round() && !has_way_back_ && ++lost_rounds_ == most_lost_rounds)
+          return false;
         continue;
       }
       return conclude(pays);
@@ -220,12 +221,13 @@ private:
   }
 
   // A round that leads to no valid complex is lost.
-  void store_round()
+  bool store_round()
   {
     const double begin = control_.time();
-    complex_.advance(mesh_, false);
+    const bool is_valid = complex_.advance(mesh_, false);
     complex_.load_into(mesh_);
     control_.has_rebuilt(begin);
+    return is_valid;
   }
 
   // After the last round: the interior goes to its minimum, or to where the parameters say, slivers are removed,
@@ -280,6 +282,7 @@ private:
   std::unique_ptr<Largest_cells_3> largest_cells_;
   Mesh_optimization_return_code code_;
   bool has_way_back_ = true;
+  int lost_rounds_ = 0;
   Mesh_optimization_summary_3::Reason reason_ = Mesh_optimization_summary_3::NOTHING_TO_DO;
 };
 

@@ -191,7 +191,7 @@ private:
   // Whether the boundary may have the other two facets of a cell instead of two that it has. Where vertices move, others tell.
   bool may_flip(int c) const
   {
-    if(!candidate_.boundary_moves())
+    if(!candidate_.boundary_moves() || !candidate_.has_way_back)
       return false;
     const Quadruple& q = triangulation_.vertices(c);
     const Complex_snapshot_3& snapshot = candidate_.snapshot;

@@ -55,6 +55,7 @@ struct Vertex_numbering_3
   // do the cells around it.
   std::vector<int> subdomain;               // its label, or no_subdomain on the boundary
   Tuple_table<Quadruple, Input_cell> input_boundary_cells;
+  Tuple_table<std::array<int, 2>, int> feature_edges;       // if vertices may be inserted; with their curves
   Tuple_table<Triple, int> kept_facets;     // in the same way, whatever their cells
   Tuple_table<Quadruple, int> kept_cells;   // that are in all snapshots, with their facets; and their places among them
   int number_of_interior_vertices = 0;

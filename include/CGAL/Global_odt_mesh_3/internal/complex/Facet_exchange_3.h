@@ -56,7 +56,7 @@ public:
       return false;
     if(!complex_.boundary_moves)
       return removed_.empty() && added_.empty();
-    if(exchanges_kept_facet())
+    if(exchanges_kept_facet() || removes_feature_edge())
       return false;
     if(!complex_.boundary.keeps_topology(removed_, added_, change))
       return false;
@@ -254,6 +254,32 @@ private:
     return !complex_.numbering.kept_cells.entries().empty()
            && (std::any_of(removed_.begin(), removed_.end(), [this](int n) { return is_kept(complex_.boundary.facet(n).vertices); })
                || std::any_of(added_.begin(), added_.end(), [this](const Facet& f) { return is_kept(f.vertices); }));
+  }
+
+  // Patches may have features inside, which no change of the topology tells of.
+  bool removes_feature_edge() const
+  {
+    if(complex_.numbering.feature_edges.entries().empty())
+      return false;
+    for(int n : removed_)
+    {
+      const Triple& t = complex_.boundary.facet(n).vertices;
+      for(int i = 0; i < 3; ++i)
+        if(const std::array<int, 2> e = sorted(std::array<int, 2>{{ t[i], t[(i + 1) % 3] }});
+           complex_.numbering.feature_edges.find(e) != nullptr && !stays(e))
+          return true;
+    }
+    return false;
+  }
+
+  bool stays(const std::array<int, 2>& edge) const
+  {
+    const auto has_it = [&](const Triple& t) { return index_of(t, edge[0]) < 3 && index_of(t, edge[1]) < 3; };
+    const std::vector<Triple> facets = new_facets();
+    const std::vector<int>& around = complex_.boundary.around(edge[0]);
+    return std::any_of(facets.begin(), facets.end(), has_it)
+           || std::any_of(around.begin(), around.end(), [&](int n)
+                          { return std::find(removed_.begin(), removed_.end(), n) == removed_.end() && has_it(complex_.boundary.facet(n).vertices); });
   }
 
   // Of the facets that go or stay at the vertex.

@@ -39,6 +39,26 @@ enum Cell_flag
   GIVES_WAY                                                   // while some cells are replaced
 };
 
+// Whether one comes from the first of some cells, by their numbers, across facets to all others. That is not so where bodies of a mesh
+// that is no triangulation of space touch at vertices or edges, or not at all.
+template <class Neighbor>
+bool are_connected(const std::vector<int>& cells, const Neighbor& neighbor)
+{
+  if(cells.empty())
+    return true;
+  std::vector<char> is_found(cells.back() + 1, false);
+  std::vector<int> found(1, cells.front());
+  is_found[cells.front()] = true;
+  for(std::size_t n = 0; n < found.size(); ++n)
+    for(int i = 0; i < 4; ++i)
+      if(const int c = neighbor(found[n], i); !is_found[c])
+      {
+        is_found[c] = true;
+        found.push_back(c);
+      }
+  return found.size() == cells.size();
+}
+
 // A regular triangulation of sites in numbers: all cells, also infinite ones, with their labels and facets in the complex. The infinite
 // vertex has number -1. Signs of a vertex that moves are exact, and ties are broken as CGAL breaks them, so that the cells are
 // those that CGAL makes of the sites; but a table is taken as it is.

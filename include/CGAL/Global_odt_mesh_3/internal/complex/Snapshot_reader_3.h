@@ -34,6 +34,7 @@
 #include <cmath>
 #include <cstddef>
 #include <memory>
+#include <numeric>
 #include <utility>
 #include <vector>
 
@@ -62,7 +63,10 @@ inline bool is_deformed(const Mesh_table_3& table, const Thread_policy& threads)
     if(is_wrong)
       wrong.push_back(n);
   };
-  return !collect_in_chunks(static_cast<int>(table.cells.size()), threads, find_wrong).empty();
+  std::vector<int> cells(table.cells.size());
+  std::iota(cells.begin(), cells.end(), 0);
+  return !collect_in_chunks(static_cast<int>(table.cells.size()), threads, find_wrong).empty()
+         || !are_connected(cells, [&](int c, int i) { return table.cells[c].neighbors[i]; });
 }
 
 // Reads a mesh: the first snapshot, still without a triangulation, and the indexed mesh of it.
@@ -223,6 +227,8 @@ private:
 
   void read_kept_elements()
   {
+    for(const Mesh_table_3::Feature_edge& e : table_.feature_edges)
+      numbering_->feature_edges.insert(sorted(std::array<int, 2>{{ numbers_[e.vertices[0]], numbers_[e.vertices[1]] }}), e.curve);
     for(std::size_t n = 0; n < table_.cells.size(); ++n)
       for(int i = 0; i < 4; ++i)
         if(table_.cells[n].kept_facets >> i & 1)

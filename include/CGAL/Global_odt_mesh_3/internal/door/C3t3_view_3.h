@@ -33,6 +33,7 @@
 #include <cstddef>
 #include <functional>
 #include <iterator>
+#include <set>
 #include <tuple>
 #include <type_traits>
 #include <utility>
@@ -170,10 +171,11 @@ public:
   }
 
   // Files do not keep them, but the mesh generator protects features by balls, which overlap where they follow each other.
-  std::vector<std::array<int, 2> > feature_edges() const override
+  std::vector<Mesh_table_3::Feature_edge> feature_edges() override
   {
+    typedef Mesh_table_3::Feature_edge Feature_edge;
     const Vertex_numbers number = vertex_numbers();
-    std::vector<std::array<int, 2> > edges;
+    std::vector<Feature_edge> edges;
     std::vector<Vertex_handle> adjacent;
     for(std::size_t n = 0; n < vertices_.size(); ++n)
     {
@@ -182,11 +184,17 @@ public:
       if(is_on_feature(v))
         c3t3_.triangulation().finite_adjacent_vertices(v, std::back_inserter(adjacent));
       for(Vertex_handle w : adjacent)
-        if(static_cast<int>(n) < number[w] && is_on_feature(w)
-           && (c3t3_.is_in_complex(v, w) || do_balls_overlap(weighted_site(v->point()), weighted_site(w->point()))))
-          edges.push_back({{ static_cast<int>(n), number[w] }});
+      {
+        if(number[w] < static_cast<int>(n) || !is_on_feature(w))
+          continue;
+        const std::array<int, 2> e = {{ static_cast<int>(n), number[w] }};
+        if(c3t3_.is_in_complex(v, w))
+          edges.push_back({ e, domain_.number_curve(c3t3_.curve_index(v, w)) });
+        else if(do_balls_overlap(weighted_site(v->point()), weighted_site(w->point())))
+          edges.push_back({ e, Feature_edge::no_curve });
+      }
     }
-    std::sort(edges.begin(), edges.end());
+    std::sort(edges.begin(), edges.end(), [](const Feature_edge& a, const Feature_edge& b) { return a.vertices < b.vertices; });
     return edges;
   }
 
@@ -200,8 +208,9 @@ public:
     Triangulation& tr = c3t3_.triangulation();
     std::vector<Cell_handle> cells = all_cells(tr);
     vertices_.reserve(table.sites.size());
-    Created_elements created(tr.tds());
+    Created_elements created(c3t3_);
     create_inserted(table, created);
+    const std::vector<Edge> split = split_edges(table, created);
     // At least one cell is made, since the first may make the container allocate memory.
     do
       created.create_cell();
@@ -210,6 +219,8 @@ public:
 
     created.keep();
     is_changed_ = true;
+    for(const Edge& e : split)
+      c3t3_.remove_from_complex(e.first, e.second);
     vertices_.insert(vertices_.end(), created.vertices().begin(), created.vertices().end());
     cells.insert(cells.end(), created.cells().begin(), created.cells().end());
     take_out_of_complex(cells, c3t3_);
@@ -237,14 +248,16 @@ private:
   typedef CGAL::Unique_hash_map<Vertex_handle, int, Hash> Vertex_numbers;
   // The surface center of a facet, as a cell has it.
   typedef std::pair<Bare_point, Index> Center;
+  typedef std::pair<Vertex_handle, Vertex_handle> Edge;
 
-  // Vertices and cells that are erased again unless they are kept.
+  // Vertices, cells, and feature edges that are erased again unless they are kept.
   class Created_elements
   {
   public:
-    typedef typename Triangulation::Triangulation_data_structure Data_structure;
-
-    explicit Created_elements(Data_structure& tds) : tds_(tds) {}
+    explicit Created_elements(C3t3& c3t3)
+      : c3t3_(c3t3)
+      , tds_(c3t3.triangulation().tds())
+    {}
     Created_elements(const Created_elements&) = delete;
     Created_elements& operator=(const Created_elements&) = delete;
 
@@ -252,6 +265,9 @@ private:
     {
       if(is_kept_)
         return;
+      for(const Edge& e : edges_)
+        if(c3t3_.is_in_complex(e.first, e.second))
+          c3t3_.remove_from_complex(e.first, e.second);
       for(Vertex_handle v : vertices_)
         if(v != Vertex_handle())
           tds_.delete_vertex(v);
@@ -275,15 +291,23 @@ private:
       cells_.back() = tds_.create_cell();
     }
 
+    void create_edge(Vertex_handle v, Vertex_handle w, const typename C3t3::Curve_index& curve)
+    {
+      edges_.emplace_back(v, w);
+      c3t3_.add_to_complex(v, w, curve);
+    }
+
     void keep() { is_kept_ = true; }
 
     const std::vector<Vertex_handle>& vertices() const { return vertices_; }
     const std::vector<Cell_handle>& cells() const { return cells_; }
 
   private:
-    Data_structure& tds_;
+    C3t3& c3t3_;
+    typename Triangulation::Triangulation_data_structure& tds_;
     std::vector<Vertex_handle> vertices_;
     std::vector<Cell_handle> cells_;
+    std::vector<Edge> edges_;
     bool is_kept_ = false;
   };
 
@@ -298,6 +322,30 @@ private:
       c3t3_.set_dimension(v, table.dimensions[n]);
       c3t3_.set_index(v, domain_.index(table.dimensions[n], place));
     }
+  }
+
+  // Adds the parts of feature edges that have been split, and tells which edges these are.
+  std::vector<Edge> split_edges(const Mesh_table_3& table, Created_elements& created) const
+  {
+    const int first_created = static_cast<int>(vertices_.size());
+    const auto vertex = [&](int v) { return v < first_created ? vertices_[v] : created.vertices()[v - first_created]; };
+    std::set<Edge> edges;
+    bool are_split = false;
+    for(const Mesh_table_3::Feature_edge& e : table.feature_edges)
+    {
+      const Vertex_handle v = vertex(e.vertices[0]), w = vertex(e.vertices[1]);
+      edges.insert(std::minmax(v, w));
+      if(e.vertices[1] < first_created)
+        continue;
+      are_split = true;
+      created.create_edge(v, w, domain_.curve(e.curve));
+    }
+    std::vector<Edge> split;
+    if(are_split)
+      for(auto e = c3t3_.edges_in_complex_begin(); e != c3t3_.edges_in_complex_end(); ++e)
+        if(const Edge whole = std::minmax(e->first->vertex(e->second), e->first->vertex(e->third)); edges.count(whole) == 0)
+          split.push_back(whole);
+    return split;
   }
 
   static bool is_on_feature(Vertex_handle v) { return v->in_dimension() == 0 || v->in_dimension() == 1; }

@@ -52,6 +52,13 @@ struct Has_facets_of_mesh : std::false_type {};
 template <class Mesh_domain>
 struct Has_facets_of_mesh<Mesh_domain, std::void_t<typename Mesh_domain::Has_facets_of_mesh> > : std::true_type {};
 
+// Domains with features have curves.
+template <class Mesh_domain, class = void>
+struct Curve_index_of { typedef int type; };
+
+template <class Mesh_domain>
+struct Curve_index_of<Mesh_domain, std::void_t<typename Mesh_domain::Curve_index> > { typedef typename Mesh_domain::Curve_index type; };
+
 // What cannot be a domain, such as criteria.
 template <class T, class = void>
 struct Is_mesh_domain : std::false_type {};
@@ -107,6 +114,7 @@ public:
   typedef typename Mesh_domain::Index Index;
   typedef typename Mesh_domain::Subdomain_index Subdomain_index;
   typedef typename Mesh_domain::Surface_patch_index Surface_patch_index;
+  typedef typename Curve_index_of<Mesh_domain>::type Curve_index;
 
   // If threads are given, they may query the domain at the same time.
   explicit Mesh_domain_view_3(const Mesh_domain& domain, const Thread_policy& threads = Thread_policy())
@@ -116,19 +124,27 @@ public:
     subdomains_.number(Subdomain_index());            // outside
   }
 
-  // Subdomains of a mesh get numbers. This must not be called while threads query the domain.
+  // What a mesh has gets numbers. This must not be called while threads query the domain.
   int number_subdomain(const Subdomain_index& subdomain) { return subdomains_.number(subdomain); }
   int number_patch(const Surface_patch_index& patch) { return patches_.number(patch); }
+  int number_curve(const Curve_index& curve) { return curves_.number(curve); }
 
   const Subdomain_index& subdomain(int label) const { return subdomains_.value(label); }
   const Surface_patch_index& patch(int number) const { return patches_.value(number); }
+  const Curve_index& curve(int number) const { return curves_.value(number); }
 
   // The index of points on the patch.
   Index index(int patch_number) const { return domain_.index_from_surface_patch_index(patch(patch_number)); }
 
-  // The index of points on a patch or, for dimension 3, in a subdomain.
+  // The index of points on a curve, on a patch, or in a subdomain.
   Index index(int dimension, int place) const
-  { return dimension == 3 ? domain_.index_from_subdomain_index(subdomain(place)) : index(place); }
+  {
+    if constexpr (Has_facets_of_mesh<Mesh_domain>::value)
+      if(dimension == 1)
+        return domain_.index_from_curve_index(curve(place));
+    CGAL_assertion(dimension > 1);
+    return dimension == 3 ? domain_.index_from_subdomain_index(subdomain(place)) : index(place);
+  }
 
   // The patch of a point with that index, on a surface. In a mesh that the mesh generator has not made, the index need not be
   // that of a patch.
@@ -197,6 +213,7 @@ private:
   const Mesh_domain& domain_;
   Index_table<Subdomain_index> subdomains_;
   Index_table<Surface_patch_index> patches_;
+  Index_table<Curve_index> curves_;
 };
 
 } // namespace CGAL::Global_odt_mesh_3::internal

@@ -83,7 +83,7 @@ public:
   Mesh_table_3 read(const Thread_policy&) override { return table_; }
   int patch(int v) const override { return complex_.patches[original_[v]]; }
   bool is_fixed(int v) const override { return static_cast<std::size_t>(v) >= size_ || !is_movable_[v]; }
-  std::vector<std::array<int, 2> > feature_edges() const override { return {}; }
+  std::vector<Mesh_table_3::Feature_edge> feature_edges() override { return {}; }
 
   void write(const Mesh_table_3& table) override
   {

@@ -189,6 +189,7 @@ public:
     double smallest = Cell_lack().smallest;
     deficit_.for_each_lack(cell, [&](double lack) { smallest = (std::min)(smallest, deficit_.bound() - lack); });
     count_.add({ 0, smallest }, steps);
+    ++number_;
   }
 
   // Compares the smallest angle and, if these matter, the numbers below the steps.
@@ -213,15 +214,18 @@ public:
   // than one that is not: then sizes do not matter nor, where it has moved, angles above 20 degrees.
   bool may_replace(const Sliver_census_3& other, double sliver_bound) const
   {
-    const int slivers = count_.below[1];
     if(other.is_of_moved_mesh)
-      return slivers == 0 || (slivers <= other.count_.below[1] && count_.smallest >= other.count_.smallest);
+      return count_.below[1] == 0 || (share_of_slivers() <= other.share_of_slivers() && count_.smallest >= other.count_.smallest);
     return is_not_worse_than(other, true) && (sliver_bound > 0 || other.is_of_deformed_mesh || is_not_coarser_than(other));
   }
 
 private:
   static constexpr int steps = 3;
 
+  // Below 20 degrees.
+  double share_of_slivers() const { return double(count_.below[1]) / double((std::max)(1, number_)); }
+
+  int number_ = 0;                    // of cells
   std::map<int, double> largest_;     // the squared circumradius, by label
   Angle_deficit_3 deficit_ = Angle_deficit_3(Sliver_steps::angles[steps - 1]);
   Sliver_count count_;

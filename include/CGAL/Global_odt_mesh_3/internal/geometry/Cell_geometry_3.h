@@ -220,6 +220,20 @@ inline Vector_3 centroid(const std::array<Site, 4>& s) { return (position(s[0]) 
 inline Vector_3 centroid(const Triple& t, const std::vector<Site>& s)
 { return centroid(std::array<Site, 3>{{ s[t[0]], s[t[1]], s[t[2]] }}); }
 
+// How far points of a plane may be from it where files have rounded coordinates to six digits.
+inline double rounding_of_coordinates(const std::vector<Site>& sites)
+{
+  constexpr double rounding = 2e-6;               // of the diagonal of the bounding box
+  Vector_3 least = sites.empty() ? Vector_3() : position(sites[0]), most = least;
+  for(const Site& s : sites)
+    for(int i = 0; i < 3; ++i)
+    {
+      least[i] = (std::min)(least[i], position(s)[i]);
+      most[i] = (std::max)(most[i], position(s)[i]);
+    }
+  return rounding * (most - least).length();
+}
+
 inline double squared_distance(const Site& s, const Vector_3& p) { return (position(s) - p).squared_length(); }
 
 // The angle is in degrees.

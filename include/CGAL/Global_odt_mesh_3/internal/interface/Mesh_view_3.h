@@ -54,12 +54,21 @@ struct Mesh_table_3
     int patch_of_center;
   };
 
+  struct Feature_edge
+  {
+    static constexpr int no_curve = -1;         // of one that is between protecting balls, and not in the complex
+
+    std::array<int, 2> vertices;
+    int curve;
+  };
+
   std::vector<Site> sites;
   std::vector<int> dimensions;                  // of what vertices are on; of those that have been removed, `removed`
-  std::vector<int> inserted;                    // of vertices that the user's mesh has not got, the last: patch or subdomain
+  std::vector<int> inserted;                    // of vertices that the user's mesh has not got, the last: curve, patch, or subdomain
   std::vector<double> mean_circumradii;         // of the cells in the complex around vertices, or 0; of an optimized mesh
   std::vector<Cell> cells;                      // all of the triangulation
   std::vector<Facet> facets;                    // those in the complex; of the input from both sides, by cell and index
+  std::vector<Feature_edge> feature_edges;      // if vertices may be inserted
 
   Vertex_stratum stratum(int v) const
   {
@@ -146,8 +155,8 @@ public:
   // How many cells of the complex have a dihedral angle below a bound, in degrees.
   virtual std::size_t number_of_slivers(double bound) const = 0;
 
-  // The edges of features, by their vertices as they have been read.
-  virtual std::vector<std::array<int, 2> > feature_edges() const = 0;
+  // By the numbers of vertices as they have been read.
+  virtual std::vector<Mesh_table_3::Feature_edge> feature_edges() = 0;
 
   // Whether something has been written.
   virtual bool is_changed() const = 0;
