@@ -12,6 +12,7 @@
 
 #include <CGAL/license/Global_odt_mesh_3.h>
 
+#include <CGAL/Global_odt_mesh_3/internal/door/Created_elements.h>
 #include <CGAL/Global_odt_mesh_3/internal/door/Mesh_domain_view_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/door/User_constraints_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/geometry/Angle_deficit_3.h>
@@ -208,7 +209,7 @@ public:
     Triangulation& tr = c3t3_.triangulation();
     std::vector<Cell_handle> cells = all_cells(tr);
     vertices_.reserve(table.sites.size());
-    Created_elements created(c3t3_);
+    Created_elements<C3t3> created(c3t3_);
     create_inserted(table, created);
     const std::vector<Edge> split = split_edges(table, created);
     // At least one cell is made, since the first may make the container allocate memory.
@@ -250,68 +251,7 @@ private:
   typedef std::pair<Bare_point, Index> Center;
   typedef std::pair<Vertex_handle, Vertex_handle> Edge;
 
-  // Vertices, cells, and feature edges that are erased again unless they are kept.
-  class Created_elements
-  {
-  public:
-    explicit Created_elements(C3t3& c3t3)
-      : c3t3_(c3t3)
-      , tds_(c3t3.triangulation().tds())
-    {}
-    Created_elements(const Created_elements&) = delete;
-    Created_elements& operator=(const Created_elements&) = delete;
-
-    ~Created_elements()
-    {
-      if(is_kept_)
-        return;
-      for(const Edge& e : edges_)
-        if(c3t3_.is_in_complex(e.first, e.second))
-          c3t3_.remove_from_complex(e.first, e.second);
-      for(Vertex_handle v : vertices_)
-        if(v != Vertex_handle())
-          tds_.delete_vertex(v);
-      for(Cell_handle c : cells_)
-        if(c != Cell_handle())
-          tds_.cells().erase(c);
-    }
-
-    // Or none in its place.
-    Vertex_handle create_vertex(bool is_removed)
-    {
-      vertices_.emplace_back();
-      if(!is_removed)
-        vertices_.back() = tds_.create_vertex();
-      return vertices_.back();
-    }
-
-    void create_cell()
-    {
-      cells_.emplace_back();
-      cells_.back() = tds_.create_cell();
-    }
-
-    void create_edge(Vertex_handle v, Vertex_handle w, const typename C3t3::Curve_index& curve)
-    {
-      edges_.emplace_back(v, w);
-      c3t3_.add_to_complex(v, w, curve);
-    }
-
-    void keep() { is_kept_ = true; }
-
-    const std::vector<Vertex_handle>& vertices() const { return vertices_; }
-    const std::vector<Cell_handle>& cells() const { return cells_; }
-
-  private:
-    C3t3& c3t3_;
-    typename Triangulation::Triangulation_data_structure& tds_;
-    std::vector<Vertex_handle> vertices_;
-    std::vector<Cell_handle> cells_;
-    std::vector<Edge> edges_;
-    bool is_kept_ = false;
-  };
-
-  void create_inserted(const Mesh_table_3& table, Created_elements& created) const
+  void create_inserted(const Mesh_table_3& table, Created_elements<C3t3>& created) const
   {
     for(std::size_t n = vertices_.size(); n < table.sites.size(); ++n)
     {
@@ -325,7 +265,7 @@ private:
   }
 
   // Adds the parts of feature edges that have been split, and tells which edges these are.
-  std::vector<Edge> split_edges(const Mesh_table_3& table, Created_elements& created) const
+  std::vector<Edge> split_edges(const Mesh_table_3& table, Created_elements<C3t3>& created) const
   {
     const int first_created = static_cast<int>(vertices_.size());
     const auto vertex = [&](int v) { return v < first_created ? vertices_[v] : created.vertices()[v - first_created]; };
