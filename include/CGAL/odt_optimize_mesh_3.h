@@ -130,7 +130,8 @@ version of %CGAL in use accepts: `parameters::time_limit = 10, parameters::do_fr
     \cgalParamPrecondition{`facet_distance >= 0`, and finite}
     \cgalParamDefault{0, that is, as far as the farthest of the input. In a mesh that is its own domain, the distance is the error
                       up to which that surface is known: at each vertex, the largest of \f$ \sqrt{3}/6 \f$ times the length of an
-                      edge off the features times the angle between the normals of its two facets, which is 0 on planes.}
+                      edge off the features times the angle between the normals of its two facets, which is 0 on planes, or two
+                      millionths of the diagonal of the bounding box for rounded coordinates.}
     \cgalParamExtra{It is ignored if `optimize_boundary` is `false`. It is also ignored if the domain has no member function
                     `aabb_tree()`, such as that of `Polyhedral_mesh_domain_3` and `Tetrahedral_mesh_domain_3`, for distances.}
     \cgalParamExtra{The criterion of that name of `Mesh_criteria_3` measures circumcenters.}
@@ -208,7 +209,8 @@ version of %CGAL in use accepts: `parameters::time_limit = 10, parameters::do_fr
     \cgalParamDefault{`true`}
   \cgalParamNEnd
   \cgalParamNBegin{do_insert_vertices}
-    \cgalParamDescription{whether vertices may be inserted, inside and on surfaces, but neither on features nor where surfaces meet.
+    \cgalParamDescription{whether vertices may be inserted, inside and on surfaces, but neither on features nor where surfaces meet,
+                          except in a mesh that is its own domain, where these are in no regular triangulation of the vertices.
                           Before vertices move, others are inserted into edges that are long compared with `sizing_field`. Without a
                           field, edges are compared with the surrounding edges and with nearby feature edges. At the end, vertices
                           are inserted into cells whose circumradius exceeds `sizing_field` or, without sizes and densities, the
