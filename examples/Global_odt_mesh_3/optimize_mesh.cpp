@@ -124,12 +124,14 @@ inline void write(const Complex_of_medit_mesh<C3t3>& complex, const C3t3& c3t3, 
     throw std::runtime_error("cannot be written");
 }
 
-// The first line of the report.
-inline void print_reason(const Report& report)
+// The first line of the report, and what may help.
+inline void print_reason(const Report& report, const Optimize_mesh_options& options)
 {
   std::ostringstream s;
   s << report;
-  std::cerr << s.str().substr(0, s.str().find('\n')) << '\n';
+  std::cerr << s.str().substr(0, s.str().find('\n'));
+  const bool may_split = !options.do_insert && !options.fixes_boundary;
+  std::cerr << (report.reason == Report::NO_VALID_MESH && may_split ? "; --insert splits edges that are in the way\n" : "\n");
 }
 
 inline Exit_status run(const Optimize_mesh_options& options)
@@ -160,7 +162,7 @@ inline Exit_status run(const Optimize_mesh_options& options)
       print_summary(before, CGAL::mesh_quality_report_3(c3t3, { 10, 20, 30 }), report, timer.time());
     if(report.is_changed())
       return IMPROVED;
-    print_reason(report);
+    print_reason(report, options);
     return UNCHANGED;
   }
   catch(const CGAL::Failure_exception& e)

@@ -25,7 +25,7 @@ removed. OUT is in the same format or, if its name ends in .vtu, in that of Para
 references of physical groups:
   gmsh in.msh -save -o in.mesh -format mesh -setnumber Mesh.SaveElementTagType 2
 
-  --insert              insert vertices where that improves cells
+  --insert              insert vertices where that improves cells, or where a valid mesh needs them
   --remove              remove vertices where that improves cells
   --size S              the circumradii of cells, in the unit of the coordinates; only with --insert or --remove
   --vertices N          the number of vertices; implies --insert and --remove
