@@ -24,7 +24,7 @@
 
 namespace CGAL::Global_odt_mesh_3::internal {
 
-// What the user says of when to stop, and is told about the iterations.
+// Applies the user's limits on time and iterations, and reports progress to the user.
 class Iteration_control
 {
 public:
@@ -37,8 +37,8 @@ public:
 
   double time() const { return timer_.time(); }
 
-  // The mesh has been read since then. It takes about half as long to adopt what has been done to slivers and to write it, and,
-  // until that is measured, twice as long to rebuild it.
+  // Called once the mesh is read. Adopting the result of sliver removal and writing the mesh takes about half as long as reading it
+  // and, until it is measured, rebuilding takes twice as long.
   void has_read(double begin)
   {
     writing_ = (std::max)(writing_, (time() - begin) / 2);
@@ -46,7 +46,7 @@ public:
   }
   void has_rebuilt(double begin) { rebuilding_ = time() - begin; }
 
-  // For an attempt with that many iterations at most, unless the user says otherwise.
+  // Starts an attempt with at most that many iterations, unless the user sets another limit.
   void start(int usual_most_iterations, bool removes_slivers)
   {
     share_of_moves_ = removes_slivers ? 1 - share_of_slivers : 1.;
@@ -58,28 +58,28 @@ public:
     goes_on_ = !is_canceled_;
   }
 
-  // Of the attempt.
+  // The number of iterations in this attempt.
   int number_of_iterations() const { return number_of_iterations_; }
 
-  // In this attempt and before.
+  // The number of iterations in this and all previous attempts.
   int number_of_all_iterations() const { return number_of_iterations_ + iterations_before_; }
 
-  // Whether an end leaves anything to be kept; what has been done besides iterations is to be noted.
+  // Whether there is a result to keep if the optimization ends now; note_work() records work other than iterations.
   bool has_work() const { return has_other_work_ || number_of_all_iterations() > 0; }
   void note_work() { has_other_work_ = true; }
 
-  // False once time or iterations are used up, or the user has said so; then code() says why.
+  // False once time or iterations are used up or the user cancels; then code() tells why.
   bool goes_on() const { return goes_on_; }
   Mesh_optimization_return_code code() const { return code_; }
 
-  // Whether the user has said so.
+  // Whether the user has canceled.
   bool is_canceled() const { return is_canceled_; }
 
-  // Whether the time is used up, or the user has said so; what needs no iterations may be done as long as that is not so.
+  // Whether the time is used up or the user has canceled; until then, work that needs no iterations may be done.
   bool is_stopped() const { return is_canceled_ || !has_time(); }
 
-  // The fraction of the time for iterations that has passed, or will have after a rebuilding; 0 if there is no limit. The rest is
-  // for the last rebuilding, for slivers, and for writing.
+  // The fraction of the time for iterations that has passed, or will have passed after a rebuild; 0 without a time limit. The rest
+  // of the time is for the last rebuild, sliver removal, and writing.
   double elapsed(bool after_rebuilding = false) const
   {
     if(!(parameters_.time_limit > 0))
@@ -88,7 +88,7 @@ public:
     return end > 0 ? (time() + (after_rebuilding ? rebuilding_ : 0)) / end : (std::numeric_limits<double>::infinity)();
   }
 
-  // The part that has passed of the time between two fractions of it; all if it was over when it began.
+  // How much of the time between two of these fractions has passed; 1 if `end` is not after `begin`.
   double progress_between(double begin, double end) const
   {
     return !(parameters_.time_limit > 0) ? 0. : begin < end ? (elapsed() - begin) / (end - begin) : 1.;
@@ -97,8 +97,8 @@ public:
   // The largest fraction reported so far.
   double reported() const { return fraction_; }
 
-  // Besides that for writing. Once the user has said no, there is a tenth of the time that has passed or, so that this has not been in
-  // vain, what a few valid meshes take.
+  // Whether there is time left besides that for writing. After the user cancels, there is still a tenth of the time that has passed
+  // or the time of a few rebuilds, so that the work done is not lost.
   bool has_time() const
   {
     if(is_canceled_ && time() > canceled_at_ + (std::max)(time_after_end * canceled_at_, rebuildings_after_end * rebuilding_))
@@ -106,12 +106,12 @@ public:
     return !(parameters_.time_limit > 0) || time() + writing_ <= parameters_.time_limit;
   }
 
-  // Whether time and user permit to do more than iterations; changes goes_on() if not.
+  // Whether time and user permit work other than iterations; if not, goes_on() becomes false.
   bool may_go_on() { return may_go_on(has_time()); }
-  // The same in the time for iterations.
+  // Like may_go_on(), but within the time for iterations.
   bool may_move() { return may_go_on(elapsed() <= 1); }
 
-  // Before each iteration, with the fraction of the work that is done; gives goes_on().
+  // To be called before each iteration with the fraction of the work that is done; returns goes_on().
   bool begin_iteration(double progress)
   {
     goes_on_ = false;
@@ -146,8 +146,8 @@ private:
     return false;
   }
 
-  // The fraction done is the largest of those of the work, the iterations and the time. A callback that has said no is not asked
-  // again.
+  // The fraction reported is the largest of those of the work, the iterations, and the time. A callback that has canceled is not
+  // called again.
   bool report(double progress)
   {
     if(!parameters_.callback || is_canceled_)

@@ -41,7 +41,7 @@
 
 namespace CGAL::Global_odt_mesh_3::internal {
 
-// A mesh that is a table: that of the user between the stages of an optimization which makes it regular, or inserts vertices.
+// The user's mesh as a table, between the stages of an optimization that makes the mesh regular or inserts vertices.
 class Tabulated_mesh_3
   : public Mesh_view_3
 {
@@ -49,7 +49,7 @@ public:
   struct State
   {
     Mesh_table_3 table;
-    bool is_changed = false;                // since it was read
+    bool is_changed = false;                // since the mesh was read
   };
 
   Tabulated_mesh_3(Mesh_view_3& input, const Thread_policy& threads)
@@ -59,7 +59,7 @@ public:
     number_of_input_vertices_ = static_cast<int>(table().sites.size());
   }
 
-  // With feature edges.
+  // Also reads the feature edges.
   Tabulated_mesh_3(User_mesh_view_3& input, const Thread_policy& threads)
     : Tabulated_mesh_3(static_cast<Mesh_view_3&>(input), threads)
   {
@@ -76,7 +76,7 @@ public:
   const State& state() const { return state_; }
   bool is_changed() const { return state_.is_changed; }
 
-  // To what it was once.
+  // Goes back to an earlier state.
   void return_to(State state) { state_ = std::move(state); }
 
   Mesh_table_3 read(const Thread_policy&) override { return table(); }
@@ -87,7 +87,7 @@ public:
   bool is_fixed(int v) const override
   { return table().sites[v].weight != 0 || (v < number_of_input_vertices_ ? input_.is_fixed(v) : table().dimensions[v] < 2); }
 
-  // The places of those that have been inserted before stay.
+  // Vertices inserted earlier keep their places in the table.
   void write(const Mesh_table_3& table) override
   {
     Mesh_table_3 next = table;
@@ -107,7 +107,7 @@ public:
     }
     std::sort(next.facets.begin(), next.facets.end(), [](const Mesh_table_3::Facet& a, const Mesh_table_3::Facet& b)
               { return std::make_pair(a.cell, a.index) < std::make_pair(b.cell, b.index); });
-    // From a table that has both sides already.
+    // If the table lists both sides of a facet already, the duplicates are removed.
     next.facets.erase(std::unique(next.facets.begin(), next.facets.end(), [](const Mesh_table_3::Facet& a, const Mesh_table_3::Facet& b)
                                   { return a.cell == b.cell && a.index == b.index; }), next.facets.end());
     state_ = { std::move(next), true };
@@ -119,19 +119,19 @@ private:
   int number_of_input_vertices_ = 0;
 };
 
-// Inserts vertices into a mesh, or removes them, as a stage of its own.
+// Inserts vertices into a mesh or removes some, as a separate stage.
 class Mesh_adaptation_3
 {
 public:
-  // That a call leads to: those that the user wants, or, so that a field in wrong units does not fill the memory, not many more
-  // than there were.
+  // The largest number of vertices that a call may lead to: the number the user wants or else a multiple of the input's, so that a
+  // field in wrong units does not exhaust the memory.
   static int most_vertices(const Odt_parameters& parameters, const Tabulated_mesh_3& mesh)
   {
     const std::size_t most = (std::max)(most_growth * mesh.number_of_input_vertices(), fewest_permitted);
     return static_cast<int>(parameters.number_of_vertices > 0 ? parameters.number_of_vertices : (std::min)(most, Odt_parameters::most_vertices));
   }
 
-  // Refers to its arguments.
+  // Keeps references to its arguments.
   Mesh_adaptation_3(Tabulated_mesh_3& mesh, const Domain_view_3& domain, Facet_bounds_3& bounds, const Odt_parameters& parameters,
                     const Thread_policy& threads)
     : mesh_(mesh)
@@ -143,7 +143,7 @@ public:
     is_editable_ = mesh.is_changed() || complex_.make_regular();
   }
 
-  // Where edges are too short or too long for the sizes that are wanted. False if the complex is not regular.
+  // Inserts or removes vertices where edges are too long or too short for the wanted sizes. False if the complex is not regular.
   template <class Predicate>
   bool adapt_sizes(const User_field_3& field, const Predicate& may_go_on)
   {
@@ -186,7 +186,7 @@ public:
     return true;
   }
 
-  // Into cells and facets that are too large, the worst first; whether there are such places.
+  // Inserts vertices into cells and facets that are too large, the worst first. True if the mesh changes.
   template <class Predicate>
   bool refine(const std::vector<Size_criteria_3::Violation>& violations, int step, unsigned int seed, const Predicate& may_go_on)
   {
@@ -206,7 +206,7 @@ public:
     return store(edits);
   }
 
-  // Where that makes the small angles of cells larger; whether there are such places.
+  // Inserts or removes vertices where that makes small dihedral angles larger. True if the mesh changes.
   template <class Predicate>
   bool edit_slivers(int step, unsigned int seed, const Predicate& may_go_on)
   {
@@ -219,13 +219,13 @@ public:
 
 private:
   static constexpr std::size_t most_growth = 10, fewest_permitted = 100000;
-  // Of edges in meshes that the mesh generator makes with these sizes, which bound circumradii.
+  // The ratio of edge length to size in meshes by Mesh_3, whose sizes bound circumradii.
   static constexpr double edge_over_size = 4 / 3.;
-  // Without sizes, only what is far from that: with .3, an elephant keeps 300 vertices more, and its cells are worse.
+  // Without given sizes, only edges far from the mean length are changed; a smaller factor makes cells worse.
   static constexpr double longest_over_mean = 1.3;
   static constexpr Size_tolerance of_sizes = { 4 / 3., 0.6 }, of_neighbors = { 1.7, 0.45 };
 
-  // In the snapshot, of the vertices of the table.
+  // For each vertex of the table, its number in the snapshot.
   std::vector<int> numbers_of_table() const
   {
     const std::vector<int>& in_table = complex_.snapshot().numbering->input_numbers;
@@ -235,7 +235,8 @@ private:
     return number;
   }
 
-  // At the vertices of the snapshot, given their numbers in it; sorted.
+  // For each boundary vertex of the snapshot, the sorted labels of the subdomains around it. `number` maps numbers in the table to
+  // numbers in the snapshot.
   Wanted_length_3::Labels labels_between_subdomains(const std::vector<int>& number) const
   {
     const Vertex_numbering_3& numbering = *complex_.snapshot().numbering;
@@ -262,7 +263,7 @@ private:
     };
   }
 
-  // Whether something has changed.
+  // Writes the edited complex to the mesh; false if nothing has changed.
   bool store(Vertex_edits_3& edits)
   {
     const std::optional<Mesh_table_3> table = edits.has_changed() ? edits.table() : std::nullopt;

@@ -25,7 +25,7 @@
 
 namespace CGAL::Global_odt_mesh_3::internal {
 
-// Six times those of the subdomains.
+// Six times the volume of each subdomain.
 inline std::map<int, double> volumes(const Mesh_table_3& mesh)
 {
   std::map<int, double> result;
@@ -38,7 +38,7 @@ inline std::map<int, double> volumes(const Mesh_table_3& mesh)
   return result;
 }
 
-// Of a measure of subdomains, such as volumes, relatively.
+// The largest relative change of a measure of subdomains, such as the volume.
 template <class Measures>
 double largest_change(const Measures& before, const Measures& after)
 {
@@ -53,8 +53,8 @@ double largest_change(const Measures& before, const Measures& after)
   return largest;
 }
 
-// Of the centroid of a facet from the surface, along the facet's normal unless the domain tells distances. Facets for which no such
-// point is found do not count.
+// The largest distance of a facet's centroid from the surface, measured along the facet's normal unless the domain can measure
+// distances. Facets for which no point of the surface is found do not count.
 inline double farthest_facet(const Mesh_table_3& mesh, const Domain_view_3& domain)
 {
   double farthest = 0;

@@ -48,11 +48,11 @@
 
 namespace CGAL::Global_odt_mesh_3::internal {
 
-// All that one call does to a mesh: an optimization, or several with vertices inserted or removed before each.
+// All that one call does to a mesh: one optimization, or several with vertices inserted or removed before each of them.
 class Mesh_optimization_3
 {
 public:
-  // Refers to its arguments.
+  // Keeps references to its arguments.
   Mesh_optimization_3(const Domain_view_3& domain, const Odt_parameters& parameters, const User_field_3& field,
                       Optimization_visitor& visitor, const Thread_policy& threads)
     : domain_(domain)
@@ -89,7 +89,7 @@ public:
 private:
   typedef Mesh_optimization_summary_3 Summary;
 
-  // The code, by whether cells are left below the bound.
+  // The return code, depending on whether slivers are left below the bound.
   struct Outcome
   {
     Mesh_optimization_return_code without_slivers, with_slivers;
@@ -97,12 +97,12 @@ private:
 
   static constexpr unsigned int most_adaptations = 3;
   static constexpr int most_releases = 4, edges_of_question = 100;
-  // In which cells are split that are too large: in the end, no more angles get below 30 degrees. Where cells were split whatever
-  // that did to angles, those of an elephant fell from 30 to 8 degrees.
+  // The steps whose angles must not get worse when cells that are too large are split: in the end, no more angles may fall below 30
+  // degrees. Without this limit, splitting makes angles much smaller.
   static constexpr int step_on_the_way = 1, last_step = 3;
 
-  // With a boundary that moves or, where that leads to no valid complex or a worse one, is fixed. None if there is no valid one, and the
-  // mesh is as it was.
+  // Optimizes with a moving boundary or, if that leads to no valid complex or to a worse one, with a fixed one. No outcome if there
+  // is no valid complex; the mesh then stays as it was.
   std::optional<Outcome> optimize(Mesh_view_3& mesh, Odt_task task)
   {
     std::optional<Outcome> outcome;
@@ -113,7 +113,7 @@ private:
       if(!may_be_regular)
         outcome = optimize_regular(mesh, task, may_be_regular);
     }
-    // Where vertices are inserted or removed, further steps follow.
+    // If vertices are inserted or removed, further steps follow this one.
     const bool is_last = !parameters_.do_insert_vertices && !parameters_.do_remove_vertices && !control_.is_stopped();
     const bool is_in_vain = may_be_regular && (!outcome || (is_refused_ && is_last));
     if(is_in_vain && task != Odt_task::REMESH_BOUNDARY)
@@ -122,8 +122,8 @@ private:
     return outcome;
   }
 
-  // Of a mesh that is not regular unless its vertices stay that are on the surface: those that need a weight for that stay, and the
-  // others move. Where there is no such mesh either, moves may still lead to a valid complex.
+  // Optimizes a mesh that can be made regular only while its surface vertices stay: those that need a weight for that remain fixed,
+  // and the others move. If there is no such mesh either, moves may still lead to a valid complex.
   std::optional<Outcome> optimize_regular(Mesh_view_3& mesh, Odt_task task, bool& is_regular)
   {
     Tabulated_mesh_3 regular(mesh, threads_);
@@ -147,7 +147,7 @@ private:
     return outcome;
   }
 
-  // False if it cannot be made so, or is so already.
+  // False if the mesh cannot be made regular, or is regular already.
   bool make_regular(Tabulated_mesh_3& mesh, bool boundary_moves)
   {
     Moving_triangulation_3 indexed;
@@ -159,7 +159,7 @@ private:
     return true;
   }
 
-  // If it is asked for, nothing is done where vertices would have no way back to a regular mesh.
+  // If `has_way_back` is given, nothing is done where vertices would have no regular mesh to go back to.
   std::optional<Outcome> attempt(Mesh_view_3& mesh, Odt_task task, bool boundary_moves, bool* has_way_back = nullptr)
   {
     Optimization_attempt_3 attempt(mesh, domain_, bounds_, task, parameters_, field_, control_, threads_, boundary_moves);
@@ -168,7 +168,7 @@ private:
     if(has_way_back != nullptr)
       *has_way_back = attempt.has_way_back();
     const Summary::Reason reason = !is_made ? Summary::NO_VALID_MESH : control_.is_stopped() ? Summary::OUT_OF_TIME : attempt.reason();
-    // That one attempt has nothing to do tells less than why another one has failed.
+    // An attempt with nothing to do tells less than the reason why another one failed.
     if(reason != Summary::NOTHING_TO_DO)
       reason_ = reason;
     if(!is_made)
@@ -182,18 +182,18 @@ private:
     return Outcome{ attempt.code(0), attempt.code(1) };
   }
 
-  // If there was no time for more, or the mesh stays as it was.
+  // The outcome if time ran out or the mesh stays as it was.
   Outcome incomplete() const
   {
     const Mesh_optimization_return_code code = control_.is_stopped() ? TIME_LIMIT_REACHED : CANT_IMPROVE_ANYMORE;
     return { code, code };
   }
 
-  // Whether cells may have smaller angles than those of the input, since the user wants other sizes, or slivers.
+  // Whether cells may have smaller angles than those of the input, since the user wants other sizes or keeps slivers.
   bool may_be_worse() const { return !parameters_.do_remove_slivers || field_ || parameters_.number_of_vertices > 0; }
 
-  // Cells of a deformed mesh that are to stay, but are none of the regular triangulation of the vertices where these are, cannot
-  // stay, nor can those around vertices that stand in the way of a valid complex. Whether some are left.
+  // In a deformed mesh, releases cells that the user wants to keep but that are not in the regular triangulation of the vertices at
+  // their present positions, and cells around vertices that prevent a valid complex. True if some kept cells are left.
   bool release_cells(User_mesh_view_3& mesh)
   {
     if(!mesh.keeps_cells())
@@ -239,8 +239,8 @@ private:
     return kept;
   }
 
-  // Vertices are inserted and removed for the sizes that are wanted, before all vertices move; and then where cells are too
-  // large and at the slivers that are left.
+  // Inserts and removes vertices for the wanted sizes before all vertices move, and then in cells that are too large and at the
+  // slivers that are left.
   std::optional<Outcome> adapt_and_optimize(User_mesh_view_3& mesh, Odt_task task)
   {
     Tabulated_mesh_3 adapted(mesh, threads_);
@@ -279,16 +279,16 @@ private:
     return conclude(mesh, adapted, slivers, *outcome);
   }
 
-  // Inserts and removes vertices for the sizes that are wanted. False if the mesh is not regular, and cannot be made so.
+  // Inserts and removes vertices for the wanted sizes. False if the mesh is not regular and cannot be made so.
   bool adapt_sizes(Tabulated_mesh_3& mesh)
   {
-    // There are many edges to ask for.
+    // There are many edges, so the control is asked only once in a while.
     int questions = 0;
     return adaptation(mesh).adapt_sizes(field_, [&] { return questions++ % edges_of_question != 0 || control_.may_move(); });
   }
 
-  // Where the mesh cannot be made regular without vertices on edges and facets of the boundary, inserts them. False if that is not
-  // permitted, or does not help.
+  // Inserts vertices on edges and facets of the boundary where the mesh cannot be made regular without them. False if that is not
+  // permitted or does not help.
   bool conform(Tabulated_mesh_3& mesh)
   {
     if(!parameters_.do_insert_vertices || !parameters_.optimize_boundary || !domain_.has_cells_of_mesh())
@@ -306,7 +306,7 @@ private:
     return false;
   }
 
-  // The mesh becomes the adapted one, unless that is worse.
+  // Writes the adapted mesh, unless it is worse than the input.
   Outcome conclude(User_mesh_view_3& mesh, const Tabulated_mesh_3& adapted, const Sliver_census_3& slivers, Outcome outcome)
   {
     if(control_.is_stopped())
@@ -345,8 +345,8 @@ private:
     summary.farthest_facet = farthest_facet(table, domain_);
   }
 
-  // Whether there are as many vertices as the user wants, if there is such a number, up to 1 % or two; or else fewer than there
-  // may be, which are too few for the sizes.
+  // Whether the mesh has the number of vertices the user wants, within 1 % or two vertices. Without such a number, whether it has
+  // fewer than the most permitted; reaching that limit means too few for the sizes.
   bool has_wanted_number(const Tabulated_mesh_3& mesh) const
   {
     const double wanted = double(parameters_.number_of_vertices), tolerance = (std::max)(2., 0.01 * wanted);
@@ -354,14 +354,15 @@ private:
                       : mesh.number_of_vertices() < Mesh_adaptation_3::most_vertices(parameters_, mesh);
   }
 
-  // What cells and facets are to keep in the end, if vertices may be inserted for that: the sizes of the field or of the input.
+  // The size criteria that cells and facets must satisfy in the end, if vertices may be inserted: those of the size field or of the
+  // input.
   std::optional<Size_criteria_3> size_criteria(const Mesh_table_3& input) const
   {
     const bool has_other_sizes = parameters_.number_of_vertices > 0 || (field_ && field_.meaning == User_field_3::DENSITY);
     return parameters_.do_insert_vertices && !has_other_sizes ? std::make_optional<Size_criteria_3>(input, field_) : std::nullopt;
   }
 
-  // Whether vertices have been inserted into cells or facets that are too large.
+  // Inserts vertices into cells and facets that are too large; true if the mesh changes.
   bool refine(Tabulated_mesh_3& mesh, const std::optional<Size_criteria_3>& criteria, int step, unsigned int n)
   {
     if(!criteria)
@@ -383,7 +384,7 @@ private:
   Thread_policy threads_;
   Iteration_control control_;
   Facet_bounds_3 bounds_;
-  bool is_refused_ = false;                               // the last attempt, for what it has led to
+  bool is_refused_ = false;                               // the result of the last attempt
   Summary::Reason reason_ = Summary::NOTHING_TO_DO;       // if the mesh is not changed
 };
 

@@ -24,7 +24,7 @@ class Optimization_visitor;
 class Thread_policy;
 struct User_field_3;
 
-// All that happens between reading the mesh and writing it. It knows no type of the user, and may be compiled once, in a
+// All that happens between reading and writing the mesh. It depends on no type of the user, so it may be compiled once, in a
 // library.
 Mesh_optimization_return_code
 optimize_mesh(User_mesh_view_3& mesh, const Domain_view_3& domain, Odt_task task, const Odt_parameters& parameters,

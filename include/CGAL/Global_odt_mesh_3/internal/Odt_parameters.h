@@ -26,15 +26,14 @@
 
 namespace CGAL::Global_odt_mesh_3::internal {
 
-// What the caller wants: a mesh with better cells, the surfaces spaced by the restricted CVT, or a mesh as it is but for
-// its slivers.
+// What the caller wants: a mesh with better cells, surface vertices spaced by the restricted CVT, or only the removal of slivers.
 enum class Odt_task { OPTIMIZE, REMESH_BOUNDARY, REMOVE_SLIVERS };
 
-// What the caller of odt_optimize_mesh_3() may say.
+// The parameters of odt_optimize_mesh_3().
 struct Odt_parameters
 {
   static constexpr std::size_t usual_number_of_rounds = static_cast<std::size_t>(-1);
-  static constexpr std::size_t most_vertices = std::size_t(1) << 25;           // of which cells can be numbered
+  static constexpr std::size_t most_vertices = std::size_t(1) << 25;           // whose cells can still be numbered
 
   double time_limit = 0;
   std::size_t max_iteration_number = 0;
@@ -47,15 +46,15 @@ struct Odt_parameters
   std::size_t number_of_rounds = usual_number_of_rounds;    // of the schedule
   double surface_weight = 1.2;
   double facet_distance = 0;                                // 0: as far as facets of the input
-  double sliver_bound = 0;                                  // in degrees; 0: as high as can be had
+  double sliver_bound = 0;                                  // in degrees; 0: as large as possible
   bool do_remove_slivers = true;
   bool do_insert_vertices = false, do_remove_vertices = false;
-  std::size_t number_of_vertices = 0;                       // that the mesh is to have; 0: any
+  std::size_t number_of_vertices = 0;                       // wanted in the mesh; 0: any
   bool domain_is_thread_safe = false;
   unsigned int random_seed = 0;
   std::function<bool(double)> callback;
 
-  // Of rounds that go on until cells have it: the bound or, without one, 30 degrees.
+  // The angle that rounds of sliver removal aim for: the bound or, without one, 30 degrees.
   double wanted_angle() const { return sliver_bound > 0 ? sliver_bound : 30; }
 
   void check() const

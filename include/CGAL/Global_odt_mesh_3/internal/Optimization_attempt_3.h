@@ -44,18 +44,17 @@
 
 namespace CGAL::Global_odt_mesh_3::internal {
 
-// Algorithms 1 and 2 of the paper on a mesh, with vertices that also move on surfaces.
+// Algorithms 1 and 2 of the paper, with vertices that also move on surfaces.
 //
-// While the boundary moves, the facets between subdomains are constrained in the flat
-// triangulation. After some iterations, the exact triangulation and its restriction to the
-// domain are built anew, which brings other facets; that is a round. In the first ones, all vertices
-// search globally, and in the last they go to the minimum, of an energy of which that of a centroidal
-// Voronoi tessellation of the surfaces (section 5.1) is a term. Without a search, surfaces go toward that
-// alone first. Then the boundary rests, the interior converges, and slivers are removed.
+// While the boundary moves, the facets between subdomains are constrained in the flat triangulation. After some iterations, the
+// exact triangulation and its restriction to the domain are rebuilt, which brings other facets; that is a round. In the first
+// rounds, all vertices search globally; in the last ones, they go to the minimum of an energy that includes that of a centroidal
+// Voronoi tessellation of the surfaces (section 5.1). Without a search, the surfaces first go toward that tessellation alone. Then
+// the boundary rests, the interior converges, and slivers are removed.
 class Optimization_attempt_3
 {
 public:
-  // Refers to its arguments; the input stays as it is until commit().
+  // Keeps references to its arguments; the input is unchanged until commit().
   Optimization_attempt_3(Mesh_view_3& input, const Domain_view_3& domain, Facet_bounds_3& bounds, Odt_task task,
                          const Odt_parameters& parameters, const User_field_3& field, Iteration_control& control,
                          const Thread_policy& threads, bool boundary_moves)
@@ -76,17 +75,17 @@ public:
     code_ = parameters_.do_freeze && plan_->optimizes() ? ALL_VERTICES_FROZEN : CONVERGENCE_REACHED;
   }
 
-  // The rounds refer to the mesh.
+  // The rounds keep references to the mesh.
   Optimization_attempt_3(const Optimization_attempt_3&) = delete;
   Optimization_attempt_3& operator=(const Optimization_attempt_3&) = delete;
 
-  // False if no valid complex could be made. If vertices have to have a way back, that is seen before any of them moves.
+  // False if no valid complex can be made. If `needs_way_back`, that is checked before any vertex moves.
   bool run(bool needs_way_back)
   {
     if(mesh_.number_of_movable_vertices == 0)
       return true;
     control_.start(plan_->usual_most_iterations(), removes_slivers());
-    // So that vertices have a way back; where that is not to be had, moves of the boundary may still lead to a valid complex.
+    // Vertices need a regular complex to go back to; without one, moves of the boundary may still lead to a valid complex.
     if(slivers_of_input_.is_of_deformed_mesh)
     {
       has_way_back_ = complex_.make_regular();
@@ -106,7 +105,7 @@ public:
     return make_rounds();
   }
 
-  // Comes last: nothing is left here but the code. False if the mesh would be worse than the input, and stays as it was.
+  // To be called last, after which only the code remains. False if the mesh would be worse than the input, which then stays.
   bool commit(bool may_be_worse)
   {
     const auto in_stage = during(Stage_clock::WRITE);
@@ -125,16 +124,17 @@ public:
     return true;
   }
 
-  // Whether the mesh is regular, or could be made so.
+  // Whether the mesh is regular or can be made so.
   bool has_way_back() const { return has_way_back_; }
 
   // Why the mesh stays as it was.
   Mesh_optimization_summary_3::Reason reason() const { return reason_; }
 
-  // Where no valid complex could be made, by the numbers of vertices in the input.
+  // The vertices where no valid complex can be made, by their numbers in the input.
   std::vector<int> obstacles() const { return std::vector<int>(complex_.obstacles().begin(), complex_.obstacles().end()); }
 
-  // Of cells that may change. One that does not has the same angles, in whatever order its vertices are.
+  // The census of the cells that may change. Sorting makes the angles of an unchanged cell independent of the order of its
+  // vertices.
   static Sliver_census_3 slivers(const Mesh_table_3& mesh)
   {
     Sliver_census_3 census;
@@ -152,7 +152,7 @@ public:
     return census;
   }
 
-  // Also a mesh that may be worse has no smaller angles if there was no time to remove slivers.
+  // Even a mesh that may be worse must not have smaller angles if time ran out before slivers were removed.
   static bool is_acceptable(const Mesh_table_3& mesh, const Sliver_census_3& before, const Odt_parameters& parameters,
                             bool may_be_worse, bool is_cut_short)
   {
@@ -162,7 +162,7 @@ public:
     return may_be_worse ? after.is_not_worse_than(before, false) : after.may_replace(before, parameters.sliver_bound);
   }
 
-  // If so many cells are left below the bound.
+  // The return code if that many cells are left below the bound.
   Mesh_optimization_return_code code(std::size_t slivers) const
   {
     return slivers > 0 && removes_slivers() && control_.goes_on() ? CANT_IMPROVE_ANYMORE : code_;
@@ -171,14 +171,14 @@ public:
   int number_of_surface_vertices() const { return mesh_.number_of_surface_vertices(); }
 
 private:
-  static constexpr double least_gain_of_round = 2e-4;     // of the energy, relatively
+  static constexpr double least_gain_of_round = 2e-4;     // relative to the energy
   static constexpr int most_lost_rounds = 2;              // of a mesh that is not regular, and cannot be made so
 
   Stage_clock::In_stage during(Stage_clock::Stage stage) const { return Stage_clock::In_stage(threads_.clock(), stage); }
 
   std::function<double(int)> local_size() const { return [this](int v) { return rounds_ ? rounds_->local_size(v) : 1.; }; }
 
-  // No cell need get larger than those of the mesh.
+  // No cell needs to get larger than those of the mesh.
   void bound_sizes()
   {
     const bool has_sizes_of_mesh = !static_cast<bool>(field_) || plan_->is_done();
@@ -187,8 +187,7 @@ private:
 
   bool boundary_moves() const { return number_of_surface_vertices() > 0; }
 
-  // The rounds of the plan, the last stage as long as it pays, and what follows. False if they lead to no valid
-  // complex.
+  // Makes the rounds of the plan, the last stage for as long as it pays, and concludes. False if they lead to no valid complex.
   bool make_rounds()
   {
     double energy = (std::numeric_limits<double>::max)();
@@ -200,7 +199,7 @@ private:
         energy = (std::numeric_limits<double>::max)();
       previous = stage;
       const double before = std::exchange(energy, rounds_->make_round(complex_.snapshot().boundary));
-      // One who says no at once does not wait.
+      // A user who cancels before any work is done does not have to wait.
       if(control_.is_canceled() && !control_.has_work())
       {
         code_ = control_.code();
@@ -230,8 +229,8 @@ private:
     return is_valid;
   }
 
-  // After the last round: the interior goes to its minimum, or to where the parameters say, slivers are removed,
-  // and the complex gets its final snapshot. False if no valid one can be made.
+  // After the last round, minimizes the interior, or stops where the parameters say, takes the final snapshot of the complex, and
+  // removes slivers. False if no valid complex can be made.
   bool conclude(bool pays)
   {
     if(!plan_->optimizes())
@@ -253,7 +252,7 @@ private:
   bool remove_slivers()
   {
     const auto in_stage = during(Stage_clock::REMOVE_SLIVERS);
-    // Vertices can be tried in a regular complex only.
+    // Vertices can be tried only in a regular complex.
     if(control_.has_time() && !complex_.make_regular())
       return false;
     Circumradius_bound_3 size_bound;
@@ -261,7 +260,7 @@ private:
       size_bound = largest_cells_->bound(mesh_, local_size());
     Sliver_stage_3 stage(complex_, size_bound, parameters_.sliver_bound, parameters_.random_seed);
     const auto has_time = [this] { return control_.has_time(); };
-    // Where the user has ended the iterations, the first step keeps them from being in vain, for the slivers that they leave.
+    // If the user has ended the iterations, the first step still removes the slivers they leave, so that they are not in vain.
     bool may_begin = control_.is_canceled();
     stage.run(has_time, [&] { return control_.may_go_on() || (std::exchange(may_begin, false) && has_time()); });
     if(!control_.goes_on())

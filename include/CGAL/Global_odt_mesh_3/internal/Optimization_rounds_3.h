@@ -49,9 +49,8 @@
 
 namespace CGAL::Global_odt_mesh_3::internal {
 
-// Tells from the displacements of the interior vertices how far the minimization has come, as CGAL's
-// optimizers do. The displacement of a vertex is the length of the AVV move (2.3), |g|/D, over its
-// shortest edge.
+// Tells from the displacements of the interior vertices how far the minimization has come, as CGAL's optimizers do. The
+// displacement of a vertex is the length of the AVV move (2.3), |g|/D, over its shortest edge.
 class Convergence_monitor
 {
 public:
@@ -61,7 +60,7 @@ public:
     , do_freeze_(do_freeze)
   {}
 
-  // The mean of the largest displacements, one in five hundred.
+  // The mean of the largest displacements, those of one vertex in five hundred.
   double measure(const Constrained_triangulation_3& mesh, Odt_objective_3& objective)
   {
     const int n = mesh.number_of_interior_vertices;
@@ -106,17 +105,17 @@ private:
   std::vector<int> still_;
 };
 
-// The density of a mesh, the user's or else that of its input, for the energies of cells and of surfaces.
+// The density of a mesh for the energies of cells and surfaces: the user's or else that of the input.
 class Mesh_density_3
 {
 public:
   Mesh_density_3() {}
 
-  // The mesh refers to the quadrature.
+  // The mesh keeps a reference to the quadrature.
   Mesh_density_3(const Mesh_density_3&) = delete;
   Mesh_density_3& operator=(const Mesh_density_3&) = delete;
 
-  // Refers to the field and the numbering.
+  // Keeps references to the field and the numbering.
   void prepare(Moving_triangulation_3& mesh, const User_field_3& field, const Quadrature_maker& make_quadrature,
                const Vertex_numbering_3& numbering)
   {
@@ -133,7 +132,7 @@ public:
       if(gives_way)
         density_ = std::make_unique<Field_near_features_3>(std::move(density_), mesh, [&](int v) { return is_on_feature(dimensions[v]); });
     }
-    // The density of the input is what it is at vertices, but a field may vary between them.
+    // The input's density is given at the vertices, but a field may vary between them.
     if(!density_->is_uniform() || field)
       quadrature_ = make_quadrature(*density_, mesh.sites);
     mesh.set_quadrature(quadrature_.get());
@@ -141,13 +140,13 @@ public:
       on_surface_ = [this](int v, const Site& s) { return density_->on_surface(v, s); };
   }
 
-  // The local size at a vertex, about one as a median, if the energy of cells follows the density.
+  // The local size at a vertex, with a median of about one, if the energy of cells follows the density; or else 1.
   double size(int v, const Site& s) const
   {
     return density_->is_uniform() ? 1 : Density_3::size_of_density(density_->in_volume(v, s));
   }
 
-  // Empty if it is uniform.
+  // The density on surfaces; empty if it is uniform.
   const Surface_density& on_surface() const { return on_surface_; }
 
 private:
@@ -156,11 +155,11 @@ private:
   Surface_density on_surface_;
 };
 
-// What happens to the indexed mesh in the rounds of a plan, and after them.
+// Runs the rounds of a plan on the indexed mesh, and the minimization after them.
 class Optimization_rounds_3
 {
 public:
-  // Refers to its arguments.
+  // Keeps references to its arguments.
   Optimization_rounds_3(Moving_triangulation_3& mesh, const Round_plan& plan, const Odt_parameters& parameters,
                         const User_field_3& field, Iteration_control& control, const Thread_policy& threads,
                         const Vertex_numbering_3& numbering)
@@ -179,15 +178,15 @@ public:
                                               threads_);
     const int blocks = Block_annealing_3::usual_number_of_blocks(mesh_.sites.size());
     const auto* momentum = std::get_if<Momentum_annealing_schedule>(&parameters_.annealing_schedule);
-    // Vertices have other numbers in a block, for which a user's field could not be asked.
+    // Vertices have other numbers in a block, so a user's field cannot be evaluated there.
     if(momentum != nullptr && blocks > 1 && !field)
       search_in_blocks_ = std::make_unique<Block_annealing_3>(mesh_, blocks, parameters_.random_seed, *momentum, threads_);
   }
 
-  // At a vertex where it is now.
+  // The local size at a vertex at its present position.
   double local_size(int v) const { return density_.size(v, mesh_.sites[v]); }
 
-  // The next one of the plan, on these boundaries. Gives the energy that is reached.
+  // Makes the next round of the plan on these boundaries, and returns the energy reached.
   double make_round(const Boundary_geometry_3& boundary)
   {
     const auto in_stage = during(clocked_stages[plan_.stage()]);
@@ -210,8 +209,8 @@ public:
     return objective.value();
   }
 
-  // The interior goes to its minimum, or to where the parameters say, and `code` becomes the reason why it ends there,
-  // unless the user or time do not let it go on. False if that is not possible.
+  // Minimizes the interior, or stops where the parameters say. `code` becomes the reason for the end, unless the user or the time
+  // limit stops it. False if the mesh is not feasible.
   bool minimize_interior(Mesh_optimization_return_code& code)
   {
     const auto in_stage = during(Stage_clock::MINIMIZE);
@@ -242,15 +241,15 @@ public:
 private:
   static constexpr double longest_way_in_round = 0.3;     // of a surface vertex, over its shortest edge on the surface
   static constexpr double share_of_rounds = 0.8;          // of the progress that is reported
-  // Of the plan, for the clock.
+  // The clock's stage for each stage of the plan.
   static constexpr std::array<Stage_clock::Stage, 3> clocked_stages = {{ Stage_clock::REMESH, Stage_clock::SEARCH, Stage_clock::MINIMIZE }};
 
   Stage_clock::In_stage during(Stage_clock::Stage stage) const { return Stage_clock::In_stage(threads_.clock(), stage); }
 
-  // The fraction of the search that is behind at iteration n of the round.
+  // The fraction of the search that is done at iteration n of the round.
   double search_progress(double n) const
   {
-    // The noise fades away within the time that there is.
+    // The noise fades within the time available.
     const double time = control_.progress_between(search_begin_, plan_.end_of_time(Round_plan::SEARCH));
     return (std::max)(plan_.search_progress(n), time);
   }
@@ -285,7 +284,7 @@ private:
         done.push_back(search_progress(n + double(k) * iterations / steps));
       search_in_blocks_->iterate(done, [this, n] { return search_progress(n) < 1 && control_.may_go_on(); });
       control_.end_iteration();
-      // Those that have been made along with it.
+      // Counts the iterations that were made along with the first.
       for(int k = 1; k < iterations && control_.goes_on() && begin_iteration(); ++k)
         control_.end_iteration();
       if(!control_.goes_on())
@@ -306,8 +305,8 @@ private:
     }
   }
 
-  // A round of the restricted CVT of the surfaces (section 5.1 of the paper); the interior follows
-  // in the next. Gives the energy that is reached.
+  // Makes a round of the restricted CVT of the surfaces (section 5.1 of the paper), and returns the energy reached; the interior
+  // follows in the next round.
   double remesh_surfaces()
   {
     Surface_cvt_objective_3 objective(boundary_->complex(), mesh_.sites, mesh_.number_of_interior_vertices,
@@ -317,7 +316,7 @@ private:
     return objective.value();
   }
 
-  // Of no length if surface vertices are to stay.
+  // The tangential motions, of length zero unless surface vertices move.
   std::vector<Tangential_motion> surface_motions(bool moves) const
   {
     return tangential_motions(mesh_, *boundary_, moves ? longest_way_in_round : 0);
@@ -354,7 +353,7 @@ private:
   std::unique_ptr<Surface_cvt_term_3> surface_term_;
   std::unique_ptr<Global_search> search_;
   std::unique_ptr<Block_annealing_3> search_in_blocks_;   // or null
-  double search_begin_ = 0;                               // in fractions of the time
+  double search_begin_ = 0;                               // as a fraction of the time
 };
 
 } // namespace CGAL::Global_odt_mesh_3::internal

@@ -14,8 +14,8 @@
 
 #include <CGAL/assertions.h>
 
-// A precondition on what the caller says. It is checked in each build, since a check costs nothing beside
-// the call and a bad value would pass silently.
+// Checks a precondition on a parameter in every build: the check costs nothing compared with the call, and a bad value would pass
+// unnoticed.
 #define CGAL_GLOBAL_ODT_MESH_3_CHECK_PARAMETER(condition, message) \
   ((condition) ? static_cast<void>(0) : ::CGAL::precondition_fail(#condition, __FILE__, __LINE__, message))
 

@@ -10,7 +10,7 @@
 #ifndef CGAL_GLOBAL_ODT_MESH_3_INTERNAL_REQUIREMENTS_H
 #define CGAL_GLOBAL_ODT_MESH_3_INTERNAL_REQUIREMENTS_H
 
-// Where a requirement is not met, the compiler would find hundreds of errors afterwards. It stops at a header that is not there.
+// Without these checks, an unmet requirement causes hundreds of errors. Including a missing header stops the compiler.
 #if !(__cplusplus >= 201703L || _MSVC_LANG >= 201703L)
 #  error "Global_odt_mesh_3 requires C++17: set CMAKE_CXX_STANDARD in CMake, or give the compiler -std=c++17"
 #  include <CGAL/Global_odt_mesh_3/requires_C++17>

@@ -22,12 +22,12 @@
 
 namespace CGAL::Global_odt_mesh_3::internal {
 
-// How many rounds of which kind, with how many iterations, lie ahead.
+// Plans the number and kind of the rounds ahead, and their iterations.
 class Round_plan
 {
 public:
-  // Vertices of surfaces go toward a restricted CVT while the interior follows; all vertices search
-  // globally; all vertices go to the minimum, of the energies of cells and surfaces together.
+  // REMESH: surface vertices go toward a restricted CVT while the interior follows. SEARCH: all vertices search globally. MINIMIZE:
+  // all vertices go to the minimum of the combined energy of cells and surfaces.
   enum Stage { REMESH, SEARCH, MINIMIZE };
 
   static constexpr int iterations_on_surface = 20;      // of the CVT, in a round of remeshing
@@ -49,17 +49,17 @@ public:
   bool is_done() const { return rounds_[REMESH] + rounds_[SEARCH] + rounds_[MINIMIZE] <= 0; }
   Stage stage() const { return rounds_[REMESH] > 0 ? REMESH : rounds_[SEARCH] > 0 ? SEARCH : MINIMIZE; }
   int iterations() const { return iterations_[stage()]; }
-  // Where vertices search, rounds need not gain anything, and the last ones are few.
+  // Rounds of a search need not lower the energy, and the last rounds are few.
   bool stops_without_gain() const { return task_ == Odt_task::REMESH_BOUNDARY && stage() == REMESH; }
 
-  // Whether the interior goes to its minimum after the rounds, and whether slivers are removed then.
+  // Whether the interior is minimized after the rounds, and whether slivers are removed then.
   bool optimizes() const { return task_ == Odt_task::OPTIMIZE; }
   bool removes_slivers() const { return task_ != Odt_task::REMESH_BOUNDARY; }
 
   void advance() { --rounds_[stage()]; }
   void skip(Stage s) { rounds_[s] = 0; }
 
-  // The fraction of the time for iterations, if there is a limit, after which no round of the stage is begun.
+  // The fraction of the time for iterations, if limited, after which no round of the stage begins.
   double end_of_time(Stage s) const
   {
     if(!optimizes())
@@ -67,16 +67,16 @@ public:
     return s == REMESH ? 0.25 : s == SEARCH ? 0.7 : 1;
   }
 
-  // The fraction of the search that is behind at iteration n of the round.
+  // The fraction of the search that is done at iteration n of the round.
   double search_progress(double n) const
   {
     return (search_rounds_ - rounds_[SEARCH] + n / iterations_[SEARCH]) / search_rounds_;
   }
 
-  // Of all rounds, about; where there are none, slivers may take what they may after the usual ones.
+  // The approximate number of iterations of all rounds; a plan without rounds keeps the usual number.
   int number_of_iterations() const { return planned_iterations_; }
 
-  // As CGAL's optimizers, which bound the number of iterations even if the user does not.
+  // The most iterations if the user sets no limit: CGAL's optimizers have such a limit, too.
   int usual_most_iterations() const { return iterations_beyond_plan + planned_iterations_; }
 
 private:
@@ -86,7 +86,7 @@ private:
   static constexpr int iterations_inside_while_remeshing = 10;
   static constexpr int rounds_of_minimizer = 2;
   static constexpr int iterations_of_minimizer = 20;
-  // If the user bounds the number of iterations, most remain for the other stages.
+  // If the user limits the number of iterations, most are left for the other stages.
   static constexpr int iterations_per_round_of_remeshing = 60;
   static constexpr double share_of_search = 0.7;
 
@@ -112,7 +112,7 @@ private:
       shorten(static_cast<int>((std::min)(p.max_iteration_number, std::size_t(planned_iterations_))));
   }
 
-  // What the caller wants may be more than a number holds.
+  // The number the caller wants may exceed the range of int.
   int planned_iterations() const
   {
     const double sum = 1. + double(rounds_[REMESH]) * (iterations_[REMESH] + iterations_on_surface)

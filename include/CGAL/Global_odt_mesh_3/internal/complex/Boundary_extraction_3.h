@@ -31,10 +31,10 @@
 
 namespace CGAL::Global_odt_mesh_3::internal {
 
-constexpr int unknown_patch = -2;       // of a facet on whose patch its vertices do not agree
+constexpr int unknown_patch = -2;       // of a facet whose vertices do not agree on a patch
 
-// The patch of a new facet: the one that all its vertices have, or else that of them on which its dual line meets the surface.
-// `patches(v)` is the set of those at a vertex, between the subdomains of the facet.
+// The patch of a new facet: the only one its vertices share or, if they share several, the one of these on which its dual line
+// meets the surface. `patches(v)` is the set of patches at a vertex between the subdomains of the facet.
 template <class Patches>
 int patch_of_facet(const Triple& t, const std::array<Site, 3>& sites, const Patches& patches, const Domain_view_3& domain)
 {
@@ -53,9 +53,9 @@ int patch_of_facet(const Triple& t, const std::array<Site, 3>& sites, const Patc
   return domain.intersect(p, dual.normal, dual.radius, patch) && common.count(patch) > 0 ? patch : unknown_patch;
 }
 
-// Finds the boundary facets of a labelled candidate, and their patches: those that separate subdomains, and those that were
-// in the complex without separating any. All their vertices are on the boundary, as cells around a vertex that is not have
-// its label, unless they have vertices of several subdomains.
+// Finds the boundary facets of a labelled candidate and their patches: facets that separate subdomains, and those of the snapshot
+// that separate none. All their vertices are on the boundary, since the cells around an interior vertex have its label, except for
+// cells whose vertices are in several subdomains.
 class Boundary_extraction_3
 {
 public:
@@ -64,7 +64,7 @@ public:
     , domain_(domain)
   {}
 
-  // In the order of their sorted vertices, for the labels that cells have now.
+  // Lists the boundary facets for the present cell labels, in the order of their sorted vertices.
   void find_boundary()
   {
     std::vector<Found_facet> found = find_facets();
@@ -105,7 +105,7 @@ private:
     return collect_in_chunks<Found_facet>(static_cast<int>(cells.size()), candidate_.threads,
                                           [&](int n, std::vector<Found_facet>& found)
     {
-      // Separating facets are found from the side of a subdomain, if there is one on one side only.
+      // A facet between a subdomain and the outside is found from the side of the subdomain.
       const int label = tr.label(cells[n]);
       if(label == Domain_view_3::outside && !snapshot.has_unseparating_facets)
         return;
@@ -123,7 +123,7 @@ private:
           f = tr.mirror(f);
         }
         const Triple t = sorted(tr.facet_vertices(f));
-        // What such a cell has as its label says nothing of facets.
+        // The label of a cell with vertices in several subdomains tells nothing about its facets.
         if(!std::all_of(t.begin(), t.end(), [this](int v) { return candidate_.numbering.is_on_boundary(v); }))
           continue;
         const int old = snapshot.facet_number(t);
@@ -133,7 +133,7 @@ private:
     });
   }
 
-  // That on which all vertices agree.
+  // The patch on which all vertices agree.
   int patch_of_new_facet(const Boundary_facet& f)
   {
     const Boundary_complex_3& boundary = candidate_.snapshot.boundary.complex();

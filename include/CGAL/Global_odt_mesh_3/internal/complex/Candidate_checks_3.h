@@ -41,27 +41,27 @@
 
 namespace CGAL::Global_odt_mesh_3::internal {
 
-// What boundary facets may be in all of a call, by the facets of its input: no centroid is farther from the surface than the
-// worst, where the domain can measure distances, and no angle falls below the smallest, or below 30 degrees if that is less. Later
-// meshes have no say, since slivers may leave facets that are worse.
+// Bounds on boundary facets during a whole call, taken from the facets of its input: no centroid is farther from the surface than
+// the worst one, if the domain can measure distances, and no angle falls below the smallest one, or below 30 degrees if that is
+// less. Later meshes do not change the bounds, since sliver removal may leave facets that are worse.
 //
-// The surface of a mesh that is its own domain is known up to the distance between its facets and a sphere that turns as they do.
+// If a mesh is its own domain, its surface is known only up to the distance between its facets and a sphere with the same bend.
 class Facet_bounds_3
 {
 public:
-  // A distance of 0 means that of the input.
+  // A distance of 0 stands for that of the input.
   explicit Facet_bounds_3(const Domain_view_3& domain, double facet_distance = 0)
     : domain_(domain)
     , facet_distance_(facet_distance)
   {}
 
-  // Of the first mesh that is measured.
+  // Measures the bounds of the first mesh; later calls do nothing.
   void measure(const Complex_snapshot_3& input)
   {
     if(std::exchange(are_measured_, true))
       return;
     const std::vector<Boundary_facet>& facets = input.boundary.complex().facets();
-    // Where a mesh has been cut open, facets are on no surface, and stay.
+    // Facets where a mesh has been cut open are on no surface, and they stay.
     const auto is_of_cut = [&](const Boundary_facet& f)
     {
       const std::array<int, 3>& t = f.vertices;
@@ -82,7 +82,7 @@ public:
     farthest_centroid_ = (std::max)(farthest_centroid_, facet_distance_);
   }
 
-  // The next mesh is the first one again.
+  // The next mesh counts as the first one again.
   void forget()
   {
     are_measured_ = false;
@@ -90,8 +90,8 @@ public:
     smallest_angle_ = 30;
   }
 
-  // Where there are to be so many times fewer vertices. With angles of 30 degrees, an elephant that loses two thirds of its vertices
-  // gets stuck with a mean 3r/R of .78; with 20, it reaches .85.
+  // Relaxes the bounds if the number of vertices is to be divided by the factor. With the usual bound on angles, strong coarsening
+  // gets stuck at worse cells.
   void permit_coarsening(double factor)
   {
     farthest_centroid_ *= factor;
@@ -99,10 +99,10 @@ public:
     smallest_angle_ = (std::min)(smallest_angle_, (std::max)(20., 30 / factor));
   }
 
-  // What angles may be, in degrees.
+  // The smallest angle permitted in facets, in degrees.
   double smallest_angle() const { return smallest_angle_; }
 
-  // Whether a boundary facet with these vertices may have its centroid there.
+  // Whether a boundary facet with these vertices may have this centroid.
   bool is_close(const Triple& facet, const Vertex_numbering_3& numbering, const Vector_3& centroid) const
   {
     return !domain_.tells_distances() || domain_.distance_to_surface(centroid) <= farthest(facet, numbering);
@@ -157,7 +157,7 @@ public:
   }
 
 private:
-  // How far a centroid may be from the surface.
+  // The largest distance that the centroid may have from the surface.
   double farthest(const Triple& facet, const Vertex_numbering_3& numbering) const
   {
     if(bends_.empty())
@@ -169,8 +169,8 @@ private:
     return (std::max)(farthest_centroid_, coarsening_ * (bend < 0 ? largest_bend_ : bend));
   }
 
-  // At each vertex, by the edge and the angle between normals of two facets: a sphere that goes through the vertices of two
-  // regular triangles is sqrt(3) / 6 of the product away from their centroids.
+  // Measures the bend at each vertex from the edges and the angles between the normals of adjacent facets: a sphere through the
+  // vertices of two regular triangles is sqrt(3) / 6 of their product away from the centroids.
   void measure_bends(const Complex_snapshot_3& input)
   {
     const Boundary_complex_3& boundary = input.boundary.complex();
@@ -186,7 +186,7 @@ private:
       const Facet_dual_3 facet(t, sites), other(boundary.facets()[beyond].vertices, sites);
       const double angle = std::acos((std::min)(1., std::abs(facet.normal.dot(other.normal))));
       const int u = t[(corner + 1) % 3], v = t[(corner + 2) % 3];
-      // An edge of a feature may have one patch on both sides, and is sharp.
+      // A feature edge may have one patch on both sides, yet it is sharp.
       const bool is_smooth = input.numbering->dimensions[u] == 2 || input.numbering->dimensions[v] == 2;
       const double bend = rounding + (is_smooth ? std::sqrt(3.) / 6 * angle * (position(sites[u]) - position(sites[v])).length() : 0);
       for(int w : { u, v })
@@ -209,11 +209,11 @@ private:
   double facet_distance_;
   bool are_measured_ = false;
   double farthest_centroid_ = 0, smallest_angle_ = 30, coarsening_ = 1;
-  std::vector<double> bends_;           // by vertices' numbers in the input; or none
+  std::vector<double> bends_;           // by vertices' numbers in the input; or empty
   double largest_bend_ = 0;
 };
 
-// The vertices at which the boundary of the candidate is not what it has to be.
+// The vertices at which the boundary of the candidate has another topology than the snapshot's, or a facet without a patch.
 inline std::set<int> topology_changes(const Complex_candidate_3& candidate)
 {
   std::set<int> result = topology_changes(candidate.snapshot.boundary.complex(), *candidate.boundary_complex);
@@ -223,8 +223,8 @@ inline std::set<int> topology_changes(const Complex_candidate_3& candidate)
   return result;
 }
 
-// Whether a boundary that moves has the topology of that of the snapshot. Where it has not, the vertices of
-// the facets that have come or gone go back.
+// Checks that a moving boundary has the topology of the snapshot's. Where it does not, the vertices of the facets that have been
+// exchanged go back.
 inline Defect_report_3 check_topology(const Complex_candidate_3& candidate)
 {
   Defect_report_3 report(candidate);
@@ -244,8 +244,8 @@ inline Defect_report_3 check_topology(const Complex_candidate_3& candidate)
   return report;
 }
 
-// Those of the vertices around a boundary facet or a cell, none of which may move, that do not stay in the ball around its surface or
-// dual center.
+// For a boundary facet or cell whose vertices all stay: the vertices nearby that do not stay and lie in the ball around its surface
+// center or dual center.
 template <class Vertices>
 std::vector<int> intruders(const Complex_candidate_3& candidate, const Vertices& around, const Vector_3& center)
 {
@@ -261,7 +261,7 @@ std::vector<int> intruders(const Complex_candidate_3& candidate, const Vertices&
   return result;
 }
 
-// Reverts those that are inside, or else what is around.
+// Reverts the vertices inside the ball or, if there are none, those of the facet or cell.
 template <class Vertices>
 void revert_intruders(const Complex_candidate_3& candidate, const std::vector<int>& inside, const Vertices& around,
                       const Vector_3& center, Defect_report_3& report)
@@ -274,7 +274,7 @@ void revert_intruders(const Complex_candidate_3& candidate, const std::vector<in
     report.revert_or_retreat(inside, center);
 }
 
-// The label that is on the other side of a facet of a cell in the snapshot.
+// The label on the other side of a cell's facet in the snapshot.
 inline int label_beyond(const Complex_snapshot_3& snapshot, const Labelled_triangulation_3& triangulation, Half_facet f)
 {
   const int n = snapshot.facet_number(triangulation.facet_vertices(f)), label = triangulation.label(f.cell());
@@ -284,7 +284,8 @@ inline int label_beyond(const Complex_snapshot_3& snapshot, const Labelled_trian
   return labels[0] == label ? labels[1] : labels[0];
 }
 
-// For a facet that stays, with its surface center: vertices go back that are not to stay. False if others are in the way, too.
+// Makes room for a facet that stays, given its surface center: vertices in the way that may move go back. False if vertices that
+// stay are in the way, too.
 inline bool make_room(const Complex_candidate_3& candidate, const Triple& facet, const Vector_3& center, Defect_report_3& report)
 {
   if(const std::vector<int> inside = intruders(candidate, facet, center); !inside.empty())
@@ -300,7 +301,7 @@ inline bool make_room(const Complex_candidate_3& candidate, const Triple& facet,
   return true;
 }
 
-// Where others that stay are in the way of facets, vertices gain weight. What is around counts, since it is to stay, too.
+// Adds weight to vertices where others that stay are in the way of facets. All facets around count, since they must stay, too.
 template <class Stays>
 void make_heavier(const Complex_candidate_3& candidate, const std::vector<Triple>& facets, const Stays& stays, Defect_report_3& report)
 {
@@ -323,8 +324,8 @@ void make_heavier(const Complex_candidate_3& candidate, const std::vector<Triple
       report.revert(f);
 }
 
-// Whether the facets of the snapshot are there that are to stay: all of a boundary at rest, and those that the user wants so. One that is
-// missing has a vertex in each sphere through its vertices; another has other subdomains on its sides.
+// Checks the facets that must stay: all facets of a boundary at rest, and those the user wants to keep. If one is missing, each
+// sphere through its vertices contains a vertex; one may also have other subdomains on its sides.
 inline Defect_report_3 check_facets_stay(const Complex_candidate_3& candidate)
 {
   Defect_report_3 report(candidate);
@@ -352,7 +353,8 @@ inline Defect_report_3 check_facets_stay(const Complex_candidate_3& candidate)
   return report;
 }
 
-// Whether the cells that are kept are there, with the labels beyond their facets. One that is missing has a vertex in its sphere.
+// Checks that the kept cells are present, with the same labels beyond their facets. If one is missing, its sphere contains a
+// vertex.
 inline Defect_report_3 check_kept_cells(const Complex_candidate_3& candidate)
 {
   Defect_report_3 report(candidate);

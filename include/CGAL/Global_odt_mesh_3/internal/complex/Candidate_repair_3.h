@@ -32,8 +32,8 @@
 
 namespace CGAL::Global_odt_mesh_3::internal {
 
-// Moves vertices of the interior that are too close to a surface away from it. One that has retreated in vain, as between surfaces
-// that have come close to each other, goes where there is most room in its subdomain.
+// Moves interior vertices away from a surface to which they are too close. A vertex that retreats in vain, as between surfaces that
+// have come close to each other, goes where there is most room in its subdomain.
 class Candidate_retreat_3
 {
 public:
@@ -42,7 +42,7 @@ public:
     , domain_(domain)
   {}
 
-  // Of sites alone.
+  // Changes only the sites; the triangulation stays.
   void move(const std::map<int, Vector_3>& displacements)
   {
     std::vector<std::pair<int, int> > crowded;
@@ -55,7 +55,7 @@ public:
         crowded.emplace_back(-times, d.first);
     }
     std::sort(crowded.begin(), crowded.end());
-    // Where one has gone, there may be room for those beside it.
+    // Once a vertex has gone, there may be room for its neighbors.
     std::set<int> around;
     for(const auto& c : crowded)
       if(around.count(c.second) == 0)
@@ -70,7 +70,7 @@ private:
   static constexpr int most_retreats = 4;
   static constexpr double share_of_room = 0.7;          // of the radius of a cell, from its dual point to the surface
 
-  // For a vertex, in a cell.
+  // A place for a vertex, in a cell.
   struct Place
   {
     double squared_radius;
@@ -78,7 +78,7 @@ private:
     Quadruple vertices;
   };
 
-  // To the largest cell without a vertex of one that has been taken before.
+  // Moves the vertex into the largest cell that shares no vertex with a cell taken before.
   void leave(int v)
   {
     const int label = candidate_.numbering.subdomain[v];
@@ -97,7 +97,7 @@ private:
     }
   }
 
-  // In ascending order of the room that there is.
+  // The places in a subdomain, in ascending order of their room.
   std::vector<Place> places_in(int label) const
   {
     std::vector<Place> result;
@@ -107,7 +107,7 @@ private:
       const Quadruple q = sorted(triangulation.vertices(c));
       if(triangulation.label(c) != label || q[0] < 0)
         continue;
-      // The sites of the candidate have moved already.
+      // The candidate's sites have moved already; those of the triangulation have not.
       const auto site = [&](int i) { return triangulation.sites()[q[i]]; };
       const Vector_3 to_dual = Cell_products(site(0), site(1), site(2), site(3)).to_dual(), dual = position(site(0)) + to_dual;
       const double squared_radius = to_dual.squared_length();
@@ -119,7 +119,7 @@ private:
     return result;
   }
 
-  // Whether a point is in the subdomain, along with some at that distance.
+  // Whether a point and those at this distance along the axes are in the subdomain.
   bool has_room(const Vector_3& p, int label, double distance) const
   {
     bool result = domain_.label(p) == label;
@@ -135,15 +135,15 @@ private:
   Complex_candidate_3& candidate_;
   const Domain_view_3& domain_;
   std::map<int, int> times_retreated_;
-  std::map<int, std::vector<Place> > places_;           // by label, those that are left
-  std::set<int> taken_;                                 // vertices of cells into which one has come
+  std::map<int, std::vector<Place> > places_;           // by label; those not used yet
+  std::set<int> taken_;                                 // vertices of cells that a vertex has moved into
 };
 
-// Moves the vertices of a candidate at which something is wrong: elsewhere, or toward where they were.
+// Moves vertices of a candidate where something is wrong: elsewhere, or toward where they were.
 class Candidate_repair_3
 {
 public:
-  // `rebuild()` makes the triangulation of the candidate anew.
+  // `rebuild()` rebuilds the triangulation of the candidate.
   Candidate_repair_3(Complex_candidate_3& candidate, const Domain_view_3& domain, std::function<void()> rebuild)
     : candidate_(candidate)
     , domain_(domain)
@@ -151,7 +151,7 @@ public:
     , retreat_(candidate, domain)
   {}
 
-  // False if there is nothing to be done.
+  // False if nothing can be done.
   bool apply(const Defect_report_3& report, int attempt)
   {
     const std::map<int, Vector_3>& retreats = report.retreats();
@@ -180,11 +180,11 @@ public:
   }
 
 private:
-  // In these, vertices go back half way first; then they revert, along with more and more neighbors.
+  // During the patient attempts, vertices first go back half way; later they revert, along with more and more neighbors.
   static constexpr int patient_attempts = 10, attempts_per_ring = 3;
   static constexpr int halfway_returns = 2, halfway_returns_on_surface = 1;
 
-  // Those of the report, and around them.
+  // The offending vertices of the report and, in later attempts, those around them.
   std::set<int> offending_vertices(const Defect_report_3& report, int attempt) const
   {
     Vertex_rings_3 region(candidate_.triangulation, report.offending_vertices());

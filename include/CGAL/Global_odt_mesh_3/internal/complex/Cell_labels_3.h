@@ -27,11 +27,11 @@
 
 namespace CGAL::Global_odt_mesh_3::internal {
 
-// Labels the cells of a candidate, and reports those that have no label that fits.
+// Labels the cells of a candidate, and reports those that no label fits.
 //
-// Where a vertex has no boundary facet, its subdomain is the label, and the dual point has to be there. A cell with all
-// vertices on the boundary is labelled by the side on which its dual point lies. The domain is asked about cells at the boundary
-// and, in the end, about all others, too, since details that the samples miss leave holes that no facet goes around.
+// A cell with an interior vertex has the label of that vertex's subdomain, and its dual point must be there. A cell with all
+// vertices on the boundary gets the label of the subdomain that contains its dual point. The domain is asked about cells at the
+// boundary and, in a final candidate, about all others, too: details that the samples miss leave holes without boundary facets.
 class Cell_labels_3
 {
 public:
@@ -70,22 +70,23 @@ public:
   }
 
 private:
-  // What is known of a cell: the label that its vertices off the boundary have, if any, unless these have several,
-  // and that of its dual point.
+  // What is known of a cell: the common label of its vertices off the boundary, if any, or whether these have several labels, and
+  // the label of its dual point.
   struct Findings
   {
     bool has_several_labels = false;
     int label = no_subdomain, label_of_dual = no_subdomain;
   };
 
-  // Six times the volume, over the cube of the longest edge at a vertex, of a cell whose dual point is sure to nine digits.
+  // The dual point of a cell is accurate to nine digits if six times its volume exceeds this, over the cube of the longest edge at
+  // a vertex.
   static constexpr double certain_volume = 1e-6;
   static constexpr int no_subdomain = Complex_snapshot_3::no_subdomain;
   static_assert(no_subdomain == int(Boundary_geometry_3::no_label), "no label");
 
   bool is_on_boundary(int v) const { return candidate_.numbering.is_on_boundary(v); }
 
-  // Begins anew with a cell, and labels it if its vertices are enough for that; whether it has done so.
+  // Resets the flags of a cell, and labels it if its vertices determine the label; whether it has done so.
   bool label_by_vertices(int c) const
   {
     triangulation_.clear_flags(c);
@@ -122,7 +123,7 @@ private:
     return found;
   }
 
-  // Labels a cell that the domain agrees about; or else it is left alone.
+  // Labels a cell if the domain agrees; otherwise leaves it unchanged.
   bool label_if_domain_agrees(int c, const Findings& found) const
   {
     const bool is_boundary_cell = found.label == no_subdomain;
@@ -133,26 +134,26 @@ private:
     return true;
   }
 
-  // Its vertices have come too close to the boundary.
+  // Reports a cell whose vertices have come too close to the boundary.
   void label_or_report(int c, const Findings& found, Defect_report_3& report)
   {
     const Quadruple& q = triangulation_.vertices(c);
     triangulation_.set_label(c, found.label);
-    // What was wrong in the input may stay so.
+    // A label that was wrong in the input may stay so.
     if(!found.has_several_labels && candidate_.has_way_back && is_input_cell(q))
       triangulation_.set_flag(c, IS_LABELLED);
     else
       report.revert_or_retreat(q, found.has_several_labels ? centroid(sorted(q)) : dual_point(sorted(q)));
   }
 
-  // One that is left in the snapshot.
+  // Whether the cell is one of the snapshot, with its vertices where they were in the input.
   bool is_input_cell(const Quadruple& q) const
   { return candidate_.numbering.are_at_input(q, candidate_.sites) && candidate_.snapshot.triangulation.find_cell(q) >= 0; }
 
-  // In that order of the vertices.
+  // The dual point, computed with the vertices in this order.
   Vector_3 dual_point(const Quadruple& q) const { return position(candidate_.sites[q[0]]) + products(q).to_dual(); }
 
-  // Of the finite vertices.
+  // The centroid of the finite vertices.
   Vector_3 centroid(const Quadruple& q) const
   {
     const double number = double(std::count_if(q.begin(), q.end(), [](int v) { return v >= 0; }));
@@ -163,7 +164,7 @@ private:
     return result;
   }
 
-  // Those among the cells with these numbers.
+  // Collects those of the cells with these numbers that may have boundary facets.
   void collect_cells_at_boundary(const std::vector<int>& numbers)
   {
     candidate_.cells_at_boundary.clear();
@@ -172,10 +173,10 @@ private:
         candidate_.cells_at_boundary.push_back(c);
   }
 
-  // The label of the dual point of a cell with all vertices on the boundary, or no_subdomain if it takes the domain to know.
-  // An unchanged cell may be so flat that its dual point depends, by rounding, on the order of the vertices, which may be
-  // another than in the snapshot. One of the input gets the order that it has there when the snapshot is written; others
-  // keep their labels only if the boundary has to stay.
+  // The label of the dual point of a cell with all vertices on the boundary, or no_subdomain if the domain has to be asked. An
+  // unchanged cell may be so flat that, by rounding, its dual point depends on the order of its vertices, which may differ from
+  // that in the snapshot. A cell of the input gets its original order when the snapshot is written; others keep their labels only
+  // if the boundary has to stay.
   int known_label_of_dual(const Quadruple& q) const
   {
     if(!candidate_.is_unchanged(q))
@@ -188,7 +189,8 @@ private:
     return snapshot.has_labels_of_domain && !candidate_.boundary_moves() ? snapshot.label_of_cell(q) : no_subdomain;
   }
 
-  // Whether the boundary may have the other two facets of a cell instead of two that it has. Where vertices move, others tell.
+  // Whether the boundary may exchange two facets of the cell for the other two. For a cell that does not have exactly two boundary
+  // facets, whether one of its vertices may move.
   bool may_flip(int c) const
   {
     if(!candidate_.boundary_moves() || !candidate_.has_way_back)

@@ -32,7 +32,7 @@
 
 namespace CGAL::Global_odt_mesh_3::internal {
 
-// Exact tests of a cell.
+// Exact predicates of one cell.
 class Exact_cell_3
 {
 public:
@@ -46,7 +46,7 @@ public:
     return Exact_traits().orientation_3_object()(bare(points_[0]), bare(points_[1]), bare(points_[2]), bare(points_[3])) == POSITIVE;
   }
 
-  // Whether the site is strictly outside of the sphere of the cell, which is positive.
+  // Whether the site is strictly outside the sphere of the cell, which is positive.
   bool is_outside(const Site& s) const
   {
     const auto side = Exact_traits().power_side_of_oriented_power_sphere_3_object();
@@ -57,12 +57,12 @@ private:
   std::array<Weighted_point, 4> points_;
 };
 
-// The cells of an indexed triangulation that are transferred into an exact one: those around vertices that are left
-// out when the others are inserted. Insertion gives all cells that have no such vertex.
+// The cells of an indexed triangulation that are transferred into an exact one: those around the vertices that are left out when
+// the others are inserted. Insertion creates all other cells.
 class Transferred_cells_3
 {
 public:
-  // At first, nearly all vertices of the interior are left out.
+  // At first, nearly all interior vertices are left out.
   Transferred_cells_3(const Indexed_triangulation_3& flat, int number_of_interior_vertices, int number_of_vertices,
                       const Thread_policy& threads)
     : indexed_(flat)
@@ -91,21 +91,21 @@ public:
   bool is_left_out(int v) const { return is_left_out_[v]; }
   int number_of_inserted_vertices() const { return number_of_inserted_vertices_; }
 
-  // The slot across the facet, also if the facet is constrained, or none.
+  // The slot across the facet, even if the facet is constrained; or none.
   Half_facet mate(Half_facet s) const
   {
     const Half_facet across = indexed_.neighbor(s);
     return across.is_side() && !across.is_none() ? indexed_.constrained_half_facet(across.other_side()) : across;
   }
 
-  // Whether cells that are not transferred follow across the facet.
+  // Whether the cell across the facet is missing or not transferred.
   bool is_border(Half_facet s) const
   {
     const Half_facet across = mate(s);
     return across.is_none() || !is_transferred(across.cell());
   }
 
-  // Of cells that are transferred.
+  // The border facets of the transferred cells.
   std::vector<Half_facet> border() const
   {
     const auto find_border = [this](int n, std::vector<int>& slots)
@@ -118,8 +118,7 @@ public:
     return std::vector<Half_facet>(slots.begin(), slots.end());
   }
 
-  // The cell is not transferred: its vertices are inserted. The cells that this concerns are
-  // known after update().
+  // Gives up the transfer of the cell: its vertices are to be inserted. The other cells this affects are known after update().
   void reject(int cell)
   {
     for(int i = 0; i < 4; ++i)
@@ -144,7 +143,7 @@ public:
     });
   }
 
-  // The vertices that are not left out any more since this was called last.
+  // The vertices that have ceased to be left out since the last call.
   std::vector<int> take_news()
   {
     std::vector<int> news;
@@ -153,8 +152,8 @@ public:
   }
 
 private:
-  // Of the interior. Vertices of a round surface alone are on one sphere up to rounding, and to triangulate them takes
-  // exact numbers; a few points inside of it keep them apart.
+  // One in so many interior vertices is inserted. Without any, the vertices of a round surface lie on one sphere up to rounding,
+  // and triangulating them takes exact arithmetic; a few points inside avoid that.
   static constexpr int one_inserted_of = 128;
 
   const Indexed_triangulation_3& indexed_;
@@ -165,8 +164,8 @@ private:
   int number_of_inserted_vertices_ = 0;
 };
 
-// Rejects the cells that are not positive, and those on both sides of facets that are not strictly locally
-// regular. Where spheres pass through five vertices, insertion is to decide.
+// Rejects cells that are not positive, and those on both sides of facets that are not strictly locally regular. If a sphere passes
+// through five vertices, insertion decides.
 inline void certify_cells(Transferred_cells_3& transferred, const std::vector<Site>& sites, const Thread_policy& threads)
 {
   const std::vector<int>& cells = transferred.cells();
@@ -188,29 +187,29 @@ inline void certify_cells(Transferred_cells_3& transferred, const std::vector<Si
   transferred.update();
 }
 
-// Builds the exact regular triangulation of points without inserting all of them: most cells of a flat
-// triangulation that is nearly it are cells of it.
+// Builds the exact regular triangulation of points without inserting all of them: most cells of a flat triangulation that is nearly
+// regular belong to it.
 //
-// Those cells are certified, and the other vertices inserted; the border of the cells that are transferred is then found
-// among the facets of that triangulation, and what is inside of it gives way. As the border of
-// a part of the triangulation bounds that part, cells that are positive cover all once; and where all
-// facets are locally regular, the whole is regular. So the result is what insertion of all gives.
+// Those cells are certified, and the other vertices are inserted. The border of the transferred cells is then found among the
+// facets of the exact triangulation, and the cells inside that border give way. Since the border bounds that part of the
+// triangulation, positive cells cover it exactly once; and since all facets are locally regular, the whole is regular. So the
+// result is the same as if all vertices were inserted.
 class Cell_transfer_3
 {
 public:
-  // The indexed mesh may be at other positions.
+  // The positions of the indexed mesh may differ from the sites.
   Cell_transfer_3(const Constrained_triangulation_3& mesh, const std::vector<Site>& sites, const Thread_policy& threads)
     : sites_(sites)
     , threads_(threads)
     , transferred_(mesh.topology, mesh.number_of_interior_vertices, static_cast<int>(sites.size()), threads)
   {}
 
-  // False if that does not pay or cannot be done.
+  // False if the transfer does not pay or is impossible.
   bool run(Labelled_triangulation_3& result)
   {
     if(!pays())
       return false;
-    // As certification leaves these to be inserted anyway.
+    // These vertices are inserted whatever certification finds, so both run at once.
     const std::vector<int> first = transferred_.take_news();
     threads_.run_both([&] { tr_.insert_sites(first, sites_); }, [this] { certify_cells(transferred_, sites_, threads_); });
     for(int round = 0; round < most_rounds && pays(); ++round)
@@ -240,7 +239,7 @@ private:
     return !transferred_.cells().empty() && transferred_.number_of_inserted_vertices() <= most_inserted * double(sites_.size());
   }
 
-  // False if vertices get hidden.
+  // Inserts the vertices that are no longer left out; false if some are hidden.
   bool insert_news()
   {
     tr_.insert_sites(transferred_.take_news(), sites_);
@@ -250,8 +249,8 @@ private:
     return true;
   }
 
-  // Finds the border of the cells that are transferred among the facets of the triangulation, as seen from those cells.
-  // Where that cannot be done or the facet is not strictly regular, the cell is rejected and the answer is false.
+  // Finds the border of the transferred cells among the facets of the triangulation, as seen from those cells. If a facet is not
+  // found or not strictly regular, its cell is rejected and the answer is false.
   bool match_border()
   {
     border_ = transferred_.border();
@@ -313,7 +312,7 @@ private:
     return std::none_of(inner_.begin(), inner_.end(), [this](Half_facet f) { return gives_way_[inserted_.mirror(f).cell()]; });
   }
 
-  // Whether all vertices of cells that give way are vertices of cells that are transferred.
+  // Whether all vertices of the cells that give way are vertices of transferred cells.
   bool all_vertices_stay() const
   {
     std::vector<char> stays(sites_.size(), false);
@@ -327,7 +326,7 @@ private:
     return true;
   }
 
-  // Puts the cells that are transferred in the place of those that give way.
+  // Replaces the cells that give way with the transferred ones.
   void transplant(Labelled_triangulation_3& result) const
   {
     std::vector<int> place(inserted_.cells().size(), -1), place_of_transferred(transferred_.indexed().number_of_cell_slots(), -1);
@@ -373,10 +372,10 @@ private:
   const Thread_policy threads_;
   Exact_triangulation_3 tr_;
   Transferred_cells_3 transferred_;
-  Labelled_triangulation_3 inserted_;   // the same in numbers
-  std::vector<char> gives_way_;         // of its cells
-  std::vector<Half_facet> border_;      // facets of cells that are transferred,
-  std::vector<Half_facet> inner_;       // and where they are in the triangulation, on the side that gives way
+  Labelled_triangulation_3 inserted_;   // `tr_` with numbered cells
+  std::vector<char> gives_way_;         // of the cells of `inserted_`
+  std::vector<Half_facet> border_;      // border facets of transferred cells,
+  std::vector<Half_facet> inner_;       // and the same facets in `inserted_`, on the side that gives way
 };
 
 } // namespace CGAL::Global_odt_mesh_3::internal

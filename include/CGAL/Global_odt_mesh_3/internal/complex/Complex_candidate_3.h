@@ -36,22 +36,22 @@
 
 namespace CGAL::Global_odt_mesh_3::internal {
 
-// The next snapshot of a complex while it is made. It owns all that changes on the way; the snapshot
-// from which it starts stays as it is.
+// The next snapshot of a complex while it is being built. It owns all that changes on the way; the snapshot that it starts from
+// stays as it is.
 struct Complex_candidate_3
 {
   typedef Complex_snapshot_3::Surface_center Surface_center;
 
   const Complex_snapshot_3& snapshot;
   const Vertex_numbering_3& numbering;
-  const bool is_final;                        // or else one on the way, of which less is asked
+  const bool is_final;                        // or else intermediate, with weaker checks
   const bool has_way_back;                    // whether the snapshot is valid
   bool may_retreat = true;                    // whether vertices may go elsewhere instead of back
   const Thread_policy threads;
 
   Labelled_triangulation_3 triangulation;     // of the candidate's vertices once it has been built
   std::vector<Site> sites;
-  // Where vertices go back to: as in the snapshot, or as in the input.
+  // Where vertices go back to: their sites in the snapshot or in the input.
   std::vector<Site> revert_sites;
   Boundary_geometry_3 measured_boundary;      // that of the snapshot, at the positions of the candidate
 
@@ -61,11 +61,11 @@ struct Complex_candidate_3
   std::vector<Half_facet> facets;
   std::vector<int> old_facets;                // the numbers that facets have in the snapshot, or -1
   std::vector<Surface_center> centers;
-  std::map<Triple, Surface_center> found_centers;   // of facets where trials have led, by sorted vertices
+  std::map<Triple, Surface_center> found_centers;   // of the facets that trials have changed, by sorted vertices
 
-  // Of facets' centroids from the surface, until their vertices move.
+  // The distances of facets' centroids from the surface, until their vertices move.
   std::unordered_map<Triple, double, boost::hash<Triple> > known_distances;
-  std::map<int, int> times_reverted;     // and how often
+  std::map<int, int> times_reverted;     // by vertex: how often
 
   Complex_candidate_3(const Complex_snapshot_3& from, const std::vector<Site>& target, bool is_last, bool is_snapshot_valid,
                       const Thread_policy& policy)
@@ -91,7 +91,7 @@ struct Complex_candidate_3
     measured_boundary = boundary_moves() ? snapshot.boundary.at(sites) : snapshot.boundary;
   }
 
-  // From the cells of a mesh that has been at about the positions, if there is one and that can be done; whether it was.
+  // Builds the triangulation, from the cells of a mesh at nearly these positions if one is given and that succeeds; whether it did.
   bool build(const Moving_triangulation_3* mesh)
   {
     if(mesh != nullptr && Cell_transfer_3(*mesh, sites, threads).run(triangulation))
@@ -100,7 +100,7 @@ struct Complex_candidate_3
     return false;
   }
 
-  // Whether the vertex has no other place: on a surface, it does not retreat.
+  // Whether the vertex must stay: a vertex on a surface cannot retreat.
   bool stays(int v) const { return !numbering.is_movable(v) || (!has_way_back && !numbering.is_interior(v)); }
   bool is_at_input(int v) const { return numbering.is_input_site(v, sites[v]); }
   bool is_reverted(int v) const { return same_place(sites[v], revert_sites[v]); }
@@ -121,7 +121,7 @@ struct Complex_candidate_3
   // From now on, the vertex reverts to where it was in the input.
   void revert_to_input(int v) { revert_sites[v] = numbering.input_sites[v]; }
 
-  // The candidate becomes a snapshot.
+  // Turns the candidate into a snapshot.
   Complex_snapshot_3 finish()
   {
     CGAL_assertion(centers.size() == facets.size() && boundary.complex().facets().size() == facets.size());

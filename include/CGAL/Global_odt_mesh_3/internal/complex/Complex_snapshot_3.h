@@ -32,8 +32,8 @@
 
 namespace CGAL::Global_odt_mesh_3::internal {
 
-// The vertices of a complex, numbered along space filling curves: first those of the interior that
-// move, then those that move on surfaces, then the others. It is the same in all snapshots of the complex.
+// The vertices of a complex, numbered along space-filling curves: first the interior vertices that move, then those that move on
+// surfaces, then the others. All snapshots of the complex share the numbering.
 struct Vertex_numbering_3
 {
   static constexpr int no_subdomain = -1;
@@ -41,7 +41,7 @@ struct Vertex_numbering_3
   // A cell of the input with all vertices on the boundary.
   struct Input_cell
   {
-    Quadruple vertices;                     // in their order there
+    Quadruple vertices;                     // in the order of the input
     int label;
   };
 
@@ -49,15 +49,14 @@ struct Vertex_numbering_3
   std::vector<int> input_numbers;           // of vertices, in the table of the input
   std::vector<Site> input_sites;
   std::vector<int> dimensions;
-  int first_inserted = 0;                   // in the table, of those that the user's mesh has not got
-  int number_in_table = 0;                  // of vertices, also removed ones
-  // A vertex that no boundary facet touches belongs to one subdomain for good, and so
-  // do the cells around it.
+  int first_inserted = 0;                   // in the table; these are not in the user's mesh
+  int number_in_table = 0;                  // of vertices, including removed ones
+  // A vertex without boundary facets belongs to one subdomain for good, and so do the cells around it.
   std::vector<int> subdomain;               // its label, or no_subdomain on the boundary
   Tuple_table<Quadruple, Input_cell> input_boundary_cells;
-  Tuple_table<std::array<int, 2>, int> feature_edges;       // if vertices may be inserted; with their curves
-  Tuple_table<Triple, int> kept_facets;     // in the same way, whatever their cells
-  Tuple_table<Quadruple, int> kept_cells;   // that are in all snapshots, with their facets; and their places among them
+  Tuple_table<std::array<int, 2>, int> feature_edges;       // with their curves; used if vertices may be inserted
+  Tuple_table<Triple, int> kept_facets;     // kept in all snapshots, whatever their cells
+  Tuple_table<Quadruple, int> kept_cells;   // kept in all snapshots, with their facets; numbered
   int number_of_interior_vertices = 0;
   int number_of_movable_vertices = 0;
 
@@ -76,7 +75,7 @@ struct Vertex_numbering_3
   // The patch of a vertex of dimension 2 in the input.
   int input_patch(int v) const { return input->patch(input_numbers[v]); }
 
-  // As the mesh has it: of those that are not, some stay for what is around them.
+  // Whether the input fixes the vertex. Others may stay, too, because of what is around them.
   bool is_fixed(int v) const { return input->is_fixed(input_numbers[v]); }
 
   bool is_kept(const Triple& t) const { return !kept_facets.entries().empty() && kept_facets.find(sorted(t)) != nullptr; }
@@ -93,7 +92,7 @@ struct Vertex_numbering_3
         f(i);
   }
 
-  // The one label of the vertices of a cell that are not on the boundary, or no_subdomain if there are none; false and one of them
+  // Finds the common label of a cell's vertices off the boundary, or no_subdomain if there are none; false, with one of the labels,
   // if they have several. The infinite vertex is outside.
   bool find_label(const Quadruple& q, int& label) const
   {
@@ -113,7 +112,8 @@ struct Vertex_numbering_3
   // Whether the site is that of the vertex in the input.
   bool is_input_site(int v, const Site& s) const { return same_place(s, input_sites[v]); }
 
-  // The same for an input that has not been valid, and of which nothing counts but that its vertices are elsewhere now.
+  // The numbering for a regular complex that takes the place of an invalid input: the sites are the new ones, and the labels of
+  // boundary cells are dropped.
   Vertex_numbering_3 with_input_at(const std::vector<Site>& sites) const
   {
     Vertex_numbering_3 result = *this;
@@ -136,8 +136,8 @@ struct Vertex_numbering_3
   }
 };
 
-// A valid complex: the triangulation with the labels of its cells, the boundary, and where it meets the surfaces. Once made, it does
-// not change.
+// A valid complex: the triangulation with the labels of its cells, the boundary, and its surface centers. Once made, it does not
+// change.
 struct Complex_snapshot_3
 {
   static constexpr int no_subdomain = Vertex_numbering_3::no_subdomain;
@@ -146,9 +146,9 @@ struct Complex_snapshot_3
   struct Surface_center
   {
     Vector_3 point;
-    int patch = Boundary_facet::no_patch;     // on which it is
-    int source = Mesh_table_3::no_facet;      // the facet of the input whose center it is
-    bool is_exact = false;          // on the surface; or else estimated from the normals
+    int patch = Boundary_facet::no_patch;     // that the point is on
+    int source = Mesh_table_3::no_facet;      // the facet of the input with this center
+    bool is_exact = false;          // on the surface; or else estimated from normals
     bool is_faithful = false;       // the facet's centroid is known to be close enough to the surface
   };
 
@@ -159,11 +159,11 @@ struct Complex_snapshot_3
   std::vector<Surface_center> centers;
   Tuple_table<Triple, int> facet_numbers;
   bool has_unseparating_facets = false;
-  bool has_labels_of_domain = false;                // also of cells with all vertices on the boundary
+  bool has_labels_of_domain = false;                // even for cells with all vertices on the boundary
 
   const std::vector<Site>& sites() const { return triangulation.sites(); }
 
-  // Whether the vertices are there.
+  // Whether the vertices have these positions and weights.
   bool has_positions(const std::vector<Site>& positions) const
   {
     return std::equal(sites().begin(), sites().end(), positions.begin(), positions.end(),
@@ -187,7 +187,7 @@ struct Complex_snapshot_3
     return number == nullptr ? -1 : *number;
   }
 
-  // Puts facets of the boundary that have a patch into the complex, by their places in the triangulation.
+  // Puts the boundary facets that have a patch into the complex, given their half-facets in the triangulation.
   void mark_facets(const std::vector<Half_facet>& facets)
   {
     for(std::size_t n = 0; n < facets.size(); ++n)
@@ -195,7 +195,7 @@ struct Complex_snapshot_3
         triangulation.put_in_complex(facets[n]);
   }
 
-  // To be called when `boundary` is what it will be.
+  // To be called once `boundary` is final.
   void number_facets()
   {
     const std::vector<Boundary_facet>& boundary_facets = boundary.complex().facets();

@@ -36,16 +36,16 @@
 
 namespace CGAL::Global_odt_mesh_3::internal {
 
-// A complex that goes from one valid snapshot to the next.
+// Takes a complex from one valid snapshot to the next.
 //
-// advance() makes a candidate for new positions and checks it. Vertices that alter the topology of the
-// boundary, pierce it, get hidden, leave a cell of their subdomain with its dual point in
-// another, make a facet too thin or too far from the surface, or replace a cell that is kept, go back toward where they were, until
-// all is well. Then the candidate takes the snapshot's place; or else, also if anything throws, the snapshot is as it was.
+// advance() makes a candidate for new positions and checks it. Vertices go back toward where they were if they change the topology
+// of the boundary, pierce it, get hidden, leave a cell of their subdomain with its dual point in another one, make a facet too thin
+// or too far from the surface, or replace a kept cell. Once all is well, the candidate replaces the snapshot; otherwise, or if
+// anything throws, the snapshot is unchanged.
 class Complex_updater_3
 {
 public:
-  // Refers to the domain and the bounds.
+  // Keeps references to the domain and the bounds.
   Complex_updater_3(const Domain_view_3& domain, Facet_bounds_3& bounds, bool boundary_moves,
                     const Thread_policy& threads = Thread_policy())
     : domain_(domain)
@@ -65,7 +65,7 @@ public:
   }
 
   const Complex_snapshot_3& snapshot() const { return snapshot_; }
-  // Comes last.
+  // To be called last; the updater has no snapshot afterwards.
   Complex_snapshot_3 take_snapshot() { return std::move(snapshot_); }
   const Domain_view_3& domain() const { return domain_; }
 
@@ -76,8 +76,8 @@ public:
     index_snapshot(snapshot_, threads_, mesh);
   }
 
-  // So that vertices can be tried, inserted, and removed, and have a way back: an input from elsewhere, such as a file with rounded
-  // coordinates or a mesh that has been deformed, need not be regular. False if that cannot be had.
+  // Makes the complex regular, so that vertices can be tried, inserted, and removed, and have a way back: an input such as a file
+  // with rounded coordinates or a deformed mesh need not be regular. False if that is impossible.
   bool make_regular()
   {
     return !snapshot_.is_input || is_regular(snapshot_.triangulation, threads_)
@@ -87,14 +87,14 @@ public:
   // A copy of the complex for trials of single vertices.
   Editable_complex_3 edit() const { return edit(*snapshot_.numbering); }
 
-  // The same with a numbering to which vertices are to be added.
+  // A copy with another numbering, to which vertices are to be added.
   Editable_complex_3 edit(const Vertex_numbering_3& numbering) const
   {
     return Editable_complex_3(snapshot_, numbering, domain_, bounds_, boundary_moves_, threads_);
   }
 
-  // Goes to where trials of this snapshot have led, which come to an end. False if that cannot be done: then the snapshot is as
-  // it was.
+  // Adopts the result of trials that started from this snapshot, and ends them. False if that is impossible; the snapshot is then
+  // unchanged.
   bool adopt(Editable_complex_3& trials)
   {
     if(snapshot_.has_positions(trials.sites))
@@ -107,20 +107,20 @@ public:
     return true;
   }
 
-  // Where no valid complex could be made: the vertices of what was wrong in the end, by their numbers in the input.
+  // The vertices of the defects that prevent a valid complex, by their numbers in the input.
   const std::set<int>& obstacles() const { return obstacles_; }
 
-  // How often most of a candidate's cells were those of a mesh.
+  // How often a candidate took most of its cells from a mesh.
   std::size_t number_of_transfers() const { return number_of_transfers_; }
 
-  // Goes to new positions of the movable vertices, as far as possible; false if nothing could be done.
-  // In a final snapshot, all vertices are on their surfaces and all boundary facets have surface centers.
+  // Moves the vertices to new positions as far as possible; false if nothing can be done. In a final snapshot, all vertices are on
+  // their surfaces, and all boundary facets have surface centers.
   bool advance(const std::vector<Site>& target, bool is_final)
   {
     return advance(target, nullptr, is_final, true);
   }
 
-  // The same for positions of a mesh that is regular as far as its constraints permit, which is faster.
+  // Advances to the positions of a mesh that is regular as far as its constraints permit, which is faster.
   bool advance(const Moving_triangulation_3& mesh, bool is_final)
   {
     return advance(mesh.sites, &mesh, is_final, true);
@@ -128,11 +128,11 @@ public:
 
 private:
   static constexpr int most_attempts = 40;
-  // Then a valid complex matters more than the shape of facets.
+  // After so many attempts, a valid complex matters more than the shape of facets.
   static constexpr int attempts_at_good_facets = 10;
   static constexpr int attempts_at_retreat = 24;
-  // In vertices that have no way back, over all attempts, beyond one for each vertex. So a mesh that is not regular anywhere takes no
-  // longer than others.
+  // The effort permitted over all attempts, beyond one per vertex, counted in vertices without a way back. With this limit, a mesh
+  // that is regular nowhere takes no longer than others.
   static constexpr std::size_t least_effort = 1000;
 
   // Without a mesh, no cells are transferred.
@@ -142,7 +142,7 @@ private:
     number_of_transfers_ += candidate.build(mesh);
   }
 
-  // If there is no way back to the snapshot, what comes takes the place of the input.
+  // Without a way back to the snapshot, the new one takes the place of the input.
   bool advance(const std::vector<Site>& target, const Moving_triangulation_3* mesh, bool is_final, bool has_way_back)
   {
     const Stage_clock::In_stage in_stage(threads_.clock(), Stage_clock::CHECK);
@@ -156,7 +156,7 @@ private:
     return true;
   }
 
-  // Whether the candidate is valid, perhaps with some vertices elsewhere or back where they were.
+  // Whether the candidate can be made valid, perhaps with some vertices moved elsewhere or back.
   bool complete(Complex_candidate_3& candidate, const Moving_triangulation_3* mesh)
   {
     put_on_surfaces(candidate, domain_);
@@ -191,14 +191,14 @@ private:
       obstacles_.insert(snapshot_.numbering->input_numbers[r.first]);
   }
 
-  // Whether a candidate that trials have led to is valid.
+  // Whether a candidate made by trials is valid.
   bool complete_trials(Complex_candidate_3& candidate)
   {
     return topology_changes(candidate).empty() && Surface_centers_3(candidate, domain_).find_surface_centers().is_clean()
            && bounds_.check_distances(candidate).is_clean();
   }
 
-  // Completes the candidate, and reports all that is wrong with it. Facets that are too thin may be found good enough.
+  // Completes the candidate, and reports all its defects. Thin facets are reported only if `wants_good_facets`.
   Defect_report_3 check(Complex_candidate_3& candidate, bool wants_good_facets)
   {
     if(!candidate.triangulation.is_complete())

@@ -32,16 +32,16 @@
 
 namespace CGAL::Global_odt_mesh_3::internal {
 
-// Splits edges of a boundary of long thin facets, for which no regular triangulation has them all, until the Delaunay triangulation
-// of all vertices conforms to it: it has the creases and, between these, facets in the same planes. Cells are split along with their
-// edges, whatever that does to them, since others take their place.
+// Splits edges of a boundary with long thin facets that no regular triangulation contains, until the Delaunay triangulation of all
+// vertices conforms to it: it contains the creases and, between these, facets in the same planes. Cells are split along with their
+// edges, whatever their shape, since other cells replace them.
 //
-// Of two edges that meet in a small angle, each one may come too close to the parts of the other. As Ruppert does, parts at a vertex
+// Where two edges meet at a small angle, parts of each may come too close to the other. As in Ruppert's method, parts at a vertex
 // of the input have a power of two for their length, so that they end on common spheres around it.
 class Conforming_refinement_3
 {
 public:
-  // Of a mesh that is its own domain.
+  // The table is of a mesh that is its own domain.
   explicit Conforming_refinement_3(Mesh_table_3 table)
     : table_(std::move(table))
     , rounding_(rounding_of_coordinates(table_.sites))
@@ -60,7 +60,7 @@ public:
         curves_.emplace(sorted(e.vertices), e.curve);
   }
 
-  // False if an edge would have to be split that may not be, or too many, or the user does not want to go on.
+  // False if an edge that must not be split would have to be, if there would be too many vertices, or if the user stops it.
   template <class Predicate>
   bool run(int most_vertices, const Predicate& may_go_on)
   {
@@ -83,7 +83,7 @@ public:
     }
   }
 
-  // Comes last.
+  // To be called last; moves the table out.
   Mesh_table_3 take_table()
   {
     write_facets();
@@ -103,7 +103,7 @@ private:
   bool is_on_boundary(int c, int i) const
   { return facets_[c][i] != none || table_.cells[c].label != table_.cells[table_.cells[c].neighbors[i]].label; }
 
-  // Sorted.
+  // Facets and their vertices are sorted.
   std::vector<Triple> boundary_facets() const
   {
     std::vector<Triple> result;
@@ -143,7 +143,7 @@ private:
     return result;
   }
 
-  // Other edges between two facets may be exchanged.
+  // Edges between two facets in one plane are no creases unless they are on a curve, and may be exchanged.
   bool is_crease(const Edge& e, const std::vector<Triple>& facets) const
   { return curves_.count(e) > 0 || facets.size() != 2 || !(is_in_plane(facets[0], facets[1]) || is_in_plane(facets[1], facets[0])); }
 
@@ -153,7 +153,7 @@ private:
     return std::all_of(facet.begin(), facet.end(), [&](int v) { return std::abs(plane.height(position(table_.sites[v]))) <= rounding_; });
   }
 
-  // Those in the place of which there are no others in the same plane.
+  // The boundary facets that are not covered by other facets in the same plane.
   std::vector<Triple> pierced_facets() const
   {
     std::vector<Triple> found;
@@ -168,7 +168,7 @@ private:
     return result;
   }
 
-  // At some points of the facet.
+  // Whether facets in the same plane cover the facet, tested at some of its points.
   bool is_covered(const Triple& t, Exact_triangulation_3::Cell_handle& hint) const
   {
     constexpr double shares[][3] = { { 1 / 3., 1 / 3., 1 / 3. }, { .8, .1, .1 }, { .1, .8, .1 }, { .1, .1, .8 }, { .1, .45, .45 },
@@ -215,7 +215,7 @@ private:
     return result;
   }
 
-  // Its patch, if it is on one and on no feature, or none.
+  // The patch of the facets around an edge; none if there are several or no facets.
   int patch_around(const Edge& e) const
   {
     int patch = none;
@@ -231,8 +231,8 @@ private:
     return patch;
   }
 
-  // Not where the user wants cells or facets to stay, nor between balls, nor where it is not clear on what the vertex would be or,
-  // for rounding, whether it would be between those of the edge.
+  // An edge must not be split where the user keeps cells or facets, between protecting balls, where the patch or curve of the new
+  // vertex is not clear, or if rounding puts that vertex at an end of the edge.
   bool may_be_split(const Edge& e) const
   {
     if(const Site m = middle(e); same_place(m, table_.sites[e[0]]) || same_place(m, table_.sites[e[1]]))
@@ -276,7 +276,7 @@ private:
     split_cells(e, m);
   }
 
-  // Each of the cells keeps the first vertex of the edge, and another one gets the second.
+  // Each cell keeps the first vertex of the edge, and a new cell gets the second.
   void split_cells(const Edge& e, int m)
   {
     std::map<int, int> beyond;
@@ -312,7 +312,7 @@ private:
     }
   }
 
-  // Those that are parts of others have their centers in their own planes.
+  // Facets that are parts of others get surface centers in their own planes.
   void write_facets()
   {
     std::vector<Mesh_table_3::Facet> facets;
@@ -343,7 +343,7 @@ private:
   const double rounding_;
   const int first_new_;
   std::vector<std::vector<int> > cells_at_;               // by vertices
-  std::vector<std::array<int, 4> > facets_;               // of the table, of which those of cells are parts, or none
+  std::vector<std::array<int, 4> > facets_;               // for each facet of a cell, the table's facet it is part of, or none
   std::map<Edge, int> curves_;                            // of feature edges
   std::vector<Triple> boundary_;
   Exact_triangulation_3 delaunay_;

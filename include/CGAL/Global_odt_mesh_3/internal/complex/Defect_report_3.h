@@ -34,11 +34,11 @@
 
 namespace CGAL::Global_odt_mesh_3::internal {
 
-// Some vertices of a triangulation, by their numbers, then their neighbors, and so on, ring by ring.
+// Some vertices of a triangulation, by number, then their neighbors, and so on, ring by ring.
 class Vertex_rings_3
 {
 public:
-  // Numbers below zero, of the infinite vertex, do not matter.
+  // Negative numbers, which stand for the infinite vertex, are ignored.
   template <class Vertices>
   Vertex_rings_3(const Labelled_triangulation_3& triangulation, const Vertices& vertices)
     : triangulation_(triangulation)
@@ -48,11 +48,11 @@ public:
         add(v);
   }
 
-  // All vertices; those of the last ring are the last ones.
+  // All vertices; the last ring comes last.
   const std::vector<int>& vertices() const { return vertices_; }
   std::size_t begin_of_last_ring() const { return begin_; }
 
-  // Adds the neighbors of those that have been added last.
+  // Adds the neighbors of the last ring as a new ring.
   void grow()
   {
     const std::size_t begin = std::exchange(begin_, vertices_.size());
@@ -74,7 +74,7 @@ private:
   std::unordered_set<int> known_;
 };
 
-// What a check finds wrong with a candidate: the offending vertices, which are to go back toward where they were.
+// What a check finds wrong with a candidate: above all the offending vertices, which go back toward where they were.
 class Defect_report_3
 {
 public:
@@ -82,19 +82,19 @@ public:
     : candidate_(candidate)
   {}
 
-  // Whether nothing is wrong, not even something that no vertex can undo by going back.
+  // Whether nothing is wrong, not even something that no vertex can mend by going back.
   bool is_clean() const { return offending_vertices_.empty() && retreats_.empty() && weights_.empty() && !is_beyond_repair_; }
   bool is_beyond_repair() const { return is_beyond_repair_; }
 
   const std::set<int>& offending_vertices() const { return offending_vertices_; }
 
-  // Reverts those of the vertices that have not reverted or, if there are none, those around them. If there are none
-  // either, what is wrong was so before, where less was asked for; then those revert to the input that are elsewhere than
-  // there, of which nothing more can be asked.
+  // Reverts those of the vertices that have not reverted yet or, if there are none, those around them. If these have all reverted,
+  // too, the defect was there in the snapshot, of which less was asked; then vertices that are not where they were in the input
+  // revert to it, of which nothing more can be asked.
   template <class Vertices>
   void revert(const Vertices& vertices)
   {
-    // Where much cannot be mended, the rest need not be searched for what could have caused it.
+    // If much cannot be mended, the causes of further defects are not searched for.
     const bool is_in_vain = !candidate_.has_way_back || obstacles_.size() > most_obstacles;
     if(is_in_vain && candidate_.has_way_back && revert_nearest(vertices, 1, [this](int v) { return !candidate_.is_reverted(v); }))
       return;
@@ -107,8 +107,9 @@ public:
     }
   }
 
-  // The same for vertices that are too close to a point. As long as they may, those of the interior retreat from it instead, by a
-  // share of the way between or, if a flat cell has its dual point far away, of the way to the farthest of the others.
+  // Deals with vertices that are too close to a point: as long as vertices may retreat, interior ones move away from it, by a share
+  // of their distance or, since the dual point of a flat cell may be far away, of the distance to the farthest of the others. If
+  // none can retreat, vertices revert.
   template <class Vertices>
   void revert_or_retreat(const Vertices& vertices, const Vector_3& from)
   {
@@ -130,12 +131,12 @@ public:
   // The displacements of the vertices that retreat.
   const std::map<int, Vector_3>& retreats() const { return retreats_; }
 
-  // For vertices that stay.
+  // Adds weight to vertices that stay.
   void add_weights(const std::map<int, double>& weights) { weights_.insert(weights.begin(), weights.end()); }
   const std::map<int, double>& weights() const { return weights_; }
 
-  // Those only that have not reverted, or else those around them; whether there are any. Numbers below zero, of the infinite
-  // vertex, do not matter.
+  // Reverts those of the vertices that have not reverted yet, or else those around them; whether there are any. Negative numbers,
+  // which stand for the infinite vertex, are ignored.
   template <class Vertices>
   bool revert_around(const Vertices& vertices)
   {
@@ -144,10 +145,10 @@ public:
 
   void give_up() { is_beyond_repair_ = true; }
 
-  // The vertices of what is wrong and cannot be mended.
+  // The vertices of defects that cannot be mended.
   const std::set<int>& obstacles() const { return obstacles_; }
 
-  // What is found later may come of what is wrong already; so it is not beyond repair unless all else is well.
+  // A later defect may result from an earlier one, so it counts as beyond repair only if all else is well.
   void add(const Defect_report_3& later)
   {
     is_beyond_repair_ = is_beyond_repair_ || (is_clean() && later.is_beyond_repair_);
@@ -159,13 +160,13 @@ public:
   }
 
 private:
-  // A cell or facet comes where a vertex that it has, or one beside it, has moved; farther away, none can be the cause.
+  // A new cell or facet is due to the move of one of its vertices or of one nearby; vertices farther away cannot be the cause.
   static constexpr int most_rings = 3;
   static constexpr std::size_t most_obstacles = 100;
-  // Positions of the input among others may be wrong where the input as a whole is not.
+  // The input as a whole may be valid where a mixture of its positions and others is not.
   static constexpr int most_rings_to_input = 6;
 
-  // The longest counts, in whatever order they come.
+  // Keeps the longest retreat, whatever the order of calls.
   void add_retreat(int v, const Vector_3& way)
   {
     const auto key = [](const Vector_3& w) { return std::make_tuple(w.squared_length(), w[0], w[1], w[2]); };
@@ -184,7 +185,7 @@ private:
     return squared > 0 ? std::sqrt(squared) : (std::numeric_limits<double>::max)();
   }
 
-  // Reverts those movable vertices that satisfy the predicate in the first ring around some that has any.
+  // Reverts the movable vertices that satisfy the predicate, in the nearest ring that has any.
   template <class Vertices, class Predicate>
   bool revert_nearest(const Vertices& vertices, int rings, const Predicate& goes_back)
   {
@@ -209,11 +210,11 @@ private:
   const Complex_candidate_3& candidate_;
   std::set<int> offending_vertices_, obstacles_;
   std::map<int, Vector_3> retreats_;
-  std::map<int, double> weights_;           // that are added
+  std::map<int, double> weights_;           // added to the vertices
   bool is_beyond_repair_ = false;
 };
 
-// Moves a vertex of a candidate to the surface that it moves on; false if there is no such point nearby.
+// Moves a vertex of a candidate onto its surface; false if there is no such point nearby.
 inline bool put_on_surface(Complex_candidate_3& candidate, const Domain_view_3& domain, int v)
 {
   constexpr double farthest_projection = 1;       // over the shortest edge
@@ -227,7 +228,7 @@ inline bool put_on_surface(Complex_candidate_3& candidate, const Domain_view_3& 
   return true;
 }
 
-// The same for all vertices that have moved on surfaces; those for which that fails go back.
+// Puts all vertices that have moved on surfaces back onto them; a vertex for which that fails goes back.
 inline void put_on_surfaces(Complex_candidate_3& candidate, const Domain_view_3& domain)
 {
   domain.for_each(candidate.numbering.number_of_surface_vertices(), [&](int n)

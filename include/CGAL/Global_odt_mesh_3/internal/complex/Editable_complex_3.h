@@ -40,13 +40,13 @@ struct Sliver_3
 {
   double angle;
   Quadruple vertices;               // sorted
-  int cell;                         // as long as the complex has it
+  int cell;                         // its number, while it exists
 
   bool operator<(const Sliver_3& o) const { return angle != o.angle ? angle < o.angle : vertices < o.vertices; }
 };
 
-// A snapshot whose vertices can be moved one by one, in its triangulation, or to which vertices are added. Cells know their
-// labels. The boundary alone says which facets are in the complex: what cells know of their facets may be out of date.
+// A copy of a snapshot whose vertices can be moved one by one and to which vertices can be added. Cells know their labels, but only
+// the boundary tells which facets are in the complex: what cells know of their facets may be out of date.
 struct Editable_complex_3
 {
   // A facet of the boundary, as the triangulation has it from its first side.
@@ -67,10 +67,10 @@ struct Editable_complex_3
   const std::vector<Site>& sites;
   Exchangeable_boundary_3 boundary;
   Circumradius_bound_3 size_bound;              // of cells
-  std::map<Triple, Complex_snapshot_3::Surface_center> centers;     // of facets that have come or moved, by sorted vertices
+  std::map<Triple, Complex_snapshot_3::Surface_center> centers;     // of new or moved facets, by sorted vertices
 
-  // With the numbering of the snapshot that of the vertices begins. If `moves` is false, the boundary stays. Threads share visits of
-  // all cells.
+  // `numbers` begins with the numbering of the snapshot. If `moves` is false, the boundary stays. Threads share the visits of all
+  // cells.
   Editable_complex_3(const Complex_snapshot_3& from, const Vertex_numbering_3& numbers, const Domain_view_3& d,
                      const Facet_bounds_3& b, bool moves, const Thread_policy& policy)
     : snapshot(from)
@@ -87,7 +87,7 @@ struct Editable_complex_3
   Editable_complex_3(const Editable_complex_3&) = delete;
   Editable_complex_3& operator=(const Editable_complex_3&) = delete;
 
-  // The label that the vertices off the boundary have; `unknown` if there are none, `mixed` if they have several.
+  // The label of the vertices off the boundary; `unknown` if there are none, `mixed` if they have several labels.
   static constexpr int unknown = -2, mixed = -3;
 
   int label_of_vertices(const Quadruple& q) const
@@ -100,17 +100,18 @@ struct Editable_complex_3
     return label == Vertex_numbering_3::no_subdomain ? unknown : label;
   }
 
-  // Whether the snapshot does not have the vertex.
+  // Whether the vertex is new, that is, not in the snapshot.
   bool is_inserted(int v) const { return v >= static_cast<int>(snapshot.sites().size()); }
 
-  // Vertices of a boundary at rest may get other weights, instead of moving; not where surface centers are those of a domain.
+  // Whether the vertex may get another weight instead of moving, as vertices of a boundary at rest may; but not if the surface
+  // centers are those of a domain.
   bool may_gain_weight(int v) const
   {
     return v >= 0 && !boundary_moves && domain.has_cells_of_mesh() && !is_inserted(v) && numbering.is_on_boundary(v)
            && triangulation.keeps_dimension_without(v);
   }
 
-  // The next one, out of the triangulation.
+  // Adds a vertex that is not in the triangulation yet, and returns its number.
   int add_vertex(const Site& s)
   {
     triangulation.add_vertex(s);
@@ -133,7 +134,7 @@ struct Editable_complex_3
     return c >= 0 && is_inside(c) ? c : int(Labelled_triangulation_3::no_cell);
   }
 
-  // The slivers below a bound, the worst first, without cells that are kept.
+  // The slivers below a bound, the worst first, without kept cells.
   std::vector<Sliver_3> slivers(double bound) const
   {
     const std::vector<int>& cells = triangulation.cells();
@@ -147,7 +148,7 @@ struct Editable_complex_3
     return found;
   }
 
-  // Adds a cell of the complex if it is one of them.
+  // Adds the cell if it has a dihedral angle below the bound.
   void add_sliver(int c, double bound, std::vector<Sliver_3>& found) const
   {
     double most = 0;
@@ -156,7 +157,7 @@ struct Editable_complex_3
       found.push_back({ bound - most, sorted(triangulation.vertices(c)), c });
   }
 
-  // Whether the sliver has not given way to other cells.
+  // Whether the sliver still exists.
   bool has(const Sliver_3& s) const { return triangulation.is_cell(s.cell) && sorted(triangulation.vertices(s.cell)) == s.vertices; }
 
   // The boundary, in the order of its facets' vertices.
@@ -166,7 +167,7 @@ struct Editable_complex_3
     std::vector<Found_facet> found = collect_in_chunks<Found_facet>(static_cast<int>(cells.size()), threads,
                                                                     [&](int n, std::vector<Found_facet>& some)
     {
-      // Of facets that have been on the boundary, cells around the vertices that moved know it still.
+      // Cells around moved vertices may still mark facets that have left the boundary.
       triangulation.clear_facets(cells[n]);
       find_facets(cells[n], some);
     });
@@ -174,7 +175,7 @@ struct Editable_complex_3
     return found;
   }
 
-  // Hands over cells and boundary to a candidate with the sites.
+  // Hands the cells and the boundary over to a candidate with the same sites.
   void give(Complex_candidate_3& candidate)
   {
     candidate.found_centers = centers;
@@ -191,13 +192,13 @@ struct Editable_complex_3
   }
 
 private:
-  // Those on the boundary whose first side is this cell.
+  // Finds the boundary facets whose first side is in this cell.
   void find_facets(int c, std::vector<Found_facet>& found) const
   {
     numbering.for_each_facet_on_boundary(triangulation.vertices(c), [&](int i) { find_facet(Half_facet(c, i), found); });
   }
 
-  // If it is on the boundary, and this is its first side.
+  // Adds the facet if it is on the boundary and this is its first side.
   void find_facet(Half_facet f, std::vector<Found_facet>& found) const
   {
     if(!triangulation.is_first_side(f))

@@ -30,20 +30,20 @@
 
 namespace CGAL::Global_odt_mesh_3::internal {
 
-// As Mesh_3 has them: points of doubles, exact predicates, and the same dual points.
+// The same as in Mesh_3: points of doubles, exact predicates, and the same dual points.
 typedef Robust_weighted_circumcenter_filtered_traits_3<Exact_predicates_inexact_constructions_kernel> Exact_traits;
 typedef Exact_traits::Weighted_point_3 Weighted_point;
 
 inline Weighted_point weighted_point(const Site& s) { return Weighted_point(Exact_traits::Point_3(s.x, s.y, s.z), s.weight); }
 
-// Of a flat cell, it depends on the order of the vertices.
+// For a flat cell, the result depends on the order of the vertices.
 inline Vector_3 exact_dual_point(const std::array<Site, 4>& s)
 {
   return coordinates(Exact_traits().construct_weighted_circumcenter_3_object()(weighted_point(s[0]), weighted_point(s[1]),
                                                                                weighted_point(s[2]), weighted_point(s[3])));
 }
 
-// A vertex or cell that has a number; that of the infinite vertex is -1.
+// A vertex or cell with a number; the infinite vertex has number -1.
 template <class Base>
 class Numbered_base_3 : public Base
 {
@@ -86,8 +86,8 @@ public:
   void hide_point(const Point&) const {}
 };
 
-// CGAL fills small holes with the help of a table that outlives the call, and that would keep what it holds if memory
-// ran out on the way, to the harm of all triangulations that come later. Hence the memory for the cells is there before.
+// CGAL fills small holes with the help of a table that outlives the call. If memory ran out meanwhile, the table would keep its
+// contents and spoil all later triangulations. Hence the memory for the cells is reserved first.
 class Exact_data_structure_3
   : public Triangulation_data_structure_3<Numbered_base_3<Regular_triangulation_vertex_base_3<Exact_traits> >,
                                           Numbered_base_3<Bare_cell_base_3<> > >
@@ -104,7 +104,7 @@ public:
   }
 };
 
-// CGAL's triangulation of numbered vertices; also empty, it tells signs with CGAL's perturbation.
+// CGAL's regular triangulation of numbered vertices. Even an empty one tells signs with CGAL's perturbation.
 class Exact_triangulation_3
   : public Regular_triangulation_3<Exact_traits, Exact_data_structure_3>
 {
@@ -115,7 +115,7 @@ public:
   using Base::side_of_bounded_power_circle;
   using Base::side_of_oriented_power_sphere;
 
-  // Those that are hidden get no vertex. Weighted points come first: so, few vertices are hidden after they have been inserted.
+  // Inserts the sites; hidden ones get no vertex. Weighted points come first, so that few vertices become hidden later.
   void insert_sites(const std::vector<int>& numbers, const std::vector<Site>& sites)
   {
     std::vector<Site> inserted;
@@ -131,7 +131,7 @@ public:
       const Vertex_handle v = hint == Cell_handle() ? this->insert(p) : this->insert(p, hint);
       if(v == Vertex_handle())
         continue;
-      // Unless it is that of another number at the same place.
+      // If another site at the same place has the vertex already, that number stays.
       if(v->number() < 0)
         v->set_number(numbers[n]);
       hint = v->cell();

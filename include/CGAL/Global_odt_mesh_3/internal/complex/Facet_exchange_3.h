@@ -34,7 +34,7 @@
 
 namespace CGAL::Global_odt_mesh_3::internal {
 
-// What a vertex at another place makes of the boundary, and whether that may be so.
+// Finds how the boundary changes with a vertex that moves, comes, or goes, and whether that is permitted.
 class Facet_exchange_3
 {
 public:
@@ -43,8 +43,8 @@ public:
     , cavity_(cavity)
   {}
 
-  // For cells that have been found and labelled: whether the boundary keeps its topology, is close
-  // to the surface, and has no flatter facets than before.
+  // For cells that have been found and labelled: whether the boundary keeps its topology, stays close to the surface, and gets no
+  // flatter facets.
   bool is_permitted(const Exchangeable_boundary_3::Vertex_change& change)
   {
     removed_.clear();
@@ -60,7 +60,7 @@ public:
       return false;
     if(!complex_.boundary.keeps_topology(removed_, added_, change))
       return false;
-    // Where facets stay as many, those that are worse may stay so.
+    // If the number of vertices stays the same, facets that are bad already may stay so.
     const double bound = complex_.bounds.smallest_angle();
     const double least = change.vertex >= 0 ? bound : (std::min)((std::max)(bound, small_angle), smallest_angle_before());
     const std::vector<Triple> facets = new_facets();
@@ -71,8 +71,8 @@ public:
     });
   }
 
-  // Adds the surface centers of the facets that would come, and of those that would stay at the vertex, by sorted vertices; false
-  // if the domain does not find all.
+  // Adds the surface centers of the new facets and of those that stay at the vertex, by sorted vertices; false if the domain does
+  // not find all of them.
   bool find_centers(std::map<Triple, Complex_snapshot_3::Surface_center>& centers) const
   {
     const Surface_center_search_3 search(complex_.triangulation, complex_.domain);
@@ -97,7 +97,8 @@ private:
   typedef Vertex_cavity_3::Cell Cell;
   typedef Exchangeable_boundary_3::Facet Facet;
 
-  // Degrees. Below that, a facet is worse for the surface than a sliver for the cells, even if the input has worse ones.
+  // In degrees. A facet with a smaller angle harms the surface more than a sliver harms the cells, even if the input has worse
+  // ones.
   static constexpr double small_angle = 25;
 
   std::vector<Triple> new_facets() const
@@ -108,7 +109,7 @@ private:
     return facets;
   }
 
-  // A facet of one of some cells.
+  // A facet as seen from one of several cells.
   struct Side
   {
     Triple facet;
@@ -116,7 +117,7 @@ private:
     bool operator<(const Side& o) const { return facet != o.facet ? facet < o.facet : cell < o.cell; }
   };
 
-  // Sorted, those of facets between two of the cells one after the other.
+  // The sorted facets of some cells; the two sides of a facet between two of these cells are adjacent.
   static std::vector<Side> sides(const std::vector<Cell*>& cells)
   {
     std::vector<Side> result;
@@ -131,7 +132,7 @@ private:
     return result;
   }
 
-  // Then the boundary stays as it is.
+  // If all cells have one label, the boundary stays as it is.
   bool has_one_label() const
   {
     const int label = cavity_.old_cells().front()->label;
@@ -141,7 +142,8 @@ private:
            && std::all_of(cavity_.new_cells().begin(), cavity_.new_cells().end(), has_it);
   }
 
-  // Finds the facets that would go, come, and stay at the vertex; false if one has no patch or is not to stay.
+  // Finds the boundary facets that go, come, or stay at the vertex; false if a new one has no patch, or if old and new cells have
+  // different hulls.
   bool find_facets(const Exchangeable_boundary_3::Vertex_change& change)
   {
     const std::vector<std::pair<Triple, int> > hull = labels_beyond_old_cells();
@@ -163,8 +165,8 @@ private:
     return true;
   }
 
-  // For each facet of the hull of the old cells, which is that of the new ones, the label beyond. All facets are taken
-  // for removed.
+  // For each facet of the hull, which old and new cells share, the label beyond it. Marks all boundary facets of the old cells as
+  // removed for now.
   std::vector<std::pair<Triple, int> > labels_beyond_old_cells()
   {
     const std::vector<Side> before = sides(cavity_.old_cells());
@@ -212,7 +214,7 @@ private:
     return length > 0 && complex_.domain.intersect(middle, (to - from) / length, length / 2, patch);
   }
 
-  // Takes it for one that stays, or else for one that comes; false if it has no patch.
+  // Records the facet as one that stays or as a new one; false if it has no patch.
   bool add_facet(const Triple& t, const std::array<int, 2>& labels, const Exchangeable_boundary_3::Vertex_change& change)
   {
     const auto old = std::find_if(removed_.begin(), removed_.end(),
@@ -240,7 +242,7 @@ private:
     return patch != unknown_patch;
   }
 
-  // Whether it is one of a cell that is kept.
+  // Whether the facet belongs to a kept cell.
   bool is_kept(const Triple& t) const
   {
     const int c = cavity_.beyond(t);
@@ -256,7 +258,7 @@ private:
                || std::any_of(added_.begin(), added_.end(), [this](const Facet& f) { return is_kept(f.vertices); }));
   }
 
-  // Patches may have features inside, which no change of the topology tells of.
+  // Whether a feature edge would disappear. Patches may have features inside, which the topology does not show.
   bool removes_feature_edge() const
   {
     if(complex_.numbering.feature_edges.entries().empty())
@@ -282,7 +284,7 @@ private:
                           { return std::find(removed_.begin(), removed_.end(), n) == removed_.end() && has_it(complex_.boundary.facet(n).vertices); });
   }
 
-  // Of the facets that go or stay at the vertex.
+  // The smallest angle of the facets that go or stay at the vertex.
   double smallest_angle_before() const
   {
     double least = 180;
@@ -297,7 +299,7 @@ private:
   const Vertex_cavity_3& cavity_;
   std::vector<int> removed_;          // numbers of facets
   std::vector<Facet> added_;
-  std::vector<Triple> moved_;         // those that stay, at the vertex
+  std::vector<Triple> moved_;         // those that stay at the vertex
 };
 
 } // namespace CGAL::Global_odt_mesh_3::internal

@@ -26,13 +26,13 @@
 
 namespace CGAL::Global_odt_mesh_3::internal {
 
-// The spheres that pass through the vertices of a facet, orthogonally, and those vertices around it that stay: the facet is one of the
-// regular triangulation of all of these iff some sphere is empty. Powers with respect to the spheres are linear, along the dual line as
-// well as in the weights.
+// The pencil of spheres orthogonal to the weighted vertices of a facet, and the vertices around it that stay: the facet is in the
+// regular triangulation of all of these iff one of the spheres is empty. Powers with respect to the spheres are linear both along
+// the dual line and in the weights.
 class Facet_spheres_3
 {
 public:
-  // What is missing in weight so that some sphere is empty, along the gradient, which is normalized.
+  // How much weight, along the normalized gradient, is missing for a sphere to be empty.
   struct Condition
   {
     double lack = 0;
@@ -57,20 +57,20 @@ public:
         around_.push_back(neighbor(v, !candidate.numbering.is_movable(v), position(candidate.sites[v]), corners, circle));
   }
 
-  // What powers have to be, over the squared radius of the facet.
+  // The least power that vertices must have, over the squared radius of the facet.
   static constexpr double least_margin = 5e-5;
 
   bool are_empty(const std::vector<Site>& sites, double margin = least_margin) const
   { return !(bound(-1, sites, margin) > bound(1, sites, margin)); }
 
-  // Of the smallest empty sphere.
+  // The center of the smallest empty sphere.
   Vector_3 center(const std::vector<Site>& sites) const
   {
     const double least = bound(-1, sites, least_margin), most = bound(1, sites, least_margin);
     return Facet_dual_3(facet_, sites).point_at((std::max)(least, (std::min)(most, 0.)));
   }
 
-  // Of the conditions for two neighbors each, the one that is missed by most: a convex function of the weights.
+  // The condition violated most among those for pairs of neighbors: a convex function of the weights.
   Condition condition(const std::vector<Site>& sites, double margin) const
   {
     Condition worst;
@@ -100,7 +100,7 @@ private:
   static constexpr double most_radii = 1;
   static constexpr double rounding = 1e-12;
 
-  // A vertex around the facet: over its plane, in barycentric coordinates, and with its power without weights.
+  // A vertex around the facet: its height over the plane, its barycentric coordinates there, and its power without weights.
   struct Neighbor
   {
     int vertex;
@@ -109,14 +109,14 @@ private:
     std::array<double, 3> shares;
   };
 
-  // For the heights of empty spheres, with the vertex that sets it, if there is one.
+  // A bound on the heights of empty spheres, with the vertex that sets it, if there is one.
   struct Bound
   {
     double height;
     const Neighbor* neighbor = nullptr;
   };
 
-  // Of the powers of the two vertices that set the bounds, the mean that is the same in all spheres has to be as large as the margin.
+  // The weighted mean of the powers of the two vertices that set the bounds is the same for all spheres; it must reach the margin.
   Condition condition(const Bound& low, const Bound& high) const
   {
     Condition result;
@@ -149,7 +149,7 @@ private:
                            const Facet_dual_3& circle)
   {
     Neighbor result = { v, may_gain_weight, circle.height(p), (p - circle.center).squared_length() - circle.radius * circle.radius, {} };
-    // One in the plane sets the same bound on either side.
+    // A vertex in the plane sets the same bound on either side.
     if(std::abs(result.height) < rounding * circle.radius)
       result.height = rounding * circle.radius;
     double sum = 0;
@@ -163,7 +163,7 @@ private:
     return result;
   }
 
-  // Where the power of a vertex is the margin.
+  // The height of the sphere at which the power of the vertex equals the margin.
   double height_at(const Neighbor& n, const std::vector<Site>& sites, double margin) const
   {
     double power = n.power - sites[n.vertex].weight - margin * radius_ * radius_;
@@ -172,7 +172,8 @@ private:
     return power / (2 * n.height);
   }
 
-  // For the heights of empty spheres, by the vertices on one side: the least for those below (-1), the most for those above (1).
+  // A bound on the heights of empty spheres from the vertices on one side: the lower bound from those below (-1), or the upper
+  // bound from those above (1).
   double bound(int side, const std::vector<Site>& sites, double margin) const
   {
     double result = side * most_radii * radius_;

@@ -28,9 +28,9 @@
 
 namespace CGAL::Global_odt_mesh_3::internal {
 
-// Weights of vertices that stay, with which some facets are those of the regular triangulation of these vertices. They satisfy linear
-// inequalities: Newton's method finds the minimum of the sum of the squares of what is missing, which is convex and piecewise
-// quadratic (Mangasarian, A finite Newton method for classification, 2002).
+// Finds weights for vertices that stay, with which given facets belong to their regular triangulation. The weights satisfy linear
+// inequalities: Newton's method minimizes the sum of the squared violations, which is convex and piecewise quadratic (Mangasarian,
+// A finite Newton method for classification, 2002).
 class Facet_weights_3
 {
 public:
@@ -42,8 +42,8 @@ public:
       spheres_.emplace_back(candidate, f);
   }
 
-  // That are gained by vertices, with as much room for the facets as can be had, so that weights may change later; none if there are no
-  // such weights.
+  // The weights that vertices gain. They leave the facets as much margin as possible, so that weights may change later; empty if
+  // there are no such weights.
   std::map<int, double> gains()
   {
     std::map<int, double> result;
@@ -59,7 +59,7 @@ public:
 
 private:
   static constexpr double least_margin = 2 * Facet_spheres_3::least_margin, largest_margin = 0.02;
-  static constexpr double largest_share = 2;          // of what a vertex may have by itself
+  static constexpr double largest_share = 2;          // of the weight that a vertex may have by itself
   static constexpr int most_steps = 30;
   static constexpr double damping = 1e-4, least_gain = 0.2, shortest_step = 1e-3;
 
@@ -77,7 +77,7 @@ private:
     return std::all_of(spheres_.begin(), spheres_.end(), [this](const Facet_spheres_3& s) { return s.are_empty(sites_, margin_ / 2); });
   }
 
-  // What is missing: conditions, and the sum of the squares.
+  // Finds the violated conditions, and returns the sum of the squared violations.
   double measure()
   {
     conditions_.clear();
@@ -91,7 +91,7 @@ private:
     return sum;
   }
 
-  // As long as it pays; false if it does not.
+  // Makes a step, shortened until it pays; false if it does not.
   bool make_step(double& missing)
   {
     const Eigen::VectorXd direction = newton_step();
@@ -136,7 +136,8 @@ private:
     return found.first->second;
   }
 
-  // All rise by as much as makes none less than it was, which leaves the facets as they are. None if one is too heavy then.
+  // Gains, shifted by a common amount so that no weight decreases, which leaves the facets as they are. Empty if a vertex would be
+  // too heavy.
   std::map<int, double> permitted_gains() const
   {
     const auto gain = [this](int v) { return sites_[v].weight - candidate_.sites[v].weight; };

@@ -26,7 +26,7 @@
 
 namespace CGAL::Global_odt_mesh_3::internal {
 
-// Puts sides of constrained facets in the place of neighbors of these slots; gives the number of facets.
+// Replaces the neighbors of these slots by sides of constrained facets; returns the number of facets.
 inline std::size_t number_constrained_facets(const std::vector<int>& slots, std::vector<int>& neighbors)
 {
   int number = 0;
@@ -43,8 +43,8 @@ inline std::size_t number_constrained_facets(const std::vector<int>& slots, std:
   return number;
 }
 
-// Lays out the cells inside of subdomains, in an order that depends on their vertices alone. Facets between two labels are
-// constrained, as are those that `stay(f)`, asked from both sides.
+// Lays out the cells inside subdomains in an order that depends only on their vertices. Facets between two labels are constrained,
+// and so are those for which `stay(f)` holds for either side.
 template <class Stay>
 void index_cells(const Labelled_triangulation_3& tr, const Stay& stay, const Thread_policy& threads, Indexed_triangulation_3& indexed)
 {

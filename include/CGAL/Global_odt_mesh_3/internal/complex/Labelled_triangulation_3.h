@@ -32,15 +32,15 @@
 
 namespace CGAL::Global_odt_mesh_3::internal {
 
-// What is known of a cell as long as its vertices stay: it is gone when the cell gives way to others.
+// Properties of a cell that last as long as its vertices: they are gone when the cell gives way to others.
 enum Cell_flag
 {
   IS_LABELLED, MAY_HAVE_BOUNDARY_FACETS,     // while a candidate is labelled
   GIVES_WAY                                                   // while some cells are replaced
 };
 
-// Whether one comes from the first of some cells, by their numbers, across facets to all others. That is not so where bodies of a mesh
-// that is no triangulation of space touch at vertices or edges, or not at all.
+// Whether all cells of a sorted list can be reached from the first one across facets. They cannot if the input is no triangulation
+// of space, but has bodies that touch only at vertices or edges, or not at all.
 template <class Neighbor>
 bool are_connected(const std::vector<int>& cells, const Neighbor& neighbor)
 {
@@ -59,9 +59,9 @@ bool are_connected(const std::vector<int>& cells, const Neighbor& neighbor)
   return found.size() == cells.size();
 }
 
-// A regular triangulation of sites in numbers: all cells, also infinite ones, with their labels and facets in the complex. The infinite
-// vertex has number -1. Signs of a vertex that moves are exact, and ties are broken as CGAL breaks them, so that the cells are
-// those that CGAL makes of the sites; but a table is taken as it is.
+// A regular triangulation of numbered sites: all cells, including infinite ones, with their labels and facets in the complex. The
+// infinite vertex has number -1. Predicates on a vertex that moves are exact, and ties are broken as in CGAL, so that the cells are
+// those CGAL creates for the sites; but a table is taken as it is.
 class Labelled_triangulation_3
 {
 public:
@@ -70,15 +70,15 @@ public:
   struct Cell
   {
     Quadruple vertices;
-    std::array<int, 4> neighbors;               // by the numbers of half-facets
+    std::array<int, 4> neighbors;               // by half-facet number
     int label = 0;
     unsigned char facets_in_complex = 0, flags = 0;
-    unsigned char failures = 0;                 // to improve it
+    unsigned char failures = 0;                 // to improve the cell
   };
 
   const std::vector<Site>& sites() const { return sites_; }
 
-  // All that are there, listed when they are asked for first after a change.
+  // All existing cells, listed on the first request after a change.
   const std::vector<int>& cells() const
   {
     if(list_.empty())
@@ -93,7 +93,7 @@ public:
   int vertex(Half_facet f) const { return cells_[f.cell()].vertices[f.index()]; }
   Half_facet mirror(Half_facet f) const { return Half_facet(cells_[f.cell()].neighbors[f.index()]); }
   int neighbor(int c, int i) const { return mirror(Half_facet(c, i)).cell(); }
-  // Those opposite to a cell in its neighbors.
+  // The vertices opposite to the cell in its neighbors.
   Quadruple vertices_beyond(int c) const
   {
     Quadruple result;
@@ -130,18 +130,18 @@ public:
   int failures(int c) const { return cells_[c].failures; }
   void add_failure(int c) { ++cells_[c].failures; }
 
-  // The vertices of a finite facet, clockwise seen from its cell, from the lowest on: in an order that does not depend on
-  // that of the cell.
+  // The vertices of a finite facet, clockwise as seen from its cell, from the lowest on, which does not depend on the order in the
+  // cell.
   Triple facet_vertices(Half_facet f) const { return rotated(internal::facet_vertices(vertices(f.cell()), f.index())); }
 
-  // Whether a facet is looked at from this cell, and not from the other: the one whose other vertex has the higher number.
+  // Whether this is the first side of the facet: that of the cell whose opposite vertex has the higher number.
   bool is_first_side(Half_facet f) const { return vertex(mirror(f)) < vertex(f); }
 
   // Whether the vertex is in the triangulation, and not hidden.
   bool is_visible(int v) const { return cell_of_vertex_[v] != no_cell; }
   bool is_complete() const { return std::find(cell_of_vertex_.begin(), cell_of_vertex_.end(), int(no_cell)) == cell_of_vertex_.end(); }
 
-  // Finds the cells around a vertex, none if it is hidden; false if there are more than so many, and then not all are found.
+  // Finds the cells around a vertex, none if it is hidden; false, with only some cells found, if there are more than `most_cells`.
   bool star(int v, std::size_t most_cells, std::vector<int>& cells) const
   {
     cells.clear();
@@ -162,7 +162,7 @@ public:
     return cells;
   }
 
-  // Of a vertex, unless it is hidden; sorted.
+  // The sorted neighbors of a vertex; none if it is hidden.
   std::vector<int> neighbors(int v) const
   {
     std::vector<int> result;
@@ -173,7 +173,7 @@ public:
     return result;
   }
 
-  // Which a vertex may have: of a ball without others.
+  // The largest weight that a vertex may have: its ball must not contain another vertex.
   double largest_weight(int v) const
   {
     double result = (std::numeric_limits<double>::max)();
@@ -182,7 +182,7 @@ public:
     return result;
   }
 
-  // A cell with these finite vertices, or none.
+  // A cell with these finite vertices, or no_cell.
   template <std::size_t n>
   int find_cell(const std::array<int, n>& t) const
   {
@@ -192,7 +192,7 @@ public:
     return it == cells.end() ? int(no_cell) : *it;
   }
 
-  // Whether the triangulation is of dimension 3 without the vertex, too. As a rule, the first cell tells.
+  // Whether the triangulation keeps dimension 3 without the vertex. As a rule, the first cell tells.
   bool keeps_dimension_without(int v) const
   {
     std::vector<int> base;
@@ -214,7 +214,7 @@ public:
     return false;
   }
 
-  // Becomes the triangulation of these sites, without labels.
+  // Becomes the regular triangulation of these sites, without labels.
   void build(const std::vector<Site>& sites)
   {
     std::vector<int> all(sites.size());
@@ -224,7 +224,7 @@ public:
     assign(tr, sites);
   }
 
-  // Becomes CGAL's triangulation, whose cells get numbers from 0 on, of those of the sites that are its vertices.
+  // Becomes CGAL's triangulation of those sites that are its vertices. Its cells get numbers from 0 on.
   void assign(Exact_triangulation_3& tr, const std::vector<Site>& sites)
   { assign(tr.dimension() == 3 ? numbered_cells(tr) : std::vector<Cell>(), sites); }
 
@@ -240,7 +240,7 @@ public:
       set_cell_of_vertices(static_cast<int>(c));
   }
 
-  // Becomes the triangulation of a table, whatever that is like.
+  // Becomes the triangulation of a table, which need not be regular.
   void copy(const Mesh_table_3& table)
   {
     std::vector<Cell> cells(table.cells.size());
@@ -254,14 +254,14 @@ public:
     assign(std::move(cells), table.sites);
   }
 
-  // The next number, of a vertex that has no cells yet.
+  // Adds a vertex with the next number, which has no cells yet.
   void add_vertex(const Site& s)
   {
     sites_.push_back(s);
     cell_of_vertex_.push_back(no_cell);
   }
 
-  // Which has no cells.
+  // The last vertex must have no cells.
   void remove_last_vertex()
   {
     sites_.pop_back();
@@ -271,7 +271,7 @@ public:
   // To be called along with replace().
   void set_site(int v, const Site& s) { sites_[v] = s; }
 
-  // Only vertices with cells are left, and have these numbers; the others have -1.
+  // Renumbers the vertices: those with cells get these numbers, and the others, marked by -1, are dropped.
   void renumber(const std::vector<int>& numbers, const std::vector<Site>& sites)
   {
     for(Cell& c : cells_)
@@ -284,7 +284,7 @@ public:
     free_ = std::move(free);
   }
 
-  // Cells give way to others that fill the same space, with these labels. Vertices that no cell is left of are hidden. Gives the
+  // Replaces cells by others that fill the same space, with these labels. A vertex left without cells is hidden. Returns the
   // numbers of the new cells.
   std::vector<int> replace(const std::vector<int>& old_cells, const std::vector<std::pair<Quadruple, int> >& new_cells)
   {
@@ -318,7 +318,7 @@ public:
       set_mirror(sides[n].second, sides[n + 1].second);
       set_mirror(sides[n + 1].second, sides[n].second);
     }
-    // Only now, so that a cell that comes with the vertices of one that goes has another number.
+    // Old numbers become free only now, so that a new cell with the vertices of an old one gets another number.
     for(int c : old_cells)
       cells_[c].vertices[0] = no_vertex;
     free_.insert(free_.end(), old_cells.begin(), old_cells.end());
@@ -326,7 +326,7 @@ public:
     return created;
   }
 
-  // The vertices of the cell get another order, which is as positive as theirs.
+  // Puts the vertices of the cell in another order of the same orientation.
   void reorder(int c, const Quadruple& q)
   {
     const Cell before = cells_[c];
@@ -388,7 +388,7 @@ private:
   std::vector<Site> sites_;
   std::vector<Cell> cells_;
   std::vector<int> cell_of_vertex_, free_;
-  mutable std::vector<int> list_;               // or none
+  mutable std::vector<int> list_;               // or empty
 };
 
 } // namespace CGAL::Global_odt_mesh_3::internal

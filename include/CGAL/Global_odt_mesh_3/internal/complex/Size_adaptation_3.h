@@ -28,15 +28,15 @@
 
 namespace CGAL::Global_odt_mesh_3::internal {
 
-// What edges may be, over the lengths that are wanted.
+// The permitted lengths of edges, relative to the wanted lengths.
 struct Size_tolerance
 {
   double longest = (std::numeric_limits<double>::infinity)(), shortest = 0;
-  bool wants_number = false;      // as many vertices as there may be have to be there, whatever becomes of the longest edges
+  bool wants_number = false;      // the number of vertices must be reached, whatever the edge lengths
 };
 
-// Removes vertices at short edges of a complex and inserts vertices into long ones, those first that are so most, inside and on
-// surfaces, but not on features, nor where surfaces meet.
+// Removes vertices at short edges of a complex and inserts vertices into long ones, the shortest or longest first. That happens
+// inside and on surfaces, but neither on features nor where surfaces meet.
 class Size_adaptation_3
 {
 public:
@@ -93,10 +93,10 @@ public:
   }
 
 private:
-  // The least distance of a new vertex from others, over the wanted length, or over that of the edge if this is less.
+  // The least distance of a new vertex from others, relative to the wanted length or to that of the edge, whichever gives less.
   static constexpr double nearest = 0.75, nearest_over_edge = 0.44;
 
-  // The first is that of the highest rank.
+  // The edge of the highest rank comes first.
   struct Edge
   {
     double rank, length;

@@ -40,7 +40,7 @@
 
 namespace CGAL::Global_odt_mesh_3::internal {
 
-// Whether cells are clearly not those of a regular triangulation, as after a deformation; roundings do not count.
+// Whether cells are clearly not those of a regular triangulation, as after a deformation; rounding errors do not count.
 inline bool is_deformed(const Mesh_table_3& table, const Thread_policy& threads)
 {
   constexpr double tolerance = 1e-6;
@@ -69,7 +69,7 @@ inline bool is_deformed(const Mesh_table_3& table, const Thread_policy& threads)
          || !are_connected(cells, [&](int c, int i) { return table.cells[c].neighbors[i]; });
 }
 
-// Reads a mesh: the first snapshot, still without a triangulation, and the indexed mesh of it.
+// Reads a mesh into a first snapshot, with its triangulation as it is, and into an indexed mesh.
 class Snapshot_reader_3
 {
 public:
@@ -87,8 +87,8 @@ public:
 
   const Mesh_table_3& table() const { return table_; }
 
-  // Of the vertices that are not fixed, those of the interior move, unless a boundary facet touches them; those that
-  // surfaces run smoothly through move if `boundary_moves`.
+  // Among the vertices that are not fixed, interior ones without boundary facets move; if `boundary_moves`, so do those that a
+  // surface passes through smoothly.
   Complex_snapshot_3 read(Moving_triangulation_3& mesh, bool boundary_moves)
   {
     mesh = Moving_triangulation_3();
@@ -97,7 +97,7 @@ public:
       return std::move(snapshot_);
     Labelled_triangulation_3& tr = snapshot_.triangulation;
     tr.copy(table_);
-    // Which vertices move is seen from the cells and facets around them.
+    // The cells and facets around the vertices tell which of them move.
     number_vertices(Boundary_complex_3(boundary(boundary_facets()), table_.sites.size(), threads_), boundary_moves);
     tr.renumber(numbers_, numbering_->input_sites);
     std::vector<Half_facet> facets = boundary_facets();
@@ -117,7 +117,7 @@ public:
 private:
   const Mesh_table_3::Facet* on_surface(Half_facet f) const { return table_.facet(f.cell(), f.index()); }
 
-  // With the numbers that vertices have, from their first sides.
+  // The boundary facets, from their first sides under the present numbering of vertices.
   std::vector<Half_facet> boundary_facets() const
   {
     const Labelled_triangulation_3& tr = snapshot_.triangulation;
@@ -146,8 +146,7 @@ private:
     return result;
   }
 
-  // Along Hilbert curves, the vertices of the interior first, then
-  // those that move on surfaces, then the rest.
+  // Numbers the vertices along Hilbert curves: first the interior ones that move, then those that move on surfaces, then the rest.
   void number_vertices(const Boundary_complex_3& boundary, bool boundary_moves)
   {
     std::vector<char> is_inside(table_.sites.size(), false);
@@ -184,14 +183,14 @@ private:
     }
   }
 
-  // Those of the user's mesh go back to facets that stay, and otherwise do not count: files do not keep them, and a complex that
-  // was not made by the mesher may lack them. A point of the dual line stands in.
+  // The surface centers of the user's mesh are written back for facets that stay, but are not used: files do not store them, and a
+  // complex that was not made by Mesh_3 may lack them. A point of the dual line stands in.
   void read_surface_centers(const std::vector<Half_facet>& facets)
   {
     for(Half_facet f : facets)
     {
       const Mesh_table_3::Facet* const on_surface = this->on_surface(f);
-      // One that has been found since the user's mesh is right, even if it is on another patch.
+      // A center found since the user's mesh was read is right, even if it is on another patch.
       const bool is_found = on_surface != nullptr && on_surface->source == Mesh_table_3::no_facet;
       const Vector_3 point = is_found ? on_surface->center
                                       : estimated_surface_center(snapshot_.triangulation.facet_vertices(f), snapshot_.boundary, snapshot_.sites());
@@ -240,7 +239,7 @@ private:
 
   Thread_policy threads_;
   const Mesh_table_3 table_;
-  std::vector<int> numbers_;                // that the vertices of the table have
+  std::vector<int> numbers_;                // by vertices of the table
   std::shared_ptr<Vertex_numbering_3> numbering_;
   Complex_snapshot_3 snapshot_;
 };

@@ -35,7 +35,7 @@
 
 namespace CGAL::Global_odt_mesh_3::internal {
 
-// The boundary facets of a snapshot, by their numbers and on side 0, in its triangulation.
+// The boundary facets of a snapshot in its triangulation, by number and on side 0.
 inline std::vector<Half_facet> find_boundary_facets(const Complex_snapshot_3& snapshot, const Thread_policy& threads)
 {
   const Labelled_triangulation_3& triangulation = snapshot.triangulation;
@@ -55,8 +55,8 @@ inline std::vector<Half_facet> find_boundary_facets(const Complex_snapshot_3& sn
   return facets;
 }
 
-// Loads the snapshot into a mesh: all cells that are in the complex, in canonical order; the
-// boundary facets, and those of cells that are kept, are constrained.
+// Loads the snapshot into a mesh: the cells of the complex in canonical order. Facets in the complex and those of kept cells are
+// constrained.
 inline void index_snapshot(const Complex_snapshot_3& snapshot, const Thread_policy& threads, Moving_triangulation_3& mesh)
 {
   const Labelled_triangulation_3& tr = snapshot.triangulation;
@@ -111,8 +111,8 @@ private:
 
   int input_number(int v) const { return v < 0 ? int(Mesh_table_3::infinite) : numbering_.input_numbers[v]; }
 
-  // Of the vertices of cells that are in the same subdomain as in the input: on this order depends, by rounding, the dual
-  // point of a flat cell, and hence whether the domain finds it in that subdomain.
+  // Restores the order of the vertices in cells that are in the same subdomain as in the input: by rounding, the dual point of a
+  // flat cell depends on this order, and so does the subdomain in which the domain finds it.
   void restore_orders()
   {
     const Trial_predicates_3 predicates(triangulation_.sites());
@@ -121,14 +121,14 @@ private:
       const Vertex_numbering_3::Input_cell& from = entry.second;
       if(!numbering_.are_at_input(from.vertices, snapshot_.sites()))
         continue;
-      // An input from elsewhere may have inverted cells.
+      // The input need not be regular, and may have inverted cells.
       const int to = triangulation_.find_cell(from.vertices);
       if(to >= 0 && triangulation_.label(to) == from.label && predicates.is_positive(from.vertices))
         triangulation_.reorder(to, from.vertices);
     }
   }
 
-  // Of the cells in the complex around each vertex.
+  // Measures the mean circumradius of the complex's cells around each vertex.
   void measure_circumradii(Mesh_table_3& table) const
   {
     constexpr int least_length = 10000, most_chunks = 16;
@@ -156,7 +156,7 @@ private:
       sums.add(v, { std::sqrt(squared_distance(snapshot_.sites()[v], p)), 1 });
   }
 
-  // There are no gaps between them in the table.
+  // In the table, cells are numbered without gaps.
   void tabulate_cells(Mesh_table_3& table)
   {
     places_.assign(cells_.empty() ? 0 : cells_.back() + 1, -1);

@@ -37,13 +37,14 @@ class Surface_center_search_3
 public:
   typedef Complex_snapshot_3::Surface_center Surface_center;
 
-  // Refers to its arguments.
+  // Keeps references to its arguments.
   Surface_center_search_3(const Labelled_triangulation_3& triangulation, const Domain_view_3& domain)
     : triangulation_(triangulation)
     , domain_(domain)
   {}
 
-  // Puts the center of a facet with these vertices, which is expected where it is, onto the surface, or finds it not exact.
+  // Puts the center of a facet with these vertices, searched for near its present point, onto the surface, or marks it as not
+  // exact.
   void search(Half_facet facet, const Triple& t, Surface_center& center) const
   {
     const Facet_dual_3 dual(t, triangulation_.sites());
@@ -53,7 +54,8 @@ public:
       put_on_facet(centroid(t, triangulation_.sites()), center);
   }
 
-  // In a mesh that is its own domain, the centroid of a facet stands in, as dual lines of flat facets miss thin parts. Whether it does.
+  // In a mesh that is its own domain, the centroid of the facet replaces the center, since dual lines of flat facets miss thin
+  // parts. Whether the domain is such a mesh.
   bool put_on_facet(const Vector_3& centroid, Surface_center& center) const
   {
     center.is_exact = domain_.has_cells_of_mesh();
@@ -65,7 +67,7 @@ public:
     return true;
   }
 
-  // The same, whatever the cells beside the facet are; whether it is found.
+  // Searches for the center near its present point, whatever the cells beside the facet are; whether it is found.
   bool search_near(const Facet_dual_3& dual, Surface_center& center) const
   {
     center.is_exact = false;
@@ -74,7 +76,7 @@ public:
                        { return put_on_segment(expected + s[0] * dual.radius * dual.normal, dual.normal, s[1] * dual.radius, center); });
   }
 
-  // Whether a center is on the dual segment, unless that is infinite or joins no two subdomains.
+  // Whether a center is on the dual segment; true if that is infinite or does not join two subdomains.
   bool is_between_subdomains(Half_facet facet, const Triple& t, const Surface_center& center) const
   {
     const int c = facet.cell(), d = triangulation_.mirror(facet).cell();
@@ -87,8 +89,8 @@ public:
   }
 
 private:
-  // The middle from where the surface is expected, and half the length, over the radius of the facet.
-  // Both ends of a segment across a thin part are outside, hence those to one side only.
+  // Segments of the dual line: the offset of the middle from the expected point, and half the length, over the radius of the facet.
+  // A segment across a thin part may have both ends outside, hence segments to one side only.
   static constexpr double segments_to_search[][2] = { { 0, 0.3 }, { 0, 1 }, { 0.15, 0.15 }, { -0.15, 0.15 },
                                                       { 0.5, 0.5 }, { -0.5, 0.5 }, { 0, 3 } };
 
@@ -104,7 +106,7 @@ private:
     return true;
   }
 
-  // Where the surface is far from the facet, it is crossed between the dual points of its cells.
+  // If the surface is far from the facet, the search goes between the dual points of its cells.
   void put_on_dual_segment(Half_facet facet, const Facet_dual_3& dual, Surface_center& center) const
   {
     const int c = facet.cell(), d = triangulation_.mirror(facet).cell();
@@ -118,8 +120,8 @@ private:
   const Domain_view_3& domain_;
 };
 
-// Finds or, on the way, estimates the surface centers of a candidate: the points of the surface on the
-// dual lines of its boundary facets. Reports facets without a center.
+// Finds the surface centers of a candidate, the points of the surface on the dual lines of its boundary facets, or estimates them
+// if the candidate is not final. Reports facets without a center.
 class Surface_centers_3
 {
 public:
@@ -145,7 +147,7 @@ public:
                                                || search.is_between_subdomains(candidate_.facets[n], vertices(n), center));
       if(is_good)
         return;
-      // One that is not found anew stays as it was.
+      // A center that is not found again stays as it was.
       const Surface_center known = center;
       search.search(candidate_.facets[n], vertices(n), center);
       if(!center.is_exact)
@@ -163,7 +165,7 @@ private:
 
   const Triple& vertices(std::size_t facet) const { return candidate_.boundary_complex->facets()[facet].vertices; }
 
-  // That of the snapshot if nothing has changed, or else an estimate.
+  // The center in the snapshot if the facet has not changed, or else one found by trials or an estimate.
   Surface_center known_center(const Triple& t, int old) const
   {
     if(old >= 0 && candidate_.is_unchanged(t))

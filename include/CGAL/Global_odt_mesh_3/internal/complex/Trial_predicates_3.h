@@ -30,19 +30,19 @@
 
 namespace CGAL::Global_odt_mesh_3::internal {
 
-// Predicates of cells of the exact triangulation, and of such as may come, with one vertex somewhere else than there: from
-// floating-point numbers where their signs are sure, or else as the triangulation says, with its perturbation.
+// Predicates for existing and possible cells of the exact triangulation, with one vertex moved: evaluated in floating-point numbers
+// if the sign is certain, and otherwise as the triangulation does, with its perturbation.
 class Trial_predicates_3
 {
 public:
-  // Refers to the sites.
+  // Keeps a reference to the sites.
   explicit Trial_predicates_3(const std::vector<Site>& sites)
     : sites_(sites)
   {}
 
   int vertex() const { return vertex_; }
 
-  // Of any vertex, with the one in question at its place.
+  // The site of any vertex; the vertex in question is at its trial place.
   const Site& site(int v) const { return v == vertex_ ? site_ : sites_[v]; }
 
   template <std::size_t n>
@@ -54,12 +54,12 @@ public:
     return result;
   }
 
-  // The sphere of a positive cell or, if that is infinite, the plane of its finite facet.
+  // The sphere of a positive cell or, if the cell is infinite, the plane of its finite facet.
   struct Sphere
   {
     Quadruple vertices;
-    int infinite;                               // the index of that vertex, or 4
-    Cell_sphere products;                       // with the normal of the plane
+    int infinite;                               // the index of the infinite vertex, or 4
+    Cell_sphere products;                       // or the normal of the plane
     double squared_length, length;              // of its edges and weights
   };
 
@@ -98,10 +98,10 @@ public:
     return result;
   }
 
-  // Whether the vertex, or another one, would destroy the cell.
+  // Whether the vertex in question, or another one, is in conflict with the cell.
   bool is_in_conflict(const Sphere& s) const { return is_in_conflict(s, vertex_); }
 
-  // Without perturbation, a site on the sphere is not.
+  // Without perturbation, a site on the sphere is not in conflict.
   bool is_in_conflict(const Sphere& s, int v, bool perturbs = true) const
   {
     const Site& q = site(v);
@@ -112,7 +112,7 @@ public:
       const double x = q.x - origin.x, y = q.y - origin.y, z = q.z - origin.z;
       const double r = x * x + y * y + z * z + std::abs(q.weight) + std::abs(origin.weight), l = s.squared_length;
       value = -s.products.power(origin, q);
-      // Twice the geometric mean of the two is not more than their sum.
+      // Twice the geometric mean of the two is at most their sum.
       bound = filter * l * s.length * (1.5 * r + 0.5 * l);
     }
     else
@@ -124,7 +124,7 @@ public:
     return value > bound || (!(value < -bound) && is_exactly_in_conflict(s, point(v), perturbs));
   }
 
-  // Whether it is oriented as cells are; an infinite one is.
+  // Whether the cell is positively oriented; infinite cells count as such.
   bool is_positive(const Quadruple& q) const
   {
     if(*std::min_element(q.begin(), q.end()) < 0)
@@ -138,14 +138,14 @@ public:
   }
 
 private:
-  static constexpr double filter = 1e-13;                   // relative errors of what signs are told from
+  static constexpr double filter = 1e-13;                   // relative error of the filtered expressions
 
   Weighted_point point(int v) const { return v == vertex_ ? point_ : weighted_point(sites_[v]); }
 
   bool is_exactly_in_conflict(const Sphere& s, const Weighted_point& p, bool perturbs) const
   {
     const Quadruple& v = s.vertices;
-    // Perturbation knows no order of points at one place. That no cell with both is positive is seen later.
+    // Perturbation cannot order two points at one place. Such a trial fails later, since no cell with both is positive.
     if(std::any_of(v.begin(), v.end(), [&](int w) { return w >= 0 && point(w).point() == p.point(); }))
       return false;
     if(s.infinite == 4)
@@ -161,7 +161,7 @@ private:
   Exact_triangulation_3 exact_;                 // empty
   int vertex_ = -1;
   Site site_ = { 0, 0, 0, 0 };
-  Weighted_point point_;                        // there
+  Weighted_point point_;                        // at its trial place
 };
 
 } // namespace CGAL::Global_odt_mesh_3::internal

@@ -33,17 +33,18 @@
 
 namespace CGAL::Global_odt_mesh_3::internal {
 
-// What the regular triangulation exchanges where a vertex moves, comes, or goes: the cells that are then no more, and those in
-// their place. Nothing is changed until replace() is called, so that threads may look at several vertices at once.
+// The cells that the regular triangulation exchanges when a vertex moves, comes, or goes. The triangulation is unchanged until
+// replace() is called, so that threads may examine several vertices at once.
 //
-// The hole that a vertex leaves is filled once, for all its places, by gift wrapping: on a facet comes the cell whose sphere has
-// no vertex of the hole inside. At a place, the cells in conflict with it, in the hole and around, give way to those
-// between it and their walls. Signs that floating-point numbers do not tell are those of the triangulation.
+// The hole that a vertex leaves is filled once, for all its trial places, by gift wrapping: each facet gets the cell whose sphere
+// contains no other vertex of the hole. At a trial place, the cells in conflict, in the hole and around it, give way to cells that
+// join the vertex to the boundary of the conflict region. Signs that are uncertain in floating-point numbers are those of the
+// triangulation.
 class Vertex_cavity_3
   : private Trial_predicates_3
 {
 public:
-  static constexpr int unlabelled = -4;         // the label of a cell that has not got one yet
+  static constexpr int unlabelled = -4;         // the label of a cell not labelled yet
 
   struct Cell
   {
@@ -51,8 +52,8 @@ public:
     int label = unlabelled;
     int number = Labelled_triangulation_3::no_cell;     // in the triangulation, if it is there
     bool is_guessed = false;                    // whether only the domain knows the label
-    bool is_asked = false, fits = true;         // whether the domain has been asked, and agrees about the label
-    Vector_3 dual;       // once it has been asked
+    bool is_asked = false, fits = true;         // whether the domain has been asked and agrees with the label
+    Vector_3 dual;       // once the domain has been asked
     Cell_lack lack = Cell_lack();
     bool is_measured = false;
 
@@ -70,12 +71,12 @@ public:
 
   bool is_new() const { return is_new_; }
 
-  // The cells around the vertex, in an order that does not depend on the triangulation's, and its neighbors.
+  // The cells around the vertex, in an order independent of the triangulation's, and its finite neighbors.
   std::vector<Cell>& star() { return star_; }
   const std::vector<Cell>& star() const { return star_; }
   const std::vector<int>& link() const { return link_; }
 
-  // Begins with a vertex of the triangulation; false if it has too many neighbors to be tried.
+  // Begins with a vertex of the triangulation; false if it has too many neighbors.
   bool start(int v)
   {
     set_vertex(v);
@@ -86,7 +87,7 @@ public:
     return find_star();
   }
 
-  // Begins with one that is not there, near a cell.
+  // Begins with a vertex that is not in the triangulation, near a cell.
   void start_new(int v, int nearby)
   {
     set_vertex(v);
@@ -99,7 +100,7 @@ public:
     outer_numbers_.assign(1, nearby);
   }
 
-  // Finds the cells for another place; false if the vertex would be hidden there or not be near.
+  // Finds the exchanged cells for a trial place; false if the vertex would be hidden there or is too far away.
   bool find_cells(const Site& s)
   {
     move_vertex(s);
@@ -122,7 +123,7 @@ public:
            && std::all_of(created_.begin(), created_.end(), [this](const Cell& c) { return is_positive(c.vertices); });
   }
 
-  // Those without the vertex; false if there are none.
+  // Finds the exchanged cells for a removal; false if the vertex cannot be removed.
   bool find_cells_without()
   {
     created_.clear();
@@ -135,11 +136,11 @@ public:
     return is_filled;
   }
 
-  // As found last: the cells that go, and those that come.
+  // The cells that go and those that come, as found last.
   const std::vector<Cell*>& old_cells() const { return old_cells_; }
   const std::vector<Cell*>& new_cells() const { return new_cells_; }
 
-  // The cell beyond a facet, with sorted vertices, of the hull of the cells that go.
+  // The cell beyond a facet of the hull of the cells that go, given by its sorted vertices.
   int beyond(const Triple& facet) const
   {
     for(const Cell* c : old_cells_)
@@ -149,7 +150,7 @@ public:
     return Labelled_triangulation_3::no_cell;
   }
 
-  // Makes the cells that come those of the triangulation, and the site that of the vertex.
+  // Puts the new cells into the triangulation, with the vertex at its trial place.
   void replace(Labelled_triangulation_3& triangulation)
   {
     triangulation.set_site(vertex(), site(vertex()));
@@ -165,14 +166,14 @@ public:
   }
 
 private:
-  static constexpr std::size_t most_cells = 500;            // around a vertex, beyond which trials take too long
+  static constexpr std::size_t most_cells = 500;            // around a vertex; with more, trials take too long
 
   struct Outer_cell
   {
     Cell cell;
     Sphere sphere;
-    std::array<int, 4> beyond = {{ unknown, unknown, unknown, unknown }};     // other ones, or ~n for cell n of the star
-    std::size_t searched = 0;                   // the last search that has come here
+    std::array<int, 4> beyond = {{ unknown, unknown, unknown, unknown }};     // other outer cells, or ~n for cell n of the star
+    std::size_t searched = 0;                   // the last search that came here
     bool is_in_conflict = false;
   };
 
@@ -180,11 +181,11 @@ private:
   {
     Cell cell;
     Sphere sphere;
-    std::array<int, 4> beyond;                  // other ones, or ~n for what is beyond cell n of the star
+    std::array<int, 4> beyond;                  // other hole cells, or ~n for what is beyond cell n of the star
     bool is_in_conflict;
   };
 
-  // On which a cell of the hole is to come: its vertices, clockwise as seen from there.
+  // A facet that still needs a cell of the hole: its vertices, clockwise as seen from that cell.
   struct Open_facet
   {
     Triple key, facet;
@@ -227,7 +228,7 @@ private:
     return true;
   }
 
-  // Whether that is possible, which is not so where the triangulation would lose its dimension.
+  // Fills the hole; false if that is impossible, since the triangulation would lose its dimension.
   bool fill_hole()
   {
     if(is_filled_)
@@ -290,7 +291,7 @@ private:
       hole_of_star_[~owner] = n;
   }
 
-  // The cell on a facet in whose sphere no neighbor lies.
+  // Finds the cell on a facet whose sphere contains no neighbor.
   bool find_apex(const Open_facet& open, Sphere& best) const
   {
     const Triple& f = open.facet;
@@ -314,18 +315,19 @@ private:
     return is_found;
   }
 
-  // Of a vertex and the edge of an infinite facet: whether they are no part of the hull that is known already, if that is flat.
+  // Whether a vertex and the edge of an infinite facet continue the hull. They do not if they are in a flat part of the hull that
+  // is known already.
   bool continues_hull(const Open_facet& open, int d) const
   {
     const bool is_of_star = open.owner < 0;
     const Quadruple q = {{ open.key[1], open.key[2], is_of_star ? vertex() : hole_[open.owner].cell.vertices[open.index], d }};
     const auto p = [&](int i) { return weighted_point(triangulation_.sites()[q[i]]).point(); };
-    // What is known lies beyond the edge, as seen from the vertex in the hole, or is a cell of the hole.
+    // The known part lies beyond the edge, as seen from the vertex in the hole, or is a cell of the hole.
     return CGAL::orientation(p(0), p(1), p(2), p(3)) != COPLANAR
            || CGAL::coplanar_orientation(p(0), p(1), p(2), p(3)) == (is_of_star ? POSITIVE : NEGATIVE);
   }
 
-  // The number of a cell of the triangulation, or ~n if it is number n of the star.
+  // The number of a cell among the outer cells, or ~n if it is cell n of the star.
   int local(int c)
   {
     if(!is_new_ && index_of(triangulation_.vertices(c), vertex()) < 4)
@@ -340,7 +342,7 @@ private:
     return static_cast<int>(n);
   }
 
-  // Whether a cell outside of the hole is in conflict; if so, its neighbors are to be visited.
+  // Whether a cell outside the hole is in conflict; if so, its neighbors are queued for visits.
   bool visit(int n)
   {
     Outer_cell& c = outer_[n];
@@ -378,14 +380,14 @@ private:
     }
   }
 
-  // The cell across from the vertex.
+  // The outer cell beyond cell n of the star, across from the vertex.
   int beyond_star(int n)
   {
     const Cell& c = star_[n];
     return local(triangulation_.neighbor(c.number, index_of(c.vertices, vertex())));
   }
 
-  // The cell that is near a new vertex, or one beside it, is to be in conflict.
+  // Visits the cell near a new vertex and, if it is not in conflict, its neighbors, until one is.
   void visit_near()
   {
     outer_[0].sphere = sphere(outer_[0].cell.vertices);
@@ -421,14 +423,14 @@ private:
 
   const Labelled_triangulation_3& triangulation_;
   bool is_new_ = false, is_filled_ = false, has_infinite_ = false;
-  std::vector<int> numbers_, outer_numbers_;    // of the cells of the star and outside
+  std::vector<int> numbers_, outer_numbers_;    // of the star's cells and the outer cells
   std::vector<std::pair<Quadruple, int> > keys_;
   std::vector<Cell> star_, created_;
-  std::vector<int> link_, hole_of_star_;        // finite neighbors; of the star, which cells of the hole are at its outer facets
+  std::vector<int> link_, hole_of_star_;        // finite neighbors; for each star cell, the hole cell at its outer facet
   std::vector<Hole_cell> hole_;
   std::vector<Open_facet> open_;
-  std::vector<Outer_cell> outer_;               // of the triangulation, around the star, as far as they have been looked at
-  std::vector<int> queue_;                      // those in conflict
+  std::vector<Outer_cell> outer_;               // around the star, as far as they have been visited
+  std::vector<int> queue_;                      // outer cells in conflict
   std::size_t search_ = 0;
   std::vector<Cell*> old_cells_, new_cells_;
 };

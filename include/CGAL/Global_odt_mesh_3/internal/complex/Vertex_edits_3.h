@@ -56,7 +56,7 @@ struct New_vertex_3
   Vector_3 normal = {};      // of the surface
 };
 
-// The middle of an edge of a cell, on the surface if it is on one; none if several surfaces meet there.
+// The middle of an edge of a cell, put onto the surface if the edge is on one; none if several surfaces meet there.
 inline std::optional<New_vertex_3> middle_of_edge(const Editable_complex_3& complex, int u, int v, int c)
 {
   constexpr double farthest_projection = 0.25;              // over the edge
@@ -67,7 +67,7 @@ inline std::optional<New_vertex_3> middle_of_edge(const Editable_complex_3& comp
   for(int n : complex.boundary.around(u))
     if(const auto& t = complex.boundary.facet(n).vertices; std::find(t.begin(), t.end(), v) != t.end())
       facets.push_back(complex.boundary.facet(n));
-  // Off the boundary, all cells around are in one subdomain.
+  // All cells around an edge off the boundary are in one subdomain.
   if(facets.empty() && complex.is_inside(c))
     return New_vertex_3{ p, 3, complex.triangulation.label(c) };
   if(facets.size() != 2 || facets[0].patch != facets[1].patch || facets[0].labels != facets[1].labels
@@ -82,13 +82,13 @@ inline std::optional<New_vertex_3> middle_of_edge(const Editable_complex_3& comp
   return New_vertex_3{ p, 2, facets[0].patch, n };
 }
 
-// Inserts vertices into a copy of a snapshot, or removes some that can move. Inside, that leaves the boundary as it
-// is; on a surface, the facets of a disk of its patch are replaced. None is inserted into a protecting ball.
+// Inserts vertices into a copy of a snapshot, or removes movable ones. Inside, that leaves the boundary as it is; on a surface, it
+// replaces the facets of a disk of one patch. No vertex is inserted into a protecting ball.
 class Vertex_edits_3
 {
 public:
-  // Surfaces get vertices only if they move. It is full with that many. Where there are to be so many times fewer, volumes may
-  // change more.
+  // Surfaces get vertices only if the boundary moves. The complex is full at `most_vertices`. If `coarsening` divides the number of
+  // vertices, volumes may change more.
   Vertex_edits_3(Complex_updater_3& updater, int most_vertices, double coarsening = 1)
     : most_vertices_(most_vertices)
     , numbering_(std::make_shared<Vertex_numbering_3>(*updater.snapshot().numbering))
@@ -103,31 +103,31 @@ public:
   const Editable_complex_3& complex() const { return complex_; }
   Vertex_trial_3& trial() { return trial_; }
 
-  // The next one that is inserted gets this number.
+  // The next inserted vertex gets this number.
   int number_of_vertices() const { return static_cast<int>(complex().sites.size()); }
   int number_of_visible_vertices() const { return number_of_vertices() - number_of_removed_; }
-  // Whether no vertex is to be inserted any more.
+  // Whether no more vertices may be inserted.
   bool is_full() const { return number_of_visible_vertices() >= most_vertices_; }
   bool has_too_many_vertices() const { return number_of_visible_vertices() > most_vertices_; }
   bool has_changed() const { return !places_.empty() || number_of_removed_ > 0; }
 
-  // Whether the vertex, which is near a cell, may be inserted so far from all others, whatever that does to angles, and has
-  // been, as the last one.
+  // Inserts the vertex, near a cell, if it has at least this distance from all others, whatever that does to angles; whether it has
+  // been inserted, as the last vertex.
   bool insert(const New_vertex_3& vertex, double least_distance, int start)
   {
     begin(vertex, start);
     return end(trial_.fits(least_distance));
   }
 
-  // Whether the vertex, which may move, may be removed, whatever that does to angles, and has been.
+  // Removes a movable vertex if that is permitted, whatever that does to angles; whether it has been removed.
   bool remove(int v)
   {
     measure_volumes();
     return end_removal(trial_.start(v) && trial_.may_leave() && keeps_volumes(v));
   }
 
-  // The change of the sum of the deficits if the vertex were there, or infinity if it may not be inserted there, if an angle
-  // gets smaller than all before, or if the change is not less than `most`. It stays there if it is less, and `stays`.
+  // The change of the sum of the deficits if the vertex were inserted, or infinity if it may not be inserted, if an angle gets
+  // smaller than all before, or if the change is not less than `most`. If the change is less and `stays`, the vertex is inserted.
   double insert_for_angles(const New_vertex_3& vertex, double most, int start, bool stays)
   {
     begin(vertex, start);
@@ -135,7 +135,7 @@ public:
     return end(stays && change < most) || !stays ? change : infinity;
   }
 
-  // The same if the vertex, which may move, were removed.
+  // The change of the sum of the deficits if a movable vertex were removed; it is removed if `leaves`.
   double remove_for_angles(int v, double most, bool leaves)
   {
     measure_volumes();
@@ -143,10 +143,10 @@ public:
     return change < most && keeps_volumes(v) && (!leaves || end_removal(true)) ? change : infinity;
   }
 
-  // Of the last vertex that has been inserted.
+  // The stratum of the last inserted vertex.
   Vertex_stratum stratum_of_last() const { return { -1, numbering_->dimensions.back(), places_.back() }; }
 
-  // Those of the cells that the last removal has made.
+  // The edges of the cells that the last removal created.
   std::vector<std::array<int, 2> > new_edges() const
   {
     std::vector<Quadruple> cells;
@@ -156,8 +156,8 @@ public:
     return edges_of(cells);
   }
 
-  // The complex, with the vertices that have been inserted after those of the input, or nothing if there is a facet for which
-  // the domain finds no surface center.
+  // The complex as a table, with inserted vertices after those of the input; nothing if the domain finds no surface center for a
+  // facet.
   std::optional<Mesh_table_3> table()
   {
     Complex_snapshot_3 refined;
@@ -195,10 +195,10 @@ public:
 
 private:
   static constexpr double infinity = (std::numeric_limits<double>::infinity)();
-  // Without a bound, a layer of a segmented head lost 4 % of its volume.
+  // The bounds on changes of a subdomain's volume; without them, thin layers lose much of their volume.
   static constexpr double usual_most_of_volume = 0.003, most_of_volume_of_coarsening = 0.1, most_of_volume_ever = 0.3;
 
-  // Those of subdomains before the first removal.
+  // Measures the volumes of subdomains before the first removal.
   void measure_volumes()
   {
     if(volume_.empty())
@@ -207,7 +207,7 @@ private:
           volume_[complex().triangulation.label(c)] += volume(complex().triangulation.vertices(c));
   }
 
-  // Whether volumes change so little if the vertex leaves.
+  // Whether all volumes stay within their bounds if the vertex is removed.
   bool keeps_volumes(int v)
   {
     if(!numbering_->is_on_boundary(v))
@@ -228,7 +228,7 @@ private:
     return Cell_products(s[q[0]], s[q[1]], s[q[2]], s[q[3]]).determinant / 6;
   }
 
-  // By how much the volumes of subdomains change with the cells that are tried, by their labels.
+  // The changes of the subdomains' volumes, by label, with the cells that are tried.
   std::map<int, double> changes_of_volume() const
   {
     std::map<int, double> changes;
@@ -249,7 +249,7 @@ private:
     trial_.start_new(v, vertex.dimension == 2 ? vertex.place : int(Boundary_facet::no_patch), start);
   }
 
-  // Whether the vertex is accepted, which is up to the domain, too.
+  // Whether the vertex is accepted, which also depends on the domain; if not, it is taken out again.
   bool end(bool is_permitted)
   {
     const bool is_accepted = is_permitted && trial_.accept();
@@ -289,7 +289,7 @@ private:
     complex_.remove_last_vertex();
   }
 
-  // The numbering without the vertices that have been removed, whose numbers become -1, and the sites.
+  // The numbering and the sites without removed vertices, whose new number is -1.
   std::shared_ptr<const Vertex_numbering_3> keep_visible(std::vector<int>& numbers, std::vector<Site>& sites) const
   {
     const auto kept = std::make_shared<Vertex_numbering_3>();
@@ -326,8 +326,8 @@ private:
     return kept;
   }
 
-  // That of the snapshot, unless the dual segment ends before it, or one that is searched for, or else the one with which the
-  // facet was accepted.
+  // The surface center of a facet: that of the snapshot, unless it is off the dual segment, or else one that is searched for or,
+  // failing that, the one with which the facet was accepted.
   Complex_snapshot_3::Surface_center center(const Editable_complex_3::Found_facet& f, const Vector_3& expected) const
   {
     const Surface_center_search_3 search(complex().triangulation, complex().domain);
@@ -349,10 +349,10 @@ private:
   std::shared_ptr<Vertex_numbering_3> numbering_;
   Editable_complex_3 complex_;
   Vertex_trial_3 trial_;
-  std::vector<int> places_;                 // of those that have been inserted
+  std::vector<int> places_;                 // of inserted vertices
   int number_of_removed_ = 0;
-  double most_of_volume_;                   // by which removals may change that of a subdomain
-  std::map<int, double> volume_, change_of_volume_;         // of subdomains, when a removal is first tried, and by removals
+  double most_of_volume_;                   // the share by which removals may change a subdomain's volume
+  std::map<int, double> volume_, change_of_volume_;         // of subdomains: before removals, and their changes by these
 };
 
 } // namespace CGAL::Global_odt_mesh_3::internal

@@ -29,7 +29,7 @@
 
 namespace CGAL::Global_odt_mesh_3::internal {
 
-// Moves single vertices of a triangulation, wherever they go.
+// Moves single vertices of a triangulation over any distance.
 class Vertex_moves_3
 {
 public:
@@ -38,7 +38,7 @@ public:
     , cavity_(triangulation)
   {}
 
-  // False if the vertex has too many neighbors or would be hidden; then it may be out of the triangulation.
+  // False if the vertex has too many neighbors or would be hidden; it may be out of the triangulation then.
   bool move(int v, const Site& s)
   {
     if(!cavity_.start(v))
@@ -59,7 +59,7 @@ public:
   }
 
 private:
-  // Walks from a cell to the one in which the site is.
+  // Walks from a cell to the one that contains the site.
   int cell_at(const Site& s, int c) const
   {
     for(int i = 0; i < 4 && !triangulation_.is_infinite(c); ++i)
@@ -83,8 +83,8 @@ private:
   Vertex_cavity_3 cavity_;
 };
 
-// Goes to these sites by moving vertices; false if that is not the way, as with many vertices it is faster to build the triangulation
-// anew, and then what is left is of no use.
+// Takes a triangulation to these sites by moving vertices. False if too many vertices move, since building it anew is faster then,
+// or if a move fails; the triangulation is then of no use.
 inline bool move_vertices(const std::vector<Site>& sites, Labelled_triangulation_3& triangulation)
 {
   constexpr double most_moved_one_by_one = 1 / 20.;
@@ -100,8 +100,8 @@ inline bool move_vertices(const std::vector<Site>& sites, Labelled_triangulation
   return std::all_of(moved.begin(), moved.end(), [&](int v) { return moves.move(v, sites[v]); }) && triangulation.is_complete();
 }
 
-// Whether a triangulation is regular, of which there are several where a sphere passes through five vertices. One that is read need
-// not be, or is another than CGAL's functions make, and then to move vertices is of no use.
+// Whether a triangulation is regular; if a sphere passes through five vertices, any of the possible triangulations counts. One that
+// is read need not be regular, or may not be the one CGAL would build, and then moving its vertices is of no use.
 inline bool is_regular(const Labelled_triangulation_3& triangulation, const Thread_policy& threads)
 {
   const Trial_predicates_3 predicates(triangulation.sites());

@@ -35,7 +35,7 @@
 
 namespace CGAL::Global_odt_mesh_3::internal {
 
-// A place for a vertex, and by how much the deficits of the angles around it change if its cells stay the same.
+// A place for a vertex, and the change of the deficits of the angles around it if its cells stay the same.
 struct Promising_step
 {
   int vertex;
@@ -43,12 +43,12 @@ struct Promising_step
   double change;
 };
 
-// What moving, inserting, or removing one vertex of a complex does to the angles of the cells, with the facets on surfaces that
-// it exchanges. A vertex is tried in some places, and then accepted in the last of them; until then, nothing is changed.
+// Tries what moving, inserting, or removing one vertex of a complex does to the angles of the cells, with the exchange of facets on
+// surfaces. A vertex is tried in some places and then accepted in the last of them; until then, the complex is unchanged.
 //
-// Of those that are not fixed, vertices of the interior move, and those of dimension 2 that one surface goes around, also if it
-// bends sharply there or does not separate subdomains, or through which a line goes where several meet. Without features, such
-// lines are known only as well as the surfaces on either side: their vertices move on the one that they are from.
+// Among vertices that are not fixed, interior ones move. So do vertices of dimension 2 if one surface goes all around them, even if
+// it bends sharply there or separates no subdomains, or if several surfaces meet there in one line through them. Without features,
+// such lines are known only as well as the surfaces beside them: their vertices move on the surface that they are from.
 class Vertex_trial_3
 {
 public:
@@ -67,8 +67,8 @@ public:
 
   void set_goal(const Sliver_goal& goal) { goal_ = goal; }
 
-  // Those of a cell or an edge that may move, in order of their numbers: those of the interior come first, as that needs fewer
-  // questions to the domain.
+  // The movable vertices of a cell or an edge, in order of their numbers: interior ones come first, as they need fewer questions to
+  // the domain.
   template <class Vertices>
   std::vector<int> movable_vertices(const Vertices& vertices) const
   {
@@ -79,8 +79,8 @@ public:
     return result;
   }
 
-  // With the weight with which a vertex opposite to a cell, or one of it, lets the former enter the sphere around the latter, and more
-  // by a share of the squared mean edge; none if that is too heavy, or less than it was.
+  // The vertex's site with a weight that lets the vertex `beyond` the cell enter its sphere, changed further by a share of the
+  // squared mean edge; none if that weight is too large, or less than in the input.
   std::optional<Site> place_with_weight(const Quadruple& q, int beyond, double share) const
   {
     const int v = cavity_.vertex();
@@ -92,13 +92,13 @@ public:
     return is_permitted ? std::make_optional(site_at(position(from_), weight)) : std::nullopt;
   }
 
-  // Those opposite to a cell in its neighbors that may move.
+  // The movable vertices opposite to a cell in its neighbors.
   std::vector<int> movable_vertices_beyond(int c) const
   {
     return movable_vertices(complex_.triangulation.vertices_beyond(c));
   }
 
-  // Begins with a vertex that may move; false if it has too many neighbors.
+  // Begins with a movable vertex; false if it has too many neighbors.
   bool start(int v)
   {
     leaves_ = false;
@@ -124,11 +124,11 @@ public:
   int vertex() const { return cavity_.vertex(); }
   const Site& from() const { return from_; }
 
-  // Over which it makes sense to move the vertex.
+  // The scale for moves of the vertex.
   double mean_edge_length() const { return mean_edge_; }
 
-  // Appends shares of the step of Gauss and Newton toward what the cells around the vertex lack, as far as those promise
-  // something; `farthest` is over the mean edge.
+  // Appends shares of the Gauss-Newton step that reduces the deficits of the cells around the vertex, as far as they promise an
+  // improvement; `farthest` is relative to the mean edge.
   template <class Shares>
   void find_steps(double farthest, const Shares& shares, std::vector<Promising_step>& steps)
   {
@@ -150,20 +150,21 @@ public:
     }
   }
 
-  // On the way into the sphere around a cell, in the tangential plane on a surface, by so much of the radius; none if it is there.
+  // A place inside the sphere around a cell, by this share of the radius, and in the tangential plane for a vertex on a surface;
+  // none if the vertex is there already.
   std::optional<Site> place_in_sphere(const Quadruple& q, double share) const
   {
     const std::optional<Vector_3> way = way_into_sphere(cavity_.sites(q), position(from_), normal_, share);
     return way ? std::make_optional(site_at(position(from_) + *way, from_.weight)) : std::nullopt;
   }
 
-  // The change of the sum of the deficits with the vertex there, or infinity if it may not be there, if a cell is worse than all
-  // that go, or if the change would not be less than `most`. The domain is not asked where it is seen what it would say.
+  // The change of the sum of the deficits with the vertex at this site, or infinity if it may not be there, if a cell is worse than
+  // all old ones, or if the change is not less than `most`. The domain is not asked if its answer can be seen from the vertices.
   double move(const Site& s, double most)
   { return find_cells(s) && (!cavity_.is_new() || has_room(0)) ? change(most) : infinity; }
 
-  // The same near a site, which becomes the one that is meant: on a surface, it becomes tangential and, where that promises less,
-  // is projected.
+  // Moves the vertex near a site, which is replaced by the one tried: for a vertex on a surface, it is put into the tangential
+  // plane and, if the change promises to be less than `most`, onto the surface.
   double move_near(Site& s, double most)
   {
     constexpr double farthest_projection = 1;         // over the shortest edge
@@ -181,20 +182,20 @@ public:
     return move(s, most);
   }
 
-  // Whether a new vertex may be where its site is, so far from others, whatever becomes of angles.
+  // Whether a new vertex may be at its site, at this distance from others, whatever that does to angles.
   bool fits(double least_distance)
   {
     return find_cells(complex_.sites[cavity_.vertex()]) && has_room(least_distance) && is_permitted();
   }
 
-  // The change if the vertex were removed.
+  // The change of the sum of the deficits if the vertex were removed.
   double leave(double most)
   {
     prepare_to_leave();
     return cavity_.find_cells_without() ? change(most) : infinity;
   }
 
-  // Whether it may be removed, whatever becomes of angles.
+  // Whether the vertex may be removed, whatever that does to angles.
   bool may_leave()
   {
     prepare_to_leave();
@@ -207,8 +208,8 @@ public:
   // The sum of the deficits of the new cells.
   double deficit_after() const { return after_.deficit; }
 
-  // The vertex stays where move() or fits() has put it, or out if leave() or may_leave() have been called, if that is permitted.
-  // False if the domain does not agree, or finds no surface center for a facet.
+  // Puts the vertex where move() or fits() has tried it, or takes it out after leave() or may_leave(), which must have permitted
+  // that. False if the domain does not agree, or finds no surface center for a facet.
   bool accept()
   {
     if(!ask_all() || !exchange_.find_centers(complex_.centers))
@@ -223,15 +224,15 @@ private:
 
   static constexpr double infinity = (std::numeric_limits<double>::infinity)();
 
-  // Labels that are not known yet count for outside.
+  // Labels not known yet count as outside.
   static bool is_inside(int label) { return label >= 0 && label != Domain_view_3::outside; }
 
-  // Those that are kept do not go.
+  // Finds the cells for a site; false if a kept cell would go.
   bool find_cells(const Site& s)
   { return cavity_.find_cells(s) && std::none_of(cavity_.old_cells().begin(), cavity_.old_cells().end(),
                                                  [this](const Cell* c) { return complex_.numbering.is_kept(c->vertices); }); }
 
-  // Whatever becomes of angles.
+  // Whether the change is permitted, whatever that does to angles.
   bool is_permitted() { return promises(infinity) && ask_all() && exchange_.is_permitted(change_); }
 
   void prepare_to_leave()
@@ -240,7 +241,7 @@ private:
     change_ = Vertex_change{ cavity_.vertex(), false, own_patch(cavity_.vertex()) };
   }
 
-  // Not one that has been inserted, nor one without which there are no cells.
+  // Inserted vertices do not move, nor does a vertex without which the triangulation loses its dimension.
   bool is_movable(int v) const
   {
     if(v < 0 || complex_.is_inserted(v) || !complex_.triangulation.keeps_dimension_without(v))
@@ -250,11 +251,11 @@ private:
     return complex_.numbering.dimensions[v] == 2 && !complex_.numbering.is_fixed(v) && complex_.boundary.has_room_to_move(v);
   }
 
-  // The one that the vertex has been on from the beginning, if any.
+  // The patch of the vertex in the input, if any.
   int own_patch(int v) const
   { return complex_.numbering.is_on_boundary(v) ? complex_.numbering.input_patch(v) : int(Boundary_facet::no_patch); }
 
-  // Lengths of edges, and the direction of the surface on the patch of the vertex. Sums are rounded the same way whatever the order
+  // Measures the lengths of edges and the normal of the surface on the vertex's patch. Sums are rounded the same way for any order
   // of facets.
   void measure_neighborhood()
   {
@@ -283,7 +284,7 @@ private:
     normal_ = normal_.normalized();
   }
 
-  // Whether a new vertex would be so far from its neighbors, and in no protecting ball of theirs.
+  // Whether a new vertex has this distance from its neighbors and is in none of their protecting balls.
   bool has_room(double least_distance) const
   {
     const int vertex = cavity_.vertex();
@@ -312,8 +313,8 @@ private:
     return result;
   }
 
-  // Of the sum of the deficits, by the cells that have been found. Where those lie of which only the domain knows the subdomain is
-  // nearly always seen from their vertices, so that it is asked about places that are good if that is true.
+  // The change of the sum of the deficits for the cells that have been found. The vertices of a cell nearly always tell its
+  // subdomain correctly, so the domain is asked only about places that are good under this assumption.
   double change(double most)
   {
     const bool is_better = has_better_angles(most) && (are_labels_right() || has_better_angles(most));
@@ -324,7 +325,7 @@ private:
   bool has_better_angles(double most)
   { return promises(most) && ask_in_doubt(most) && after_.is_not_worse_than(before_, goal_.steps()); }
 
-  // Whether the change is less than `most` without cells of which it is not seen where they are.
+  // Whether the change is less than `most`, leaving out cells whose subdomain is unknown.
   bool promises(double most)
   {
     before_ = after_ = Sliver_count();
@@ -345,7 +346,7 @@ private:
     return true;
   }
 
-  // The same with these.
+  // Adds the cells whose subdomain is unknown, asking the domain; whether the change is still less than `most`.
   bool ask_in_doubt(double most)
   {
     for(Cell* c : cavity_.new_cells())
@@ -370,7 +371,7 @@ private:
 
   bool sees_other_label(const Cell& c) const { return !c.is_infinite() && guess(c) != c.label; }
 
-  // Whether the domain agrees, as far as that is not seen from the vertices. The labels are right then.
+  // Whether the labels were right; where the vertices leave doubt, the domain is asked and corrects them.
   bool are_labels_right() const
   {
     bool are_right = true;
@@ -384,8 +385,7 @@ private:
     return are_right;
   }
 
-  // The label of the dual point as the surfaces at the vertices tell, one of them if they do not agree; if they do not tell, that of
-  // the cell.
+  // The label of the dual point according to the surface at one of the vertices; the cell's label if no surface tells.
   int guess(const Cell& c) const
   {
     constexpr double margin = 0.1;
@@ -405,7 +405,7 @@ private:
   bool ask_all() const
   { return std::all_of(cavity_.new_cells().begin(), cavity_.new_cells().end(), [this](Cell* c) { return ask(*c); }); }
 
-  // Asks the domain for the subdomain in which the dual point lies; false if that does not fit.
+  // Asks the domain for the subdomain of the dual point; false if that does not fit the label.
   bool ask(Cell& c) const
   {
     if(c.is_asked || c.is_infinite())
@@ -420,7 +420,7 @@ private:
     return c.fits;
   }
 
-  // Infinite if a cell is turned over, or where it would not be less than `most`.
+  // The deficit of the star with the vertex at a site; infinite if a cell is inverted or the sum is not less than `most`.
   double deficit_of_star(const Site& to, double most) const
   {
     double sum = 0;
@@ -444,7 +444,7 @@ private:
   Facet_exchange_3 exchange_;
   Sliver_goal goal_;
   bool leaves_ = false;                         // whether the vertex is to be removed
-  Vertex_change change_;                        // what becomes of the number of vertices
+  Vertex_change change_;                        // whether a vertex is inserted or removed
   Site from_ = { 0, 0, 0, 0 };
   double mean_edge_ = 0, shortest_edge_ = 0;    // of all, and on the boundary
   Vector_3 normal_;            // zero if there is no facet of the patch

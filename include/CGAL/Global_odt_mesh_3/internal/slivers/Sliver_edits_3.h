@@ -31,8 +31,8 @@
 
 namespace CGAL::Global_odt_mesh_3::internal {
 
-// Inserts vertices in and beside the cells with small dihedral angles, or removes vertices of these, the worst first, where
-// that makes angles larger.
+// Inserts vertices in and beside cells with small dihedral angles, or removes their vertices, the worst cells first, where that
+// makes the angles larger.
 class Sliver_edits_3
 {
 public:
@@ -44,7 +44,7 @@ public:
     , random_(seed)
   {}
 
-  // At most one vertex for each cell below the step.
+  // Inserts or removes at most one vertex for each cell below the step's angle.
   template <class Predicate>
   void run(int step, const Predicate& may_go_on)
   {
@@ -63,8 +63,8 @@ public:
     }
   }
 
-  // Inserts a vertex into a cell or, if there is one, into its facet on a surface, where that is best for angles, and no more of
-  // them come below the angles of the steps before.
+  // Inserts a vertex into a cell or, if given, into its facet on a surface, where the angles get best, as long as no more angles
+  // fall below those of the steps before.
   void split(const Quadruple& q, int facet, int step)
   {
     const int c = complex_.find_cell(q);
@@ -86,11 +86,11 @@ public:
   }
 
 private:
-  // Around each middle of a cell, a facet, or an edge: more where few slivers are left.
+  // Tries around each middle of a cell, a facet, or an edge: more if few slivers are left.
   static constexpr int fewest_tries_around = 8, most_tries_around = 40, places_in_cell = 7;
   static constexpr double farthest = 0.2;                 // over the longest edge of the cell
-  static constexpr std::size_t tries_of_removal = 8;      // that take as long
-  static constexpr std::size_t fewest_tries = 2000, tries_for_a_cell = 2;       // of the whole mesh
+  static constexpr std::size_t tries_of_removal = 8;      // as many tries take as long as one removal
+  static constexpr std::size_t fewest_tries = 2000, tries_for_a_cell = 2;       // for the whole mesh
   static constexpr double least_improvement = 1e-6;       // square degrees
 
   struct Edge
@@ -116,7 +116,7 @@ private:
       edits_.insert_for_angles(*best.vertex, 0, s.cell, true);
   }
 
-  // Whether a vertex has been removed because that is better than any insertion.
+  // Removes a vertex if that is better than any insertion; whether one was removed.
   bool try_removals(const Quadruple& q, double most)
   {
     int best = -1;
@@ -143,7 +143,7 @@ private:
       try_around(middle_of_facet({{ q[(i + 1) % 4], q[(i + 2) % 4], q[(i + 3) % 4] }}), length, c, best);
   }
 
-  // Of a cell, the longest first.
+  // The edges of a cell, the longest first.
   std::vector<Edge> edges(const Quadruple& q) const
   {
     std::vector<Edge> result;
@@ -161,7 +161,7 @@ private:
     return { (position(s[q[0]]) + position(s[q[1]]) + position(s[q[2]]) + position(s[q[3]])) / 4, 3, complex_.triangulation.label(c) };
   }
 
-  // On the surface.
+  // The centroid of a facet, put onto the surface; none if the facet is not on one.
   std::optional<New_vertex_3> middle_of_facet(const Triple& t) const
   {
     const int n = complex_.boundary.find(sorted(t));

@@ -40,34 +40,34 @@ namespace CGAL::Global_odt_mesh_3::internal {
 struct Sliver_removal_parameters
 {
   std::size_t tries_per_vertex = 32;
-  double farthest = 0.35, nearest = 0.12;   // the longest tries, over the mean incident edge length, near ones first
+  double farthest = 0.35, nearest = 0.12;   // the longest moves, over the mean incident edge length, near ones first
   std::array<double, 3> shares_of_step = {{ 1, 0.5, 0.25 }};
   std::size_t most_steps = 3;               // tried for a cell
   std::array<double, 3> shares_of_radius = {{ 0.005, 0.05, 0.2 }};   // by how much a vertex enters a circumsphere
-  std::array<double, 3> shares_of_weight = {{ 0.001, 0.01, 0.05 }};  // beyond what makes another vertex do so, over the squared edge
-  int fewest_failures = 2, most_failures = 8;      // for the same cell: more where few cells are left
+  std::array<double, 3> shares_of_weight = {{ 0.001, 0.01, 0.05 }};  // beyond what lets another vertex enter, over the squared edge
+  int fewest_failures = 2, most_failures = 8;      // for each cell: more if few cells are left
   double share_of_failures = 0.2;                   // of the tries
   std::size_t tries_of_failure = 150;
-  int most_passes = 30;                     // with each bound
-  int most_trials_of_worst = 120;          // of the cell with the smallest angle, until that has risen by so many degrees:
+  int most_passes = 30;                     // for each step
+  int most_trials_of_worst = 120;          // of the worst cell, until its angle has risen by so many degrees:
   double least_rise = 0.1;
-  double rise_of_worst = 2;                // that is tried for
-  std::size_t tries_of_start = 4;                 // to look at another vertex takes as long as so many tries
+  double rise_of_worst = 2;                // the rise that is aimed at
+  std::size_t tries_of_start = 4;                 // starting with another vertex costs this many tries
 };
 
-// Removes the cells with small dihedral angles by trials of single vertices, by bounds that rise step by step. No trial is
-// accepted that makes the smallest angle around it smaller, or more cells fall below one of the steps before; so that a higher
-// bound never leads to less.
+// Removes cells with small dihedral angles by trials of single vertices, with bounds that rise step by step. No trial is accepted
+// if it makes the smallest angle around it smaller, or makes more cells fall below one of the steps before, so a higher bound never
+// leads to a worse mesh.
 //
-// A cell is helped by steps that promise more in first order; then by the vertices opposite
-// to it in its neighbors, whose way into its circumsphere makes it go; then by random positions of its vertices and of
-// these. Vertices of a boundary at rest may get another weight instead. A cell that nothing helps is left alone until it gives way to another.
+// For each cell, steps that promise more in first order are tried first; then vertices opposite to it in its neighbors, since it
+// goes when they enter its circumsphere; then random positions of all these vertices. Vertices of a boundary at rest may get
+// another weight instead. A cell that nothing helps is left alone until it gives way to another.
 //
-// Proposals are made for several cells at once, by threads if these may ask the domain, and then accepted one after the other.
+// Proposals are made for several cells at once, by threads if these may ask the domain, and then accepted one by one.
 class Sliver_removal_3
 {
 public:
-  // From cells below the step on.
+  // Starts with the cells below the step's angle.
   Sliver_removal_3(Editable_complex_3& complex, int step, unsigned int seed,
                    const Sliver_removal_parameters& parameters = Sliver_removal_parameters())
     : complex_(complex)
@@ -81,17 +81,18 @@ public:
       trials_.emplace_back(complex);
   }
 
-  // Those that are left.
+  // The number of slivers that are left.
   std::size_t number_of_slivers() const
   {
     return std::count_if(slivers_.begin(), slivers_.end(), [this](const Sliver_3& s) { return complex_.has(s); });
   }
 
   std::size_t number_of_moves() const { return number_of_moves_; }
-  // Of places, with what it costs to look at vertices.
+  // The number of places tried, plus the cost of starting with vertices.
   std::size_t number_of_tries() const { return number_of_tries_; }
 
-  // Until there are none, nothing improves them any more, the tries are used up, or `may_go_on()`, asked now and then, says no.
+  // Goes on until there are no slivers, nothing improves them, the tries are used up, or `may_go_on()`, asked now and then, says
+  // no.
   template <class Predicate>
   void raise_angles(std::size_t most_tries, const Predicate& may_go_on)
   {
@@ -99,9 +100,8 @@ public:
     for(int step = 0; step <= step_ && make_passes(step, most_tries, may_go_on); ++step) {}
   }
 
-  // Raises the smallest angle as far as the step, as long as that gets on and there are tries: cells that only take turns in being the
-  // worst one would use them up.
-  // No more cells than before are below the steps before.
+  // Raises the smallest angle up to the step's angle, as long as it makes progress and tries are left: cells that only take turns
+  // as the worst would use up all tries. No more cells than before fall below the steps before.
   template <class Predicate>
   void raise_smallest_angle(std::size_t most_tries, const Predicate& may_go_on)
   {
@@ -137,7 +137,7 @@ public:
 private:
   typedef Random_numbers<Split_mix_engine> Random;
 
-  // A place for a vertex, if there is one, where it helps.
+  // A place for a vertex that improves a cell, if there is one.
   struct Proposal
   {
     double change = -least_improvement;
@@ -156,7 +156,7 @@ private:
       trial.set_goal(goal);
   }
 
-  // False if it is to come to an end.
+  // False if the removal has to end.
   template <class Predicate>
   bool make_passes(int step, std::size_t most_tries, const Predicate& may_go_on)
   {
@@ -178,7 +178,7 @@ private:
     return true;
   }
 
-  // Those below the step that have not failed too often, the worst first.
+  // The slivers below the step that have not failed too often, the worst first.
   std::vector<Sliver_3> slivers_to_try(int step, double tries)
   {
     slivers_.erase(std::remove_if(slivers_.begin(), slivers_.end(), [this](const Sliver_3& s) { return !complex_.has(s); }),
@@ -192,7 +192,7 @@ private:
     return result;
   }
 
-  // How often each of some cells may fail before the tries are used up.
+  // How often each of the slivers may fail before the tries are used up.
   int failures_for_each(std::size_t number_of_slivers, double tries) const
   {
     const double failures = tries / double(parameters_.tries_of_failure * (std::max)(number_of_slivers, std::size_t(1)));
@@ -200,7 +200,7 @@ private:
                                        double(parameters_.most_failures)));
   }
 
-  // Sets of slivers that share no vertex: what helps one changes what would help the others at its vertices.
+  // Sets of slivers without common vertices: helping one changes what would help the others at its vertices.
   static std::vector<std::vector<Sliver_3>> disjoint_slivers(const std::vector<Sliver_3>& slivers)
   {
     std::vector<std::vector<Sliver_3>> result;
@@ -218,7 +218,7 @@ private:
     return result;
   }
 
-  // Some of the slivers, as far as they are still there.
+  // Improves some of the slivers, as far as they still exist.
   void improve(const std::vector<Sliver_3>& slivers, std::size_t begin, std::size_t end)
   {
     std::vector<Sliver_3> batch;
@@ -239,7 +239,7 @@ private:
     }
   }
 
-  // Whether the vertex has been moved: other ones may have been since it was proposed.
+  // Moves the vertex if that still helps, as other vertices may have moved since the proposal; whether it was moved.
   bool accept(const Proposal& p)
   {
     if(p.vertex < 0 || !trial_.start(p.vertex) || !(trial_.move(p.site, -least_improvement) < -least_improvement)
@@ -283,7 +283,7 @@ private:
     return best;
   }
 
-  // The first step that makes deficits less of those that promise most.
+  // Finds the first step that reduces the deficits, among the most promising ones.
   bool find_step(Vertex_trial_3& trial, const Sliver_3& s, Proposal& best) const
   {
     std::vector<Promising_step> steps;
@@ -296,7 +296,7 @@ private:
     {
       Site to = step.site;
       ++best.tries;
-      // Shares of the same step come one after the other, as a rule.
+      // Shares of the same step usually follow each other.
       if(step.vertex != trial.vertex())
       {
         best.tries += parameters_.tries_of_start;
@@ -311,7 +311,7 @@ private:
     return false;
   }
 
-  // A vertex in the circumsphere.
+  // Proposes a vertex that enters the circumsphere of the cell.
   void enter_sphere(Vertex_trial_3& trial, const Sliver_3& s, Proposal& best) const
   {
     const auto& shares = parameters_.shares_of_radius;
@@ -321,7 +321,7 @@ private:
         return;
   }
 
-  // The same by another weight of a vertex that stays.
+  // Lets a vertex enter the circumsphere by another weight of a vertex that stays.
   void change_weight(Vertex_trial_3& trial, const Sliver_3& s, Proposal& best) const
   {
     const auto& shares = parameters_.shares_of_weight;
@@ -333,8 +333,7 @@ private:
           return;
   }
 
-  // The best place of those that are tried, or the first without deficit; whether one of these was found. `place(n)` gives one
-  // or none.
+  // Finds the best of some places, or the first without deficit; whether the latter was found. `place(n)` is a site or none.
   template <class Place>
   bool try_places(Vertex_trial_3& trial, int v, std::size_t number, const Place& place, Proposal& best) const
   {
@@ -363,16 +362,17 @@ private:
   Sliver_removal_parameters parameters_;
   Vertex_trial_3 trial_;
   std::deque<Vertex_trial_3> trials_;         // of the chunks of a batch
-  std::vector<Sliver_3> slivers_;             // cells below the step, and such as have been
+  std::vector<Sliver_3> slivers_;             // cells below the step, also former ones
   std::size_t number_of_moves_ = 0, number_of_tries_ = 0;
 };
 
-// Removal of slivers from a complex, step by step. What a step has reached is not given up by the next; and as no step depends
-// on the bound that is wanted, a higher one never leads to less.
+// Removes slivers from a complex step by step. No step gives up what an earlier one has reached, and no step depends on the wanted
+// bound, so a higher bound never leads to a worse mesh.
 class Sliver_stage_3
 {
 public:
-  // `bound` is the dihedral angle, in degrees, that cells should exceed, or 0 for as much as can be had. The complex is regular.
+  // `bound` is the dihedral angle, in degrees, that cells should exceed, or 0 for as large an angle as possible. The complex is
+  // regular.
   Sliver_stage_3(Complex_updater_3& complex, const Circumradius_bound_3& size_bound, double bound, unsigned int seed)
     : complex_(complex)
     , size_bound_(size_bound)
@@ -380,7 +380,7 @@ public:
     , seed_(seed)
   {}
 
-  // As far as there is time for, and `may_go_on()` permits.
+  // Makes steps as long as there is time and `may_go_on()` permits.
   template <class Has_time, class May_go_on>
   void run(const Has_time& has_time, const May_go_on& may_go_on)
   {
@@ -391,15 +391,14 @@ public:
 
 private:
   static constexpr int first_step = 1;
-  // All tries are in proportion to the cells, and to those that there are to remove in the first step.
+  // The number of tries is proportional to the cells and to the slivers at the first step.
   static constexpr std::size_t fewest_tries = 10000, tries_for_two_cells = 5, tries_for_a_sliver = 80;
-  static constexpr std::size_t tries_for_a_removed_cell = 100;      // what pays
+  static constexpr std::size_t tries_for_a_removed_cell = 100;      // for each removed cell, more tries pay
   static constexpr double share_of_passes = 0.8;         // of the tries; the others are for the worst cells
-  // Above the angle, no step is taken if no bound is given, and cells are left below the one before or more of them
-  // below this.
+  // Without a bound, a step above this angle is not taken if cells are left below the step before, or too many below its own.
   static constexpr double always_wanted = 30, most_slivers = 1 / 25.;
 
-  // Of a step with so many slivers.
+  // Whether a step with this many slivers is worthwhile.
   bool is_worthwhile(int step, std::size_t slivers, const Editable_complex_3& complex) const
   {
     return bound_ > 0 || Sliver_steps::angles[step] <= always_wanted
@@ -426,8 +425,7 @@ private:
     const std::size_t after = removal.number_of_slivers();
     if(!complex_.adopt(complex))
       return false;
-    // A few cells that nothing helps may have taken all tries. Then the next step would do nothing: in four meshes of a cow, 1307
-    // cells instead of 932 would be left below 30 degrees.
+    // A few cells that nothing helps may use up all tries. Removed cells earn more tries, or else the next step would do nothing.
     const std::size_t tries_for_removed = tries_for_a_removed_cell * (before - (std::min)(before, after));
     most_tries_ = (step == first_step ? (std::max)(most_tries_, number_of_tries_) : most_tries_) + tries_for_removed;
     return removal.number_of_moves() > 0 || after == 0;

@@ -49,11 +49,10 @@ struct Boundary_umbrella
   bool is_disk;                     // runs all around the vertex, between two subdomains
 };
 
-// The surfaces of a complex as triangles on numbered vertices: the junctions where they
-// meet and the umbrellas at each vertex, whatever the positions of the vertices.
+// The surfaces of a complex as triangles on numbered vertices: the junctions where they meet and the umbrellas at each vertex,
+// independent of the positions of the vertices.
 //
-// Junctions are the edges that do not have just two facets of one patch between
-// the same subdomains.
+// Junctions are all edges except those with exactly two facets, of one patch and between the same subdomains.
 class Boundary_complex_3
 {
 public:
@@ -87,7 +86,7 @@ public:
   int number_of_umbrellas() const { return static_cast<int>(umbrellas_.size()); }
   int number_of_umbrellas(int v) const { return first_umbrella_[v + 1] - first_umbrella_[v]; }
   const Umbrella& umbrella(int v, int n) const { return umbrellas_[umbrella_number(v, n)]; }
-  // Among those of all vertices, of the n-th one at v.
+  // The number, among all umbrellas, of the n-th one at v.
   int umbrella_number(int v, int n) const
   {
     CGAL_assertion(0 <= n && n < number_of_umbrellas(v));
@@ -99,7 +98,7 @@ public:
   // The numbers of facets and components of each patch.
   const std::map<int, std::pair<std::size_t, std::size_t> >& facets_and_components() const { return counts_; }
 
-  // Whether both pairs are the same subdomains, on whichever side.
+  // Whether both pairs are the same subdomains, in either order.
   static bool same_labels(const std::array<int, 2>& a, const std::array<int, 2>& b)
   {
     return (a[0] == b[0] && a[1] == b[1]) || (a[0] == b[1] && a[1] == b[0]);
@@ -128,7 +127,7 @@ private:
 
   int number_of_corners() const { return 3 * static_cast<int>(facets_.size()); }
 
-  // Distributed by the first vertex, whose edges are few, and then sorted by the second.
+  // Edges are distributed by their first vertex, which has few edges, and then sorted by the second.
   std::vector<Edge_of_facet> sorted_edges(std::size_t number_of_vertices, const Thread_policy& threads) const
   {
     std::vector<int> first(number_of_vertices + 1, 0);
@@ -147,7 +146,7 @@ private:
     return edges;
   }
 
-  // Also finds, for each edge of a facet, the facet beyond, unless it is a junction.
+  // Finds the junctions and, for each other edge of a facet, the facet beyond.
   void find_junctions(const std::vector<Edge_of_facet>& edges)
   {
     beyond_.assign(edges.size(), -1);
@@ -201,12 +200,13 @@ private:
       umbrella_of_corner_[c] += first_umbrella_[facets_[c / 3].vertices[c % 3]];
   }
 
-  // The one that a corner of the vertex belongs to, numbered from `begin`, where those of the vertex begin.
+  // Adds the umbrella to which a corner of the vertex belongs. Umbrellas of the vertex start at `begin` and are numbered from
+  // there.
   void add_umbrella(int v, int first_corner, std::size_t begin, std::vector<Umbrella>& umbrellas)
   {
     const Facet& f = facets_[first_corner / 3];
     const int number = static_cast<int>(umbrellas.size() - begin);
-    // All umbrellas between the same two subdomains look to the same side.
+    // All umbrellas between the same two subdomains have the same side 0.
     std::array<int, 2> labels = f.labels;
     if(number > 0 && labels[1] == umbrellas[begin].labels[0])
       std::swap(labels[0], labels[1]);
@@ -234,7 +234,7 @@ private:
     umbrellas.push_back({ labels, f.patch, is_closed });
   }
 
-  // Facets of one component are connected by edges that are no junctions.
+  // Facets of one component are connected across edges that are not junctions.
   void count_components()
   {
     std::vector<char> is_reached(facets_.size(), false);
@@ -285,8 +285,8 @@ inline std::vector<std::array<int, 3> > exchanged_facets(const Boundary_complex_
   return only;
 }
 
-// The ends of edges after that were, before, neither neighbors nor had a common one, as they do where an
-// edge is flipped: such edges cross to another sheet of the surface.
+// The ends of new edges whose vertices had no common neighbor before, nor were neighbors, as they are where an edge is flipped:
+// such edges lead to another sheet of the surface.
 inline std::set<int> vertices_of_long_edges(const Boundary_complex_3& before, const Boundary_complex_3& after)
 {
   std::vector<std::set<int> > neighbors(before.number_of_vertices());

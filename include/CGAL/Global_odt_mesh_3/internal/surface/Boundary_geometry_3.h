@@ -36,11 +36,11 @@ struct Umbrella_shape
   bool is_smooth = false;                           // closed, oriented, of one patch, not bent too much
 };
 
-// A boundary complex at certain positions of its vertices. The complex is shared by all its geometries.
+// A boundary complex at given positions of its vertices. All its geometries share the complex.
 class Boundary_geometry_3
 {
 public:
-  // The cosine between a facet of a smooth umbrella and the umbrella's normal: 60 degrees.
+  // The smallest cosine between the normals of a smooth umbrella and its facets, that of 60 degrees.
   static constexpr double smallest_cosine = 0.5;
 
   static constexpr int no_label = -1;
@@ -61,8 +61,8 @@ public:
 
   const Umbrella_shape& shape(int v, int n) const { return shapes_[complex_->umbrella_number(v, n)]; }
 
-  // The subdomain that lies in direction d from the vertex, as the tangential plane tells; no_label if d is closer
-  // to that than the sine `margin`, or if the vertex is not one of a single smooth surface that separates subdomains.
+  // The subdomain in direction d from the vertex, according to the tangential plane; no_label if the sine of the angle between d
+  // and the plane is less than `margin`, or if the vertex is not on a single smooth surface that separates subdomains.
   int label_toward(int v, const Vector_3& d, double margin) const
   {
     if(complex_->number_of_umbrellas(v) != 1 || !shape(v, 0).is_smooth)
@@ -100,7 +100,7 @@ private:
 
   Umbrella_shape& shape_of_corner(int corner) { return shapes_[complex_->umbrella_of_corner(corner)]; }
 
-  // Whether the normals of facet and umbrella point to the same side, as a sign.
+  // The sign that tells whether the normals of facet and umbrella point to the same side.
   double orientation(int corner) const
   {
     const Boundary_umbrella& umbrella = complex_->umbrella(complex_->umbrella_of_corner(corner));
@@ -138,8 +138,8 @@ private:
   std::vector<Umbrella_shape> shapes_;
 };
 
-// The point where the dual line meets the surface of which the normals at the vertices are known: on a sphere, and so
-// in second order, it is half as high over the facet as the tangential planes at the vertices.
+// Estimates the point where the dual line meets the surface from the normals at the vertices: on a sphere, and hence in second
+// order, it is half as high over the facet as the tangential planes at the vertices.
 inline Vector_3 estimated_surface_center(const std::array<int, 3>& t, const Boundary_geometry_3& boundary,
                                                 const std::vector<Site>& sites)
 {

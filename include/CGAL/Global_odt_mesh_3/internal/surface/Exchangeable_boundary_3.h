@@ -24,8 +24,7 @@
 
 namespace CGAL::Global_odt_mesh_3::internal {
 
-// The facets of a boundary complex, of which some may be exchanged for others as long as that
-// keeps the topology.
+// The facets of a boundary complex, some of which may be exchanged for others as long as that keeps the topology.
 class Exchangeable_boundary_3
 {
 public:
@@ -52,7 +51,7 @@ public:
   // The numbers of the facets at a vertex.
   const std::vector<int>& around(int v) const { return around_[v]; }
 
-  // Whether one surface goes all around the vertex, or several meet in one line through it; not if one ends there.
+  // Whether one surface goes all around the vertex, or several meet in one line through it; false if a surface ends there.
   bool has_room_to_move(int v) const
   {
     const Pattern p = pattern(v, facets_around(v));
@@ -71,7 +70,7 @@ public:
     return -1;
   }
 
-  // All facets that there are.
+  // All facets of the boundary.
   std::vector<Facet> facets() const
   {
     std::vector<Facet> result;
@@ -90,9 +89,9 @@ public:
     int patch = Boundary_facet::no_patch;
   };
 
-  // Whether after an exchange each patch would have as many facets, each vertex as many umbrellas,
-  // and there would be the same junctions. Around a vertex that is inserted on a patch or removed from it, there has to be a disk
-  // of it, which has two facets more than what is there without it.
+  // Whether after an exchange, each patch has as many facets, each vertex has as many umbrellas, and the junctions are the same.
+  // Around a vertex inserted on a patch or removed from it, there must be a disk of that patch, which has two facets more than
+  // without the vertex.
   bool keeps_topology(const std::vector<int>& removed, const std::vector<Facet>& added, const Vertex_change& change) const
   {
     std::vector<int> patches_before, patches_after, vertices;
@@ -121,7 +120,7 @@ public:
                        { return v == change.vertex ? is_disk(v, change.is_inserted, added) : keeps_topology_at(v, removed, added); });
   }
 
-  // The same if all vertices stay.
+  // Whether an exchange keeps the topology if no vertex is inserted or removed.
   bool keeps_topology(const std::vector<int>& removed, const std::vector<Facet>& added) const
   { return keeps_topology(removed, added, Vertex_change()); }
 
@@ -138,7 +137,7 @@ public:
   }
 
 private:
-  // What facets make of a vertex: how many umbrellas, between which junctions.
+  // The arrangement of facets around a vertex: the number of umbrellas, and the junctions between them.
   struct Pattern
   {
     int umbrellas;
@@ -183,7 +182,7 @@ private:
     return pattern(v, facets_around(v)) == pattern(v, after);
   }
 
-  // Whether the facets at the vertex are one, among those added or as they are.
+  // Whether the facets at the vertex are a disk, including the added ones if the vertex is inserted.
   bool is_disk(int v, bool is_inserted, const std::vector<Facet>& added) const
   {
     std::vector<Facet> facets = facets_around(v);
@@ -224,7 +223,7 @@ private:
     return result;
   }
 
-  // Whether the facets were of two umbrellas.
+  // Joins the umbrellas of two facets; whether these were different ones.
   static bool join(std::vector<int>& umbrella, int f, int g)
   {
     const int a = umbrella[f], b = umbrella[g];
@@ -233,8 +232,8 @@ private:
   }
 
   std::vector<Facet> facets_;
-  std::vector<int> unused_;                   // places in it
-  std::vector<std::vector<int> > around_;     // vertices
+  std::vector<int> unused_;                   // unused places in `facets_`
+  std::vector<std::vector<int> > around_;     // by vertex
 };
 
 } // namespace CGAL::Global_odt_mesh_3::internal

@@ -35,17 +35,16 @@
 
 namespace CGAL::Global_odt_mesh_3::internal {
 
-// What one facet adds to the energy of the centroidal Voronoi tessellation
+// The contribution of one facet to the energy of the centroidal Voronoi tessellation
 //
 //   E = sum_i  integral over V_i of  rho(x) (|x - x_i|^2 - w_i)
 //
-// that its three vertices see of their Voronoi cells V_i on the plane of the facet.
+// with the Voronoi cells V_i of its three vertices restricted to the facet's plane.
 //
-// The foot of the edge's bisector and the circumcenter cut the cell of a corner into two
-// right triangles, whose areas have signs, so that the sum over an obtuse facet and its
-// neighbors is right although the circumcenter lies beyond. The density is linear on
-// the facet. As the boundaries between cells do not matter in first order,
-// the gradient is dE/dx_i = -2 integral of rho(x) (x - x_i).
+// The feet of the edges' bisectors and the circumcenter cut the cell of a corner into two right triangles. Their areas have signs,
+// so that the sum over an obtuse facet and its neighbors is right although the circumcenter lies outside. The density is linear on
+// the facet. Since the boundaries between cells do not matter in first order, the gradient is dE/dx_i = -2 integral of rho(x) (x -
+// x_i).
 struct Surface_cvt_contribution_3
 {
   double energy = 0;
@@ -85,7 +84,7 @@ struct Surface_cvt_contribution_3
   Surface_cvt_contribution_3(const std::array<int, 3>& facet, const std::vector<Site>& sites,
                              const std::array<double, 3>& density)
   {
-    // In coordinates on the plane, along the first edge and across.
+    // Coordinates in the plane run along the first edge and across.
     const Vector_3 a = position(sites[facet[1]]) - position(sites[facet[0]]);
     const Vector_3 b = position(sites[facet[2]]) - position(sites[facet[0]]);
     const double length = a.length();
@@ -116,9 +115,9 @@ struct Surface_cvt_contribution_3
   }
 
 private:
-  static constexpr double third = 1. / 3;         // a constant whatever the rounding mode
+  static constexpr double third = 1. / 3;         // a constant independent of the rounding mode
 
-  // The piece is the triangle of corner i, i + p and i + q, with the density at these points. Gives its gradient.
+  // Adds the piece with corners i, i + p and i + q, where the density is r; returns its gradient.
   Vector_3 add_piece(int i, double weight, double area, const Vector_3& p, const Vector_3& q,
                             const std::array<double, 3>& r)
   {
@@ -131,7 +130,7 @@ private:
   }
 };
 
-// The density at a vertex, given its number and position; none: one everywhere.
+// The density at a vertex, given its number and position; empty if it is one everywhere.
 typedef std::function<double(int, const Site&)> Surface_density;
 
 // The density at the vertices of the facets; empty if it is one everywhere.
@@ -148,14 +147,14 @@ inline std::vector<double> surface_densities(const Surface_triangulation_3& surf
   return densities;
 }
 
-// The energy of all facets, as sums of chunks that do not depend on the number of threads.
+// The energy of all facets, summed over chunks that do not depend on the number of threads.
 class Surface_cvt_energy_3
 {
 public:
   explicit Surface_cvt_energy_3(const Thread_policy& threads = Thread_policy()) : threads_(threads) {}
 
-  // Gradient and diagonal, twice the masses, are those of the vertices from number `first` on, of which
-  // there are as many as the vectors have room for. If there are no densities, they are one.
+  // Computes the energy with its gradient and diagonal, which is twice the masses, for the vertices from number `first` on; the
+  // size of the vectors gives their number. Without densities, the density is one.
   double compute(const Surface_triangulation_3& surface, const std::vector<Site>& sites,
                  const std::vector<double>& densities, int first, Eigen::VectorXd& gradient, Eigen::VectorXd& diagonal)
   {
@@ -190,10 +189,10 @@ public:
 private:
   typedef Chunked_sums<Site_gradient> Sums;
 
-  // A chunk is to be worth the trouble of a thread.
+  // A chunk must be worth the overhead of a thread.
   static constexpr int least_facets = 2000, most_chunks = 8;
 
-  // Facets whose vertices are on one line, up to rounding, count for nothing, as formulas divide by the area.
+  // Facets whose vertices are collinear up to rounding do not count, as the formulas divide by the area.
   static Surface_cvt_contribution_3 contribution(const std::array<int, 3>& t, const std::vector<Site>& sites,
                                                  const std::vector<double>& densities)
   {
@@ -218,10 +217,9 @@ private:
 
 // The energy of the restricted CVT of the surfaces as a term of another energy, that of the cells.
 //
-// The densities of both are such that the ratio of their Hessians' diagonals does not depend on the local
-// size. The factor on the term is one for all vertices and for good: with it, the diagonals are, summed up over all
-// vertices where the term is evaluated first, in the ratio of `weight`. So the fewer vertices the interior has to
-// make up for it, the less the term pulls at each.
+// Both densities are such that the ratio of the Hessians' diagonals does not depend on the local size. The factor on the term is
+// fixed and the same for all vertices: where the term is first evaluated, it makes the ratio of the diagonals, summed over the
+// vertices, equal to `weight`. So the fewer vertices the interior has compared with the surfaces, the less the term pulls at each.
 class Surface_cvt_term_3
 {
 public:
@@ -245,9 +243,9 @@ public:
     densities_ = surface_densities(surface_, sites, density_);
   }
 
-  // The same for a part of the mesh, when the scale is known. The part has some of the vertices, named by their
-  // numbers, of which as many from `first` on move on the surfaces; `number` gives the numbers in the part. Its facets
-  // are those of the mesh, whatever the energy has been asked for before.
+  // The term for a part of the mesh, once the scale is known. `vertices` are the numbers of the part's vertices in the mesh;
+  // `number_of_moving` of them, from `first` on, move on the surfaces; `number` gives the numbers in the part. The facets are those
+  // of the mesh, whatever evaluations came before.
   template <class Number>
   Surface_cvt_term_3 part(const std::vector<int>& vertices, int first, int number_of_moving, const Number& number) const
   {
@@ -264,23 +262,23 @@ public:
     return part;
   }
 
-  // Whether it is known how much the term weighs, which depends on where the energy is asked for first.
+  // Whether the factor on the term is known, which is set at the first evaluation.
   bool has_scale() const { return factor_ >= 0; }
 
-  // This has to be called before parts are made for these sites.
+  // To be called before parts are made for these sites.
   void prepare_parts(const std::vector<Site>& sites)
   {
     update_densities(sites);
     corner_of_vertex_ = surface_.corners_of_vertices(sites.size());
   }
 
-  // Adds gradient and diagonal to those of all vertices, and gives the energy.
+  // Adds gradient and diagonal to those of all vertices, and returns the energy.
   double operator()(const std::vector<Site>& sites, Eigen::VectorXd& gradient, Eigen::VectorXd& diagonal)
   {
     update_densities(sites);
     delaunay_.make_delaunay(sites, threads_);
     const double energy = energy_.compute(delaunay_, sites, densities_, first_, gradient_, diagonal_);
-    // Cells may be empty where weights are large.
+    // Voronoi cells may be empty where weights are large.
     diagonal_ = diagonal_.cwiseMax(0);
     if(factor_ < 0)
     {
@@ -304,20 +302,19 @@ private:
   Surface_density density_;
   Thread_policy threads_;
   Surface_cvt_energy_3 energy_;
-  Surface_triangulation_3 surface_, delaunay_;      // as they are, and with edges flipped to where the energy is asked for
+  Surface_triangulation_3 surface_, delaunay_;      // original, and with edges flipped at the last evaluation
   std::vector<double> densities_;
   std::vector<int> corner_of_vertex_;
   Eigen::VectorXd gradient_, diagonal_;
 };
 
-// The energy of the centroidal Voronoi tessellation restricted to the surfaces, as a function
-// of the coordinates of the vertices that move on them, in the form that the minimizer wants.
+// The energy of the centroidal Voronoi tessellation restricted to the surfaces, as a function of the coordinates of the vertices
+// that move on them, in the form the minimizer requires.
 //
-// Section 5.1 of the paper restricts Voronoi cells to the input surface. Here it is to the
-// surfaces of the complex, which follow the vertices: their tangential planes
-// touch the input surface in second order, and cells need not be clipped.
+// Section 5.1 of the paper restricts Voronoi cells to the input surface. Here, they are restricted to the surfaces of the complex,
+// which follow the vertices: their tangential planes touch the input surface in second order, and cells need not be clipped.
 //
-// Points are current or on trial as those of Odt_objective_3 are.
+// As in Odt_objective_3, a point is either the current one or on trial.
 class Surface_cvt_objective_3
 {
 public:
@@ -403,7 +400,7 @@ private:
       const Site& s = sites_[first_ + n];
       set_vector(e.point, n, position(s));
       set_vector(e.gradient, n, motions_[n].is_at_rest() ? Vector_3() : motions_[n].tangential_part(vector_at(e.gradient, n)));
-      // Cells may be empty where weights are large.
+      // Voronoi cells may be empty where weights are large.
       if(!(e.diagonal[3 * n] > 0))
         set_vector(e.diagonal, n, (std::numeric_limits<double>::max)() * Vector_3(1, 1, 1));
     }
@@ -416,7 +413,7 @@ private:
   Thread_policy threads_;
   Surface_cvt_energy_3 energy_;
   std::vector<double> densities_;
-  Evaluation current_, other_;    // that of the current point is the other one on trial
+  Evaluation current_, other_;    // on trial, `other_` is that of the accepted point
 };
 
 } // namespace CGAL::Global_odt_mesh_3::internal

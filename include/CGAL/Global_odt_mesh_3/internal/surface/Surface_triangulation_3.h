@@ -29,8 +29,8 @@
 
 namespace CGAL::Global_odt_mesh_3::internal {
 
-// The surfaces of a complex as a triangulation whose edges can be flipped, except
-// junctions. Corner 3 f + k is vertex k of facet f, and opposite to an edge of it.
+// The surfaces of a complex as a triangulation whose edges, except junctions, can be flipped. Corner 3 f + k is vertex k of facet
+// f, and opposite to one of its edges.
 class Surface_triangulation_3
 {
 public:
@@ -65,8 +65,8 @@ public:
       }
   }
 
-  // The facets around some vertices, on no junction, with the numbers of vertices that `number` gives; edges where others
-  // are beyond are not flipped.
+  // The facets around some vertices that are on no junction, with the numbers of vertices given by `number`. Edges on the border of
+  // the part are not flipped.
   template <class Number>
   Surface_triangulation_3 part(const std::vector<int>& vertices, const std::vector<int>& corner_of_vertex,
                                const Number& number) const
@@ -112,8 +112,8 @@ public:
   int number_of_facets() const { return static_cast<int>(vertices_.size()); }
   const std::array<int, 3>& vertices(int facet) const { return vertices_[facet]; }
 
-  // Flips edges until the angles opposite to each sum up to at most a straight one:
-  // the surface is then Delaunay, of which the circumcenters are in the order of the cells.
+  // Flips edges until the two angles opposite to each edge sum up to at most 180 degrees: the surface is then Delaunay, and its
+  // circumcenters are in the order of the cells.
   void make_delaunay(const std::vector<Site>& sites, const Thread_policy& threads = Thread_policy())
   {
     std::vector<int> queue = flippable_corners(sites, threads);
@@ -141,7 +141,7 @@ public:
   }
 
 private:
-  // Angles have to differ from the straight one by more than rounding.
+  // The sum of the angles must exceed 180 degrees by more than rounding.
   static constexpr double least_sine = 1e-9;
 
   // The corners opposite to edges that can be flipped, one for each edge.
@@ -166,7 +166,7 @@ private:
 
   static Vector_3 edge(const Site& a, const Site& b) { return Vector_3(b.x - a.x, b.y - a.y, b.z - a.z); }
 
-  // Whether the edge opposite to c is not Delaunay, and the other diagonal may take its place.
+  // Whether the edge opposite to c is not Delaunay and the other diagonal may replace it.
   bool is_flippable(int c, const std::vector<Site>& sites) const
   {
     const int d = opposite_[c];
@@ -186,13 +186,13 @@ private:
       return false;
     const Vector_3 ps = edge(p, s), normal = (above + below).normalized();
     const Vector_3 first = pq.cross(ps), second = ps.cross(pr);
-    // A flip does not bend the surface more than a smooth umbrella.
+    // A flip must not bend the surface more than a smooth umbrella.
     constexpr double cosine = Boundary_geometry_3::smallest_cosine;
     return first.dot(normal) > cosine * first.length() && second.dot(normal) > cosine * second.length()
            && !is_edge(c, vertex(d));
   }
 
-  // Whether an edge leads from the vertex of c to w.
+  // Whether there is an edge from the vertex of c to w.
   bool is_edge(int c, int w) const
   {
     // The search goes around the vertex in one direction and, from a junction, in the other.
@@ -217,8 +217,8 @@ private:
     return false;
   }
 
-  // All facets of a surface are oriented alike, as those between two subdomains are by their labels already. On a surface inside
-  // a subdomain with one side only, some edges are left of which that is not so.
+  // Orients all facets of a surface alike; the labels do so already for facets between two subdomains. On a one-sided surface
+  // inside a subdomain, some edges remain between facets oriented differently.
   void orient(const Boundary_complex_3& boundary)
   {
     std::vector<char> is_reached(vertices_.size(), false);
@@ -241,7 +241,7 @@ private:
       }
   }
 
-  // Whether both go along their common edge in the same direction.
+  // Whether both facets traverse their common edge in the same direction.
   bool has_common_direction(int f, int g) const
   {
     for(int c = 3 * f; c < 3 * f + 3; ++c)
@@ -275,8 +275,8 @@ private:
   std::vector<char> is_queued_;
 };
 
-// How the vertices on surfaces may move from where they are: in the plane normal to their umbrella, as far as
-// `farthest`, over the shortest edge there. Those where the surface bends sharply stay.
+// The motions of vertices on surfaces: each may move in the plane normal to its umbrella, as far as `farthest` times its shortest
+// edge there. Vertices where the surface bends sharply stay.
 inline std::vector<Tangential_motion> tangential_motions(const Constrained_triangulation_3& mesh,
                                                          const Boundary_geometry_3& boundary, double farthest)
 {
