@@ -59,6 +59,19 @@ bool are_connected(const std::vector<int>& cells, const Neighbor& neighbor)
   return found.size() == cells.size();
 }
 
+// The same with the vertices of cells. Mostly, it is enough to look at the infinite cells, which are few and bound each body.
+template <class Vertices, class Neighbor>
+bool are_connected(const std::vector<int>& cells, const Vertices& vertices, const Neighbor& neighbor)
+{
+  constexpr int infinite = Mesh_table_3::infinite;
+  std::vector<int> infinite_cells;
+  for(int c : cells)
+    if(index_of(vertices(c), infinite) < 4)
+      infinite_cells.push_back(c);
+  return are_connected(infinite_cells, [&](int c, int i) { return vertices(c)[i] == infinite ? c : neighbor(c, i); })
+         || are_connected(cells, neighbor);
+}
+
 // A regular triangulation of numbered sites: all cells, including infinite ones, with their labels and facets in the complex. The
 // infinite vertex has number -1. Predicates on a vertex that moves are exact, and ties are broken as in CGAL, so that the cells are
 // those CGAL creates for the sites; but a table is taken as it is.

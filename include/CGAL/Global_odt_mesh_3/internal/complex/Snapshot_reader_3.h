@@ -66,7 +66,7 @@ inline bool is_deformed(const Mesh_table_3& table, const Thread_policy& threads)
   std::vector<int> cells(table.cells.size());
   std::iota(cells.begin(), cells.end(), 0);
   return !collect_in_chunks(static_cast<int>(table.cells.size()), threads, find_wrong).empty()
-         || !are_connected(cells, [&](int c, int i) { return table.cells[c].neighbors[i]; });
+         || !are_connected(cells, [&](int c) { return table.cells[c].vertices; }, [&](int c, int i) { return table.cells[c].neighbors[i]; });
 }
 
 // Reads a mesh into a first snapshot, with its triangulation as it is, and into an indexed mesh.

@@ -125,7 +125,7 @@ inline bool is_regular(const Labelled_triangulation_3& triangulation, const Thre
   };
   // Only positive cells have spheres.
   return is_everywhere([&](int c) { return predicates.is_positive(triangulation.vertices(c)); }) && is_everywhere(is_locally_regular)
-         && are_connected(cells, [&](int c, int i) { return triangulation.neighbor(c, i); });
+         && are_connected(cells, [&](int c) { return triangulation.vertices(c); }, [&](int c, int i) { return triangulation.neighbor(c, i); });
 }
 
 } // namespace CGAL::Global_odt_mesh_3::internal

@@ -180,7 +180,7 @@ class Sliver_census_3
 {
 public:
   bool is_of_deformed_mesh = false;           // which is not regular
-  bool is_of_moved_mesh = false;              // in a domain that was there before
+  bool is_of_moved_mesh = false;              // in a domain that was there before; or of one whose boundary has been split
 
   void add(const std::array<Site, 4>& cell, int label)
   {
