@@ -30,6 +30,9 @@ inline void print_summary(const CGAL::Mesh_quality_report_3& before, const CGAL:
   for(std::size_t n = 0; n < before.cells_below.size(); ++n)
     row("cells below " + std::to_string(static_cast<int>(before.cells_below[n].first)) + " degrees",
         double(before.cells_below[n].second), double(after.cells_below[n].second), 0);
+  const auto between_facets = [](const CGAL::Mesh_quality_report_3& r) { return double(r.cells_below_at_boundary.back().second); };
+  if(between_facets(after) > 0)
+    row("  of these, between facets", between_facets(before), between_facets(after), 0);
   row("mean radius ratio 3r/R", before.mean_radius_ratio, after.mean_radius_ratio, 4);
   row("vertices", double(before.number_of_vertices), double(after.number_of_vertices), 0);
   row("cells", double(before.number_of_cells), double(after.number_of_cells), 0);

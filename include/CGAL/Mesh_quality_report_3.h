@@ -75,6 +75,9 @@ struct Mesh_quality_report_3
   std::array<std::size_t, number_of_facet_angle_bins> facet_angles{};   ///< the histogram of the facets' smallest angles
   /// for each bound in degrees, the number of cells with a smaller angle
   std::vector<std::pair<double, std::size_t> > cells_below;
+  /// for each bound, the number of those cells that have such an angle between two facets of the complex: the boundary itself is
+  /// sharper than the bound there, and no vertex off the boundary can change that
+  std::vector<std::pair<double, std::size_t> > cells_below_at_boundary;
   /// the subdomains, by their indices as they are printed: for example `2`, and `2 (2)` for another index that is printed in the
   /// same way. Indices that cannot be printed are numbered from 1 on
   std::map<std::string, Subdomain> subdomains;
@@ -107,13 +110,28 @@ inline std::size_t bin(double value, int number_of_bins)
   return static_cast<std::size_t>((std::min)(static_cast<int>(value), number_of_bins - 1));
 }
 
-inline void add_shape(Mesh_quality_report_3& report, const Cell_shape_3& shape)
+// The smallest angle between two facets of the cell that are in the complex, or 180 degrees.
+template <class C3T3>
+double angle_between_facets(const C3T3& c3t3, typename C3T3::Cell_handle c, const Cell_shape_3& shape)
+{
+  double smallest = 180;
+  for(int i = 0, n = 0; i < 3; ++i)
+    for(int j = i + 1; j < 4; ++j, ++n)
+      if(c3t3.is_in_complex(c, i) && c3t3.is_in_complex(c, j))
+        smallest = (std::min)(smallest, shape.angles[static_cast<std::size_t>(n)]);
+  return smallest;
+}
+
+inline void add_shape(Mesh_quality_report_3& report, const Cell_shape_3& shape, double sharpest_edge)
 {
   const auto extremes = std::minmax_element(shape.angles.begin(), shape.angles.end());
   report.smallest_angle = (std::min)(report.smallest_angle, *extremes.first);
   report.largest_angle = (std::max)(report.largest_angle, *extremes.second);
-  for(auto& bound : report.cells_below)
-    bound.second += *extremes.first < bound.first;
+  for(std::size_t n = 0; n < report.cells_below.size(); ++n)
+  {
+    report.cells_below[n].second += *extremes.first < report.cells_below[n].first;
+    report.cells_below_at_boundary[n].second += sharpest_edge < report.cells_below_at_boundary[n].first;
+  }
   for(double a : shape.angles)
     ++report.angles[bin(a, Mesh_quality_report_3::number_of_angle_bins)];
   report.smallest_radius_ratio = (std::min)(report.smallest_radius_ratio, shape.radius_ratio);
@@ -216,6 +234,7 @@ Mesh_quality_report_3 mesh_quality_report_3(const C3T3& c3t3,
   odt::add_facets(report, c3t3);
   for(double b : bounds)
     report.cells_below.emplace_back(b, 0);
+  report.cells_below_at_boundary = report.cells_below;
   double sum = 0;
   odt::Index_table<typename C3T3::Subdomain_index> indices;
   std::vector<Report::Subdomain> subdomains;
@@ -225,7 +244,7 @@ Mesh_quality_report_3 mesh_quality_report_3(const C3T3& c3t3,
     for(int i = 0; i < 4; ++i)
       s[static_cast<std::size_t>(i)] = odt::weighted_site(c3t3.triangulation().point(c, i));
     const odt::Cell_shape_3 shape(s[0], s[1], s[2], s[3]);
-    odt::add_shape(report, shape);
+    odt::add_shape(report, shape, odt::angle_between_facets(c3t3, c, shape));
     sum += shape.radius_ratio;
     const odt::Cell_products t(s[0], s[1], s[2], s[3]);
     const auto n = static_cast<std::size_t>(indices.number(c3t3.subdomain_index(c)));
@@ -293,9 +312,20 @@ inline std::ostream& operator<<(std::ostream& out, const Mesh_quality_report_3& 
     s << "beyond the criteria " << Global_odt_mesh_3::internal::printed_violations("cells", r.bad_cells_by_criterion) << ", "
       << Global_odt_mesh_3::internal::printed_violations("facets", r.bad_facets_by_criterion) << '\n';
   s << "cells with an angle below" << std::defaultfloat << std::setprecision(6);
-  for(const auto& b : r.cells_below)
-    s << "  " << b.first << ": " << b.second;
-  s << "\nsubdomain        cells          volume      ODT energy\n";
+  const auto list = [&s](const std::vector<std::pair<double, std::size_t> >& numbers)
+  {
+    for(const auto& b : numbers)
+      s << "  " << b.first << ": " << b.second;
+    s << '\n';
+  };
+  list(r.cells_below);
+  const auto is_none = [](const std::pair<double, std::size_t>& b) { return b.second == 0; };
+  if(!std::all_of(r.cells_below_at_boundary.begin(), r.cells_below_at_boundary.end(), is_none))
+  {
+    s << "of these, between two facets of the complex";
+    list(r.cells_below_at_boundary);
+  }
+  s << "subdomain        cells          volume      ODT energy\n";
   const auto row = [&s](const std::string& name, const Mesh_quality_report_3::Subdomain& d)
   {
     s << std::left << std::setw(10) << name << std::right << std::setw(12) << d.number_of_cells

@@ -147,6 +147,38 @@ int main()
                 "cells below 50 and 60 degrees");
   }
   {
+    // The angles between the facets are 90 degrees three times, at the axes, and 54.7 at the other edges.
+    const std::vector<double> bounds = { 50, 60, 95 };
+    const auto closed = CGAL::mesh_quality_report_3(with_facets(corner), bounds);
+    C3t3 c3t3 = complex(corner);
+    const auto add = [&c3t3](const Point_3& opposite)
+    {
+      const auto c = c3t3.cells_in_complex_begin();
+      for(int i = 0; i < 4; ++i)
+        if(c->vertex(i)->point().point() == opposite)
+          c3t3.add_to_complex(c, i, C3t3::Surface_patch_index(0, 1));
+    };
+    add(corner[1]);
+    const auto one = CGAL::mesh_quality_report_3(c3t3, bounds);
+    add(corner[2]);
+    const auto two = CGAL::mesh_quality_report_3(c3t3, bounds);
+    const auto numbers = [](const CGAL::Mesh_quality_report_3& r)
+    {
+      std::vector<std::size_t> result;
+      for(const auto& b : r.cells_below_at_boundary)
+        result.push_back(b.second);
+      return result;
+    };
+    typedef std::vector<std::size_t> Numbers;
+    check::that(numbers(closed) == Numbers{ 0, 1, 1 } && numbers(one) == Numbers{ 0, 0, 0 } && numbers(two) == Numbers{ 0, 0, 1 },
+                "cells with a small angle between two facets");
+    std::ostringstream with, without;
+    with << two;
+    without << one;
+    check::that(with.str().find("of these, between two facets of the complex  50: 0  60: 0  95: 1\n") != std::string::npos
+                && without.str().find("of these") == std::string::npos, "the report of sharp edges");
+  }
+  {
     // Four points near a great circle: nearly flat.
     const double h = 1e-9;
     const auto r = CGAL::mesh_quality_report_3(complex({ { 1, 0, h }, { -1, 0, h }, { 0, 1, -h }, { 0, -1, -h } }));

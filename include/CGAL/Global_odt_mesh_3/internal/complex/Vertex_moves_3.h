@@ -87,7 +87,7 @@ private:
 // or if a move fails; the triangulation is then of no use.
 inline bool move_vertices(const std::vector<Site>& sites, Labelled_triangulation_3& triangulation)
 {
-  constexpr double most_moved_one_by_one = 1 / 20.;
+  constexpr double most_moved_one_by_one = 1 / 4.;
   if(sites.size() != triangulation.sites().size() || !triangulation.is_complete())
     return false;
   std::vector<int> moved;
