@@ -510,6 +510,46 @@ static void check_facet_distance()
     }
 }
 
+// Of edges on the surface.
+static double mean_length_on_surface(const Labeled_c3t3& c3t3)
+{
+  double sum = 0;
+  for(auto f = c3t3.facets_in_complex_begin(); f != c3t3.facets_in_complex_end(); ++f)
+    for(int k = 1; k < 4; ++k)
+      sum += std::sqrt(CGAL::squared_distance(f->first->vertex((f->second + k) % 4)->point().point(),
+                                              f->first->vertex((f->second + k % 3 + 1) % 4)->point().point()));
+  return sum / (3 * double(c3t3.number_of_facets_in_complex()));
+}
+
+// A coarse ball gets edges of a quarter of their length: facets have to follow, and cells must not get worse. Edges are 4/3 of a size.
+static void check_finer_sizes()
+{
+  Labeled_c3t3 input = domains::mesh(domains::sphere(), 0.35);
+  CGAL::complete_mesh_complex_3(input, 90);
+  // After that, halves of facets have angles below the bound.
+  CGAL::odt_optimize_tetrahedral_mesh_3(input);
+  const std::map<int, double> volume = volumes(input);
+  const double length = mean_length_on_surface(input) / 4;
+  for(unsigned int seed = 0; seed < 3; ++seed)
+  {
+    const std::string name = "ball with finer sizes, seed " + std::to_string(seed);
+    Labeled_c3t3 c3t3(input);
+    CGAL::odt_optimize_tetrahedral_mesh_3(c3t3, params::sizing_field = length * 3 / 4, params::do_insert_vertices = true,
+                                          params::random_seed(seed));
+    const CGAL::Mesh_quality_report_3 q = CGAL::mesh_quality_report_3(c3t3, { 30 });
+    const double now = mean_length_on_surface(c3t3);
+    std::cout << name << ": " << q.number_of_vertices << " vertices, smallest angle " << q.smallest_angle << ", " << q.cells_below[0].second
+              << " of " << q.number_of_cells << " cells below 30 degrees, angles of facets from " << q.smallest_facet_angle
+              << ", edges on the surface " << now << " for " << length << std::endl;
+    check::that(now < 1.05 * length, name, ": edges on the surface have a length of ", now, ", and not ", length);
+    check::that(q.smallest_angle > 20 && q.cells_below[0].second * 1000 < q.number_of_cells, name, ": the smallest angle is ",
+                q.smallest_angle, ", and ", q.cells_below[0].second, " of ", q.number_of_cells, " cells are below 30 degrees");
+    check::that(q.smallest_facet_angle > 14, name, ": a facet has an angle of ", q.smallest_facet_angle);
+    check::that(kept_facets::is_regular(c3t3.triangulation()), name, ": no regular triangulation");
+    check_volumes(name, c3t3, volume, 0.01);
+  }
+}
+
 // A mesh of the mesh generator, whose patches are pairs, and whose cells outside are finite, too.
 static void check_generated()
 {
@@ -675,5 +715,6 @@ int main()
   check_constrained_facets(6, 0.12, 0.1);
   check_turned_over();
   check_facet_distance();
+  check_finer_sizes();
   return check::result();
 }

@@ -223,7 +223,7 @@ private:
   static constexpr double edge_over_size = 4 / 3.;
   // Without given sizes, only edges far from the mean length are changed; a smaller factor makes cells worse.
   static constexpr double longest_over_mean = 1.3;
-  static constexpr Size_tolerance of_sizes = { 4 / 3., 0.6 }, of_neighbors = { 1.7, 0.45 };
+  static constexpr Size_tolerance of_sizes = { 4 / 3., 0.6, 0.5 }, of_neighbors = { 1.7, 0.45, 1 };
 
   // For each vertex of the table, its number in the snapshot.
   std::vector<int> numbers_of_table() const

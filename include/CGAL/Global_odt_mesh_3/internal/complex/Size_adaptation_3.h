@@ -23,20 +23,24 @@
 #include <limits>
 #include <optional>
 #include <queue>
+#include <tuple>
 #include <utility>
 #include <vector>
 
 namespace CGAL::Global_odt_mesh_3::internal {
 
-// The permitted lengths of edges, relative to the wanted lengths.
+// The permitted lengths of edges, relative to the wanted lengths, and angles of new facets, relative to the bound. The middle of an
+// edge halves angles at worst; vertices on the surface move apart later.
 struct Size_tolerance
 {
   double longest = (std::numeric_limits<double>::infinity)(), shortest = 0;
+  double share_of_angles = 1;
   bool wants_number = false;      // the number of vertices must be reached, whatever the edge lengths
 };
 
 // Removes vertices at short edges of a complex and inserts vertices into long ones, the shortest or longest first. That happens
-// inside and on surfaces, but neither on features nor where surfaces meet.
+// inside and on surfaces, but neither on features nor where surfaces meet. Edges on surfaces that are too long come before all
+// others: vertices inside that are close to them would be in the way, and coarse facets beside fine cells make slivers.
 class Size_adaptation_3
 {
 public:
@@ -96,14 +100,15 @@ private:
   // The least distance of a new vertex from others, relative to the wanted length or to that of the edge, whichever gives less.
   static constexpr double nearest = 0.75, nearest_over_edge = 0.44;
 
-  // The edge of the highest rank comes first.
+  // The edge of the highest rank comes first, on surfaces that need vertices and then elsewhere.
   struct Edge
   {
+    bool needs_vertex_on_surface;
     double rank, length;
     int u, v;
 
     bool operator<(const Edge& o) const
-    { return rank != o.rank ? rank < o.rank : std::make_pair(u, v) > std::make_pair(o.u, o.v); }
+    { return std::tie(needs_vertex_on_surface, rank, o.u, o.v) < std::tie(o.needs_vertex_on_surface, o.rank, u, v); }
   };
   typedef std::priority_queue<Edge> Edges;
 
@@ -118,8 +123,8 @@ private:
 
   void push(int u, int v, double sign, Edges& edges) const
   {
-    const double length = (position(complex_.sites[v]) - position(complex_.sites[u])).length();
-    edges.push({ sign * length / wanted_(u, v), length, (std::min)(u, v), (std::max)(u, v) });
+    const double length = (position(complex_.sites[v]) - position(complex_.sites[u])).length(), rank = sign * length / wanted_(u, v);
+    edges.push({ rank > tolerance_.longest && !complex_.boundary.around(u, v).empty(), rank, length, (std::min)(u, v), (std::max)(u, v) });
   }
 
   bool split(const Edge& e)
@@ -128,7 +133,7 @@ private:
     if(c < 0)
       return false;
     const std::optional<New_vertex_3> v = middle_of_edge(complex_, e.u, e.v, c);
-    return v && edits_.insert(*v, (std::min)(nearest * e.length / e.rank, nearest_over_edge * e.length), c);
+    return v && edits_.insert(*v, (std::min)(nearest * e.length / e.rank, nearest_over_edge * e.length), tolerance_.share_of_angles, c);
   }
 
   Vertex_edits_3& edits_;

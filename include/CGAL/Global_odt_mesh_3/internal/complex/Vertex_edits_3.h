@@ -63,10 +63,7 @@ inline std::optional<New_vertex_3> middle_of_edge(const Editable_complex_3& comp
   const std::vector<Site>& sites = complex.sites;
   const double length = (position(sites[v]) - position(sites[u])).length();
   Vector_3 p = (position(sites[u]) + position(sites[v])) / 2;
-  std::vector<Exchangeable_boundary_3::Facet> facets;
-  for(int n : complex.boundary.around(u))
-    if(const auto& t = complex.boundary.facet(n).vertices; std::find(t.begin(), t.end(), v) != t.end())
-      facets.push_back(complex.boundary.facet(n));
+  const std::vector<Exchangeable_boundary_3::Facet> facets = complex.boundary.around(u, v);
   // All cells around an edge off the boundary are in one subdomain.
   if(facets.empty() && complex.is_inside(c))
     return New_vertex_3{ p, 3, complex.triangulation.label(c) };
@@ -111,12 +108,12 @@ public:
   bool has_too_many_vertices() const { return number_of_visible_vertices() > most_vertices_; }
   bool has_changed() const { return !places_.empty() || number_of_removed_ > 0; }
 
-  // Inserts the vertex, near a cell, if it has at least this distance from all others, whatever that does to angles; whether it has
-  // been inserted, as the last vertex.
-  bool insert(const New_vertex_3& vertex, double least_distance, int start)
+  // Inserts the vertex, near a cell, if it has at least this distance from all others, and the angles of facets have this share of
+  // the bound, whatever that does to angles of cells; whether it has been inserted, as the last vertex.
+  bool insert(const New_vertex_3& vertex, double least_distance, double share_of_angles, int start)
   {
     begin(vertex, start);
-    return end(trial_.fits(least_distance));
+    return end(trial_.fits(least_distance, share_of_angles));
   }
 
   // Removes a movable vertex if that is permitted, whatever that does to angles; whether it has been removed.

@@ -182,10 +182,11 @@ public:
     return move(s, most);
   }
 
-  // Whether a new vertex may be at its site, at this distance from others, whatever that does to angles.
-  bool fits(double least_distance)
+  // Whether a new vertex may be at its site, at this distance from others, whatever that does to angles of cells. Those of facets
+  // must have this share of the bound.
+  bool fits(double least_distance, double share_of_angles)
   {
-    return find_cells(complex_.sites[cavity_.vertex()]) && has_room(least_distance) && is_permitted();
+    return find_cells(complex_.sites[cavity_.vertex()]) && has_room(least_distance) && is_permitted(share_of_angles);
   }
 
   // The change of the sum of the deficits if the vertex were removed.
@@ -233,7 +234,8 @@ private:
                                                  [this](const Cell* c) { return complex_.numbering.is_kept(c->vertices); }); }
 
   // Whether the change is permitted, whatever that does to angles.
-  bool is_permitted() { return promises(infinity) && ask_all() && exchange_.is_permitted(change_); }
+  bool is_permitted(double share_of_angles = 1)
+  { return promises(infinity) && ask_all() && exchange_.is_permitted(change_, share_of_angles); }
 
   void prepare_to_leave()
   {

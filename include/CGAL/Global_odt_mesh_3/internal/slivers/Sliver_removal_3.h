@@ -60,7 +60,7 @@ struct Sliver_removal_parameters
 // leads to a worse mesh.
 //
 // For each cell, steps that promise more in first order are tried first; then vertices opposite to it in its neighbors, since it
-// goes when they enter its circumsphere; then random positions of its own vertices. Vertices of a boundary at rest may get
+// goes when they enter its circumsphere; then random positions of all these vertices. Vertices of a boundary at rest may get
 // another weight instead. A cell that nothing helps is left alone until it gives way to another.
 //
 // Proposals are made for several cells at once, by threads if these may ask the domain, and then accepted one by one.
@@ -263,11 +263,12 @@ private:
         change_weight(trial, s, best);
       return best;
     }
+    const std::vector<int> vertices = failures % 2 == 0 ? trial.movable_vertices_beyond(s.cell) : trial.movable_vertices(s.vertices);
     std::uint64_t seed = seed_;
     for(int v : s.vertices)
       seed = Split_mix_engine(seed, v)();
     Random random(Split_mix_engine(seed, failures));
-    for(int v : trial.movable_vertices(s.vertices))
+    for(int v : vertices)
     {
       const auto random_place = [&](std::size_t n) -> std::optional<Site>
       {

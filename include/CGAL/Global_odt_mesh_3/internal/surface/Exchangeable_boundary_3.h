@@ -51,6 +51,16 @@ public:
   // The numbers of the facets at a vertex.
   const std::vector<int>& around(int v) const { return around_[v]; }
 
+  // The facets at an edge.
+  std::vector<Facet> around(int v, int w) const
+  {
+    std::vector<Facet> result;
+    for(int n : around_[v])
+      if(has_vertex(facets_[n], w))
+        result.push_back(facets_[n]);
+    return result;
+  }
+
   // Whether one surface goes all around the vertex, or several meet in one line through it; false if a surface ends there.
   bool has_room_to_move(int v) const
   {
