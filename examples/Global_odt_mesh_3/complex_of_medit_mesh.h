@@ -97,6 +97,9 @@ public:
   // The facets that have to stay. Each is there once, and as long as its cell is.
   const std::set<typename C3t3::Facet>& required_facets() const { return required_facets_; }
 
+  // The index of the patch of the triangles with this reference; such triangles must be in the complex.
+  int patch_index(Medit_mesh::Reference reference) const { return patches_.index(reference); }
+
   // How many triangles and edges of the file the complex does not have.
   std::size_t number_of_lost_triangles() const { return lost_triangles_; }
   std::size_t number_of_lost_edges() const { return lost_edges_; }

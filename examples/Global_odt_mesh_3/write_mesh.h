@@ -13,7 +13,7 @@
 #include <string>
 
 // Writes a mesh as prefix.mesh, the format of Medit, and as prefix.vtu, that of ParaView.
-// Cells and facets keep the numbers of their subdomain and patch.
+// Cells have the numbers of their subdomains. CGAL shifts those of patches that are not below the numbers of subdomains.
 template <class C3t3>
 void write_mesh(const C3t3& c3t3, const std::string& prefix)
 {
