@@ -27,7 +27,8 @@ references of physical groups:
 
   --insert              insert vertices where that improves cells, or where a valid mesh needs them
   --remove              remove vertices where that improves cells
-  --size S              the circumradii of cells, in the unit of the coordinates; only with --insert or --remove
+  --size S              the circumradii of cells, in the unit of the coordinates; only with --insert, which then also splits
+                        features, or --remove
   --vertices N          the number of vertices; implies --insert and --remove
   --fix-boundary        vertices and triangles on surfaces stay as they are
   --facet-distance D    how far the middle of a triangle may be from the surface that the file has, in the unit of the

@@ -146,8 +146,9 @@ version of %CGAL in use accepts: `parameters::time_limit = 10, parameters::do_fr
     \cgalParamExtra{Without insertion and removal, and with `number_of_vertices`, only ratios of sizes matter. Near features, whose
                     vertices stay, the sizes of the mesh replace those of the field.}
     \cgalParamExtra{With `do_insert_vertices`, sizes bound circumradii, as those of `Mesh_criteria_3` do: larger cells are split,
-                    unless a feature edge, or an edge where surfaces meet, is in the way. With `do_remove_vertices`, vertices are
-                    removed where the mesh is finer.}
+                    unless a feature edge, or an edge where surfaces meet, is in the way. In a mesh that is its own domain, feature
+                    edges longer than 4/3 of the size are halved. With `do_remove_vertices`, vertices are removed where the mesh is
+                    finer.}
     \cgalParamExtra{The field is evaluated at vertices, with their dimension and index, also outside of the domain, no farther from
                     it than the surrounding edges are long. A `quadrature` also evaluates it inside of cells, with dimension and
                     index of the vertex of the highest dimension. Insertion and removal also evaluate it for dimension 3 and the
@@ -210,7 +211,8 @@ version of %CGAL in use accepts: `parameters::time_limit = 10, parameters::do_fr
   \cgalParamNEnd
   \cgalParamNBegin{do_insert_vertices}
     \cgalParamDescription{whether vertices may be inserted, inside and on surfaces, but neither on features nor where surfaces meet,
-                          except in a mesh that is its own domain, where these are in no regular triangulation of the vertices.
+                          except in a mesh that is its own domain, where these are in no regular triangulation of the vertices, or
+                          where features have edges that are too long for `sizing_field`.
                           Before vertices move, others are inserted into edges that are long compared with `sizing_field`. Without a
                           field, edges are compared with the surrounding edges and with nearby feature edges. At the end, vertices
                           are inserted into cells whose circumradius exceeds `sizing_field` or, without sizes and densities, the

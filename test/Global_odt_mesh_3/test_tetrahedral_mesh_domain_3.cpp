@@ -650,6 +650,57 @@ static void check_equal(const std::string& name, const std::map<int, double>& be
   check::that(are_equal, name);
 }
 
+struct Measures
+{
+  std::map<int, double> curves, patches, volumes;
+
+  explicit Measures(const C3t3& c3t3)
+    : curves(lengths_of_curves(c3t3))
+    , patches(areas_of_patches(c3t3))
+    , volumes(::volumes(c3t3))
+  {}
+};
+
+// With vertices on features and surfaces, the complex is as it was.
+static void check_refined(const std::string& name, const Measures& before, const C3t3& c3t3)
+{
+  check::that(kept_facets::is_regular(c3t3.triangulation()), name, "no regular triangulation");
+  const Measures after(c3t3);
+  check_equal(name + "curves have other lengths", before.curves, after.curves);
+  check_equal(name + "patches have other areas", before.patches, after.patches);
+  check_equal(name + "subdomains have other volumes", before.volumes, after.volumes);
+  C3t3 rescanned(c3t3);
+  rescanned.rescan_after_load_of_triangulation();
+  check::that(numbers(rescanned) == numbers(c3t3), name, "counts", printed(numbers(c3t3)), ", after a rescan", printed(numbers(rescanned)));
+}
+
+// Edges of features are split, too, where they are too long for the sizes.
+static void check_sizes_at_features()
+{
+  constexpr double size = 0.25, longest = 4 / 3. * size;
+  for(unsigned int seed = 1; seed <= 3; ++seed)
+  {
+    C3t3 c3t3;
+    const Complex_of_medit_mesh<C3t3> complex(distorted_box(seed), c3t3, 60);
+    const std::string name = "finer box " + std::to_string(seed) + ": ";
+    const Measures before(c3t3);
+    const std::size_t edges = c3t3.number_of_edges_in_complex(), corners = c3t3.number_of_corners();
+    CGAL::odt_optimize_tetrahedral_mesh_3(c3t3, params::sizing_field = size, params::do_insert_vertices = true, params::random_seed(seed));
+    const CGAL::Mesh_quality_report_3 q = CGAL::mesh_quality_report_3(c3t3, { 30 });
+    check::Largest length;
+    for(auto e = c3t3.edges_in_complex_begin(); e != c3t3.edges_in_complex_end(); ++e)
+      length.add(std::sqrt(CGAL::squared_distance(e->first->vertex(e->second)->point().point(), e->first->vertex(e->third)->point().point())));
+    std::cout << name << edges << " -> " << c3t3.number_of_edges_in_complex() << " edges of features, " << q.number_of_vertices
+              << " vertices, smallest angle " << q.smallest_angle << ", " << q.cells_below[0].second << " of " << q.number_of_cells
+              << " cells below 30 degrees" << std::endl;
+    check::that(c3t3.number_of_edges_in_complex() >= 2 * edges && length < longest + 1e-9, name, "an edge of a feature has a length of ",
+                double(length));
+    check::that(c3t3.number_of_corners() == corners, name, "there are ", c3t3.number_of_corners(), " corners instead of ", corners);
+    check::that(q.smallest_angle > 20 && 1000 * q.cells_below[0].second < q.number_of_cells, name, "cells are bad");
+    check_refined(name, before, c3t3);
+  }
+}
+
 // Where vertices may be inserted, edges and facets of the boundary are split, and otherwise obstacles are named.
 static void check_conforming_refinement()
 {
@@ -658,8 +709,7 @@ static void check_conforming_refinement()
     C3t3 c3t3;
     const Complex_of_medit_mesh<C3t3> complex(bars(0.1 * seed, 0.3 + 0.1 * seed), c3t3, 60);
     const std::string name = "bars " + std::to_string(seed) + ": ";
-    const auto curves = lengths_of_curves(c3t3), patches = areas_of_patches(c3t3);
-    const auto volumes_before = volumes(c3t3);
+    const Measures measures(c3t3);
     std::map<C3t3::Vertex_handle, std::pair<Point_3, int> > vertices;
     for(const auto v : c3t3.triangulation().finite_vertex_handles())
       vertices[v] = std::make_pair(v->point().point(), c3t3.in_dimension(v));
@@ -679,7 +729,6 @@ static void check_conforming_refinement()
     check::that(report.is_changed() && quality.mean_radius_ratio > before, name, "is not refined");
     if(!report.is_changed())
       continue;
-    check::that(kept_facets::is_regular(c3t3.triangulation()), name, "no regular triangulation");
     std::size_t on_curves = 0;
     for(const auto v : c3t3.triangulation().finite_vertex_handles())
       if(const auto old = vertices.find(v); old == vertices.end())
@@ -692,12 +741,7 @@ static void check_conforming_refinement()
       }
     check::that(vertices.empty(), name, "vertices are lost");
     check::that(on_curves > 0, name, "no edge of a feature is split");
-    check_equal(name + "curves have other lengths", curves, lengths_of_curves(c3t3));
-    check_equal(name + "patches have other areas", patches, areas_of_patches(c3t3));
-    check_equal(name + "subdomains have other volumes", volumes_before, volumes(c3t3));
-    C3t3 rescanned(c3t3);
-    rescanned.rescan_after_load_of_triangulation();
-    check::that(numbers(rescanned) == numbers(c3t3), name, "counts", printed(numbers(c3t3)), ", after a rescan", printed(numbers(rescanned)));
+    check_refined(name, measures, c3t3);
   }
 }
 
@@ -716,5 +760,6 @@ int main()
   check_turned_over();
   check_facet_distance();
   check_finer_sizes();
+  check_sizes_at_features();
   return check::result();
 }

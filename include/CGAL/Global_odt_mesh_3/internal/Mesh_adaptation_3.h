@@ -131,6 +131,20 @@ public:
     return static_cast<int>(parameters.number_of_vertices > 0 ? parameters.number_of_vertices : (std::min)(most, Odt_parameters::most_vertices));
   }
 
+  // The wanted sizes; they have to be positive.
+  static User_field_3::Function size_of(const User_field_3& field)
+  {
+    return [&field](const Vertex_stratum& v, const Site& s)
+    {
+      const double x = field.value(v, s);
+      Field_density_3::check(field.meaning, field.polynomial.has_value(), s, x);
+      return field.meaning == User_field_3::SIZE ? x : Density_3::size_of_density(x);
+    };
+  }
+
+  // The wanted length of edges where that size is wanted.
+  static double length_of_size(double size) { return edge_over_size * size; }
+
   // Keeps references to its arguments.
   Mesh_adaptation_3(Tabulated_mesh_3& mesh, const Domain_view_3& domain, Facet_bounds_3& bounds, const Odt_parameters& parameters,
                     const Thread_policy& threads)
@@ -166,7 +180,7 @@ public:
       wanted.scale(std::cbrt(wanted.number_of_vertices() / double(parameters_.number_of_vertices)));
     }
     else if(has_sizes)
-      wanted.scale(edge_over_size);
+      wanted.scale(length_of_size(1));
     else
     {
       wanted.scale(longest_over_mean);
@@ -251,16 +265,6 @@ private:
       l.erase(std::unique(l.begin(), l.end()), l.end());
     }
     return labels;
-  }
-
-  static User_field_3::Function size_of(const User_field_3& field)
-  {
-    return [&field](const Vertex_stratum& v, const Site& s)
-    {
-      const double x = field.value(v, s);
-      Field_density_3::check(field.meaning, field.polynomial.has_value(), s, x);
-      return field.meaning == User_field_3::SIZE ? x : Density_3::size_of_density(x);
-    };
   }
 
   // Writes the edited complex to the mesh; false if nothing has changed.

@@ -251,7 +251,9 @@ private:
     Sliver_census_3 slivers = Optimization_attempt_3::slivers_of_input(adapted.table(), domain_);
     const std::optional<Size_criteria_3> criteria = size_criteria(adapted.table());
     const auto may_go_on = [this] { return control_.may_go_on(); };
-    if(!adapt_sizes(adapted) && conform(adapted))
+    if(field_ && field_.meaning == User_field_3::SIZE)
+      conform(adapted, true);
+    if(!adapt_sizes(adapted) && conform(adapted, false))
     {
       slivers.is_of_moved_mesh = true;
       adapt_sizes(adapted);
@@ -287,14 +289,19 @@ private:
     return adaptation(mesh).adapt_sizes(field_, [&] { return questions++ % edges_of_question != 0 || control_.may_move(); });
   }
 
-  // Inserts vertices on edges and facets of the boundary where the mesh cannot be made regular without them. False if that is not
-  // permitted or does not help.
-  bool conform(Tabulated_mesh_3& mesh)
+  // Inserts vertices on edges and facets of the boundary where the mesh cannot be made regular without them, or where feature edges are
+  // too long for the wanted sizes. False if that is not permitted or does not help.
+  bool conform(Tabulated_mesh_3& mesh, bool to_sizes)
   {
     if(!parameters_.do_insert_vertices || !parameters_.optimize_boundary || !domain_.has_cells_of_mesh())
       return false;
     Conforming_refinement_3 refinement(mesh.table());
-    if(!refinement.run(Mesh_adaptation_3::most_vertices(parameters_, mesh), [this] { return control_.may_move(); }))
+    const int most_vertices = Mesh_adaptation_3::most_vertices(parameters_, mesh);
+    const auto may_go_on = [this] { return control_.may_move(); };
+    // Vertices on features do not move: if edges were longer than that, vertices on surfaces would come close to them.
+    const auto longest = [size = Mesh_adaptation_3::size_of(field_)](const Site& middle, int curve)
+    { return Mesh_adaptation_3::length_of_size(size({ -1, 1, curve }, middle)); };
+    if((to_sizes && !refinement.split_feature_edges(longest, most_vertices, may_go_on)) || !refinement.run(most_vertices, may_go_on))
       return false;
     Tabulated_mesh_3::State before = mesh.state();
     mesh.return_to({ refinement.take_table() });

@@ -31,9 +31,9 @@
 
 namespace CGAL::Global_odt_mesh_3::internal {
 
-// Splits edges of a boundary with long thin facets that no regular triangulation contains, until the Delaunay triangulation of all
-// vertices conforms to it: it contains the creases and, between these, facets in the same planes. Cells are split along with their
-// edges, whatever their shape, since other cells replace them.
+// Splits feature edges that are too long, and edges of a boundary with long thin facets that no regular triangulation contains, until
+// the Delaunay triangulation of all vertices conforms to the boundary: it contains the creases and, between these, facets in the same
+// planes. Cells are split along with their edges, whatever their shape, since other cells replace them.
 //
 // Where two edges meet at a small angle, parts of each may come too close to the other. As in Ruppert's method, parts at a vertex
 // of the input have a power of two for their length, so that they end on common spheres around it.
@@ -59,7 +59,29 @@ public:
         curves_.emplace(sorted(e.vertices), e.curve);
   }
 
-  // False if an edge that must not be split would have to be, if there would be too many vertices, or if the user stops it.
+  // Halves feature edges that are longer than `longest(middle, curve)`, as far as they may be split; whether there are any.
+  template <class Longest, class Predicate>
+  bool split_feature_edges(const Longest& longest, int most_vertices, const Predicate& may_go_on)
+  {
+    std::vector<Edge> edges;
+    for(const auto& c : curves_)
+      edges.push_back(c.first);
+    while(!edges.empty() && static_cast<int>(table_.sites.size()) < most_vertices && may_go_on())
+    {
+      const Edge e = edges.back();
+      edges.pop_back();
+      if(!may_be_split(e) || !(length(e) > longest(middle(e), curves_.at(e))))
+        continue;
+      const int m = static_cast<int>(table_.sites.size());
+      split(e);
+      for(int v : e)
+        edges.push_back(sorted(Edge{{ v, m }}));
+    }
+    return static_cast<int>(table_.sites.size()) > first_new_;
+  }
+
+  // Splits what does not conform. False if an edge that must not be split would have to be, if there would be too many vertices, or if
+  // the user stops it.
   template <class Predicate>
   bool run(int most_vertices, const Predicate& may_go_on)
   {
