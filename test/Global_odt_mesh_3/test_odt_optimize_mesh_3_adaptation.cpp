@@ -268,6 +268,7 @@ void test_sizes(const std::string& name, const C3t3& input, const Domain& domain
   {
     Mesh_contract<C3t3, Domain> contract(input, domain, name + ", sizes");
     contract.permit(true, true);
+    contract.permit_finer_surfaces();
     C3t3 c3t3(input);
     CGAL::odt_optimize_mesh_3(c3t3, domain, params::do_insert_vertices = true, params::do_remove_vertices = true,
                               params::sizing_field = factor * largest);
@@ -293,6 +294,7 @@ void test_number(const std::string& name, const C3t3& input, const Domain& domai
       Mesh_contract<C3t3, Domain> contract(input, domain, name + ", number of vertices");
       const std::size_t wanted = static_cast<std::size_t>(factor * before);
       contract.permit(true, true, before / double(wanted));
+      contract.permit_finer_surfaces();
       C3t3 c3t3(input);
       Removal_visitor<typename C3t3::Vertex_handle> visitor;
       const auto handles = handles_of(c3t3);
@@ -461,6 +463,7 @@ static void early_ends(const domains::Labeled_c3t3& input, const domains::Labele
   const CGAL::Mesh_constant_domain_field_3<domains::Kernel, domains::Labeled_domain::Index> size(0.12);
   Mesh_contract<domains::Labeled_c3t3, domains::Labeled_domain> contract(input, domain, "early ends");
   contract.permit(true, true);
+  contract.permit_finer_surfaces();
   const double before = quality_of(input).smallest_angle;
   std::set<std::size_t> numbers;
   for(int most : { 1, 5, 10, 15, 20, 25, 30, 35, 40, 50, 100, 1000 })
