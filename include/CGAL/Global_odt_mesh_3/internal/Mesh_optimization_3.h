@@ -251,7 +251,8 @@ private:
     Sliver_census_3 slivers = Optimization_attempt_3::slivers_of_input(adapted.table(), domain_);
     const std::optional<Size_criteria_3> criteria = size_criteria(adapted.table());
     const auto may_go_on = [this] { return control_.may_go_on(); };
-    if(field_ && field_.meaning == User_field_3::SIZE)
+    // With a number of vertices, only ratios of sizes matter.
+    if(field_ && field_.meaning == User_field_3::SIZE && parameters_.number_of_vertices == 0)
       conform(adapted, true);
     if(!adapt_sizes(adapted) && conform(adapted, false))
     {
