@@ -319,8 +319,7 @@ inline std::ostream& operator<<(std::ostream& out, const Mesh_quality_report_3& 
     s << '\n';
   };
   list(r.cells_below);
-  const auto is_none = [](const std::pair<double, std::size_t>& b) { return b.second == 0; };
-  if(!std::all_of(r.cells_below_at_boundary.begin(), r.cells_below_at_boundary.end(), is_none))
+  if(std::any_of(r.cells_below_at_boundary.begin(), r.cells_below_at_boundary.end(), [](const auto& b) { return b.second > 0; }))
   {
     s << "of these, between two facets of the complex";
     list(r.cells_below_at_boundary);

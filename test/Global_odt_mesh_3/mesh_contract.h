@@ -102,8 +102,8 @@ public:
                 centers_off_before);
     check::that(after.farthest_centroid_off_slivers <= 1.01 * coarsening_ * before_.farthest_centroid + 1e-12, n, "a facet's centroid is ",
                 after.farthest_centroid_off_slivers, " from the surface, before ", before_.farthest_centroid, ", times ", coarsening_);
-    check::that(after.smallest_facet_angle >= share_of_facet_angle_ * (std::min)(before_.smallest_facet_angle, facet_angle) - 1e-3, n, "a facet has an angle of ",
-                after.smallest_facet_angle, " degrees, before ", before_.smallest_facet_angle);
+    check::that(after.smallest_facet_angle >= share_of_facet_angle_ * (std::min)(before_.smallest_facet_angle, facet_angle) - 1e-3, n,
+                "a facet has an angle of ", after.smallest_facet_angle, " degrees, before ", before_.smallest_facet_angle);
     check_volume(after, share_of_layer);
   }
 

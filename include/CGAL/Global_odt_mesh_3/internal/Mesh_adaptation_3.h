@@ -123,6 +123,9 @@ private:
 class Mesh_adaptation_3
 {
 public:
+  // The ratio of edge length to size in meshes by Mesh_3, whose sizes bound circumradii.
+  static constexpr double edge_over_size = 4 / 3.;
+
   // The largest number of vertices that a call may lead to: the number the user wants or else a multiple of the input's, so that a
   // field in wrong units does not exhaust the memory.
   static int most_vertices(const Odt_parameters& parameters, const Tabulated_mesh_3& mesh)
@@ -141,9 +144,6 @@ public:
       return field.meaning == User_field_3::SIZE ? x : Density_3::size_of_density(x);
     };
   }
-
-  // The wanted length of edges where that size is wanted.
-  static double length_of_size(double size) { return edge_over_size * size; }
 
   // Keeps references to its arguments.
   Mesh_adaptation_3(Tabulated_mesh_3& mesh, const Domain_view_3& domain, Facet_bounds_3& bounds, const Odt_parameters& parameters,
@@ -180,7 +180,7 @@ public:
       wanted.scale(std::cbrt(wanted.number_of_vertices() / double(parameters_.number_of_vertices)));
     }
     else if(has_sizes)
-      wanted.scale(length_of_size(1));
+      wanted.scale(edge_over_size);
     else
     {
       wanted.scale(longest_over_mean);
@@ -190,7 +190,7 @@ public:
                                : has_sizes ? wanted.number_of_vertices() : number_before;
     const double coarsening = parameters_.do_remove_vertices ? (std::max)(1., number_before / wanted_number) : 1.;
     bounds_.permit_coarsening(coarsening);
-    Vertex_edits_3 edits(complex_, most_vertices(parameters_, mesh_), coarsening);
+    Vertex_edits_3 edits(complex_, most_vertices(parameters_, mesh_), coarsening, tolerance.share_of_facet_angles);
     Size_adaptation_3 adaptation(edits, wanted, tolerance);
     if(parameters_.do_remove_vertices)
       adaptation.remove_vertices(may_go_on);
@@ -233,8 +233,6 @@ public:
 
 private:
   static constexpr std::size_t most_growth = 10, fewest_permitted = 100000;
-  // The ratio of edge length to size in meshes by Mesh_3, whose sizes bound circumradii.
-  static constexpr double edge_over_size = 4 / 3.;
   // Without given sizes, only edges far from the mean length are changed; a smaller factor makes cells worse.
   static constexpr double longest_over_mean = 1.3;
   static constexpr Size_tolerance of_sizes = { 4 / 3., 0.6, 0.5 }, of_neighbors = { 1.7, 0.45, 1 };

@@ -301,7 +301,7 @@ private:
     const auto may_go_on = [this] { return control_.may_move(); };
     // Vertices on features do not move: if edges were longer than that, vertices on surfaces would come close to them.
     const auto longest = [size = Mesh_adaptation_3::size_of(field_)](const Site& middle, int curve)
-    { return Mesh_adaptation_3::length_of_size(size({ -1, 1, curve }, middle)); };
+    { return Mesh_adaptation_3::edge_over_size * size({ -1, 1, curve }, middle); };
     if((to_sizes && !refinement.split_feature_edges(longest, most_vertices, may_go_on)) || !refinement.run(most_vertices, may_go_on))
       return false;
     Tabulated_mesh_3::State before = mesh.state();

@@ -67,6 +67,7 @@ struct Editable_complex_3
   const std::vector<Site>& sites;
   Exchangeable_boundary_3 boundary;
   Circumradius_bound_3 size_bound;              // of cells
+  double share_of_facet_angles = 1;             // of the bound, which facets around inserted vertices need to have
   std::map<Triple, Complex_snapshot_3::Surface_center> centers;     // of new or moved facets, by sorted vertices
 
   // `numbers` begins with the numbering of the snapshot. If `moves` is false, the boundary stays. Threads share the visits of all

@@ -44,8 +44,8 @@ public:
   {}
 
   // For cells that have been found and labelled: whether the boundary keeps its topology, stays close to the surface, and gets no
-  // flatter facets; around an inserted vertex, angles need only have a share of the bound.
-  bool is_permitted(const Exchangeable_boundary_3::Vertex_change& change, double share_of_angles = 1)
+  // flatter facets.
+  bool is_permitted(const Exchangeable_boundary_3::Vertex_change& change)
   {
     removed_.clear();
     added_.clear();
@@ -62,7 +62,8 @@ public:
       return false;
     // If the number of vertices stays the same, facets that are bad already may stay so.
     const double bound = complex_.bounds.smallest_angle();
-    const double least = change.vertex >= 0 ? share_of_angles * bound : (std::min)((std::max)(bound, small_angle), smallest_angle_before());
+    const double least = change.is_inserted ? complex_.share_of_facet_angles * bound
+                       : change.vertex >= 0 ? bound : (std::min)((std::max)(bound, small_angle), smallest_angle_before());
     const std::vector<Triple> facets = new_facets();
     return std::all_of(facets.begin(), facets.end(), [&](const Triple& t)
     {

@@ -34,7 +34,7 @@ namespace CGAL::Global_odt_mesh_3::internal {
 struct Size_tolerance
 {
   double longest = (std::numeric_limits<double>::infinity)(), shortest = 0;
-  double share_of_angles = 1;
+  double share_of_facet_angles = 1;
   bool wants_number = false;      // the number of vertices must be reached, whatever the edge lengths
 };
 
@@ -133,7 +133,7 @@ private:
     if(c < 0)
       return false;
     const std::optional<New_vertex_3> v = middle_of_edge(complex_, e.u, e.v, c);
-    return v && edits_.insert(*v, (std::min)(nearest * e.length / e.rank, nearest_over_edge * e.length), tolerance_.share_of_angles, c);
+    return v && edits_.insert(*v, (std::min)(nearest * e.length / e.rank, nearest_over_edge * e.length), c);
   }
 
   Vertex_edits_3& edits_;

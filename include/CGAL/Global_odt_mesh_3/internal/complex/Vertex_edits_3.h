@@ -85,14 +85,16 @@ class Vertex_edits_3
 {
 public:
   // Surfaces get vertices only if the boundary moves. The complex is full at `most_vertices`. If `coarsening` divides the number of
-  // vertices, volumes may change more.
-  Vertex_edits_3(Complex_updater_3& updater, int most_vertices, double coarsening = 1)
+  // vertices, volumes may change more. Facets around inserted vertices need to have a share of the bound on angles.
+  Vertex_edits_3(Complex_updater_3& updater, int most_vertices, double coarsening = 1, double share_of_facet_angles = 1)
     : most_vertices_(most_vertices)
     , numbering_(std::make_shared<Vertex_numbering_3>(*updater.snapshot().numbering))
     , complex_(updater.edit(*numbering_))
     , trial_(complex_)
     , most_of_volume_((std::min)(usual_most_of_volume + most_of_volume_of_coarsening * (coarsening - 1), most_of_volume_ever))
-  {}
+  {
+    complex_.share_of_facet_angles = share_of_facet_angles;
+  }
 
   Vertex_edits_3(const Vertex_edits_3&) = delete;
   Vertex_edits_3& operator=(const Vertex_edits_3&) = delete;
@@ -108,12 +110,12 @@ public:
   bool has_too_many_vertices() const { return number_of_visible_vertices() > most_vertices_; }
   bool has_changed() const { return !places_.empty() || number_of_removed_ > 0; }
 
-  // Inserts the vertex, near a cell, if it has at least this distance from all others, and the angles of facets have this share of
-  // the bound, whatever that does to angles of cells; whether it has been inserted, as the last vertex.
-  bool insert(const New_vertex_3& vertex, double least_distance, double share_of_angles, int start)
+  // Inserts the vertex, near a cell, if it has at least this distance from all others, whatever that does to angles of cells; whether
+  // it has been inserted, as the last vertex.
+  bool insert(const New_vertex_3& vertex, double least_distance, int start)
   {
     begin(vertex, start);
-    return end(trial_.fits(least_distance, share_of_angles));
+    return end(trial_.fits(least_distance));
   }
 
   // Removes a movable vertex if that is permitted, whatever that does to angles; whether it has been removed.

@@ -182,11 +182,10 @@ public:
     return move(s, most);
   }
 
-  // Whether a new vertex may be at its site, at this distance from others, whatever that does to angles of cells. Those of facets
-  // must have this share of the bound.
-  bool fits(double least_distance, double share_of_angles)
+  // Whether a new vertex may be at its site, at this distance from others, whatever that does to angles of cells.
+  bool fits(double least_distance)
   {
-    return find_cells(complex_.sites[cavity_.vertex()]) && has_room(least_distance) && is_permitted(share_of_angles);
+    return find_cells(complex_.sites[cavity_.vertex()]) && has_room(least_distance) && is_permitted();
   }
 
   // The change of the sum of the deficits if the vertex were removed.
@@ -234,8 +233,7 @@ private:
                                                  [this](const Cell* c) { return complex_.numbering.is_kept(c->vertices); }); }
 
   // Whether the change is permitted, whatever that does to angles.
-  bool is_permitted(double share_of_angles = 1)
-  { return promises(infinity) && ask_all() && exchange_.is_permitted(change_, share_of_angles); }
+  bool is_permitted() { return promises(infinity) && ask_all() && exchange_.is_permitted(change_); }
 
   void prepare_to_leave()
   {
