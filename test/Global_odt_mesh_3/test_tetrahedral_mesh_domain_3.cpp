@@ -198,7 +198,7 @@ static Medit_mesh distorted_box(unsigned int seed, int cells_in_hexahedron = 6, 
 }
 
 template <class C3t3>
-std::map<int, double> volumes(const C3t3& c3t3)
+std::map<int, double> volumes_of_subdomains(const C3t3& c3t3)
 {
   std::map<int, double> result;
   for(auto c = c3t3.cells_in_complex_begin(); c != c3t3.cells_in_complex_end(); ++c)
@@ -210,7 +210,7 @@ std::map<int, double> volumes(const C3t3& c3t3)
 template <class C3t3>
 void check_volumes(const std::string& name, const C3t3& c3t3, const std::map<int, double>& before, double share)
 {
-  const std::map<int, double> after = volumes(c3t3);
+  const std::map<int, double> after = volumes_of_subdomains(c3t3);
   check::that(after.size() == before.size(), name, ": there are ", after.size(), " subdomains");
   for(const auto& v : before)
     check::that(after.count(v.first) == 1 && std::abs(after.at(v.first) / v.second - 1) <= share, name, ": the volume of subdomain ",
@@ -225,7 +225,7 @@ static void check_call()
   const structured_box::Domain domain(c3t3);
   check_labels(c3t3, domain, "distorted box");
   const Medit_mesh before = complex.to_medit();
-  const std::map<int, double> volume = volumes(c3t3);
+  const std::map<int, double> volume = volumes_of_subdomains(c3t3);
   CGAL::Mesh_optimization_report_3<C3t3> report;
   CGAL::odt_optimize_tetrahedral_mesh_3(c3t3, params::optimization_report = std::ref(report));
   std::cout << "distorted box: " << report;
@@ -282,7 +282,7 @@ static void check_fixed_boundary()
     const Complex_of_medit_mesh<C3t3> complex(input, c3t3, 60);
     const structured_box::Domain domain(c3t3);
     const auto facets = kept_facets::all(c3t3);
-    const std::map<int, double> volume = volumes(c3t3);
+    const std::map<int, double> volume = volumes_of_subdomains(c3t3);
     std::map<C3t3::Vertex_handle, double> weights;
     for(int call = 0; call < 2; ++call)
     {
@@ -358,7 +358,7 @@ static void check_constrained_facets(int cells_in_hexahedron, double in_faces, d
     const Complex_of_medit_mesh<C3t3> complex(input, c3t3, 60);
     std::set<C3t3::Facet> constrained = kept_facets::some(c3t3, share, seed);
     const auto records = kept_facets::records(c3t3, constrained);
-    const std::map<int, double> volume = volumes(c3t3);
+    const std::map<int, double> volume = volumes_of_subdomains(c3t3);
     const auto all = kept_facets::all(c3t3);
     for(int call = 0; call < 2; ++call)
     {
@@ -466,7 +466,7 @@ static void check_facet_distance()
   Labeled_c3t3 input = domains::mesh(domains::sphere(), 0.35);
   CGAL::complete_mesh_complex_3(input, 90);
   const CGAL::Tetrahedral_mesh_domain_3<Labeled_c3t3> domain(input);
-  const std::map<int, double> volume = volumes(input);
+  const std::map<int, double> volume = volumes_of_subdomains(input);
   const double bend = largest_bend(input), angle = CGAL::mesh_quality_report_3(input).smallest_angle;
   std::cout << "coarse ball: " << input.number_of_facets_in_complex() << " facets, with bends up to " << bend << std::endl;
   for(double share : { 0., 1e-3, 0.3, 1., 3. })
@@ -528,7 +528,7 @@ static void check_finer_sizes()
   CGAL::complete_mesh_complex_3(input, 90);
   // After that, halves of facets have angles below the bound.
   CGAL::odt_optimize_tetrahedral_mesh_3(input);
-  const std::map<int, double> volume = volumes(input);
+  const std::map<int, double> volume = volumes_of_subdomains(input);
   const double length = mean_length_on_surface(input) / 4;
   for(unsigned int seed = 0; seed < 3; ++seed)
   {
@@ -657,7 +657,7 @@ struct Measures
   explicit Measures(const C3t3& c3t3)
     : curves(lengths_of_curves(c3t3))
     , patches(areas_of_patches(c3t3))
-    , volumes(::volumes(c3t3))
+    , volumes(volumes_of_subdomains(c3t3))
   {}
 };
 
