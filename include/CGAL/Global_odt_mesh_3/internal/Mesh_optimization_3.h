@@ -290,8 +290,8 @@ private:
     return adaptation(mesh).adapt_sizes(field_, [&] { return questions++ % edges_of_question != 0 || control_.may_move(); });
   }
 
-  // Inserts vertices on edges and facets of the boundary where the mesh cannot be made regular without them, or where feature edges are
-  // too long for the wanted sizes. False if that is not permitted or does not help.
+  // Inserts vertices on the boundary where the mesh cannot be made regular without them, or where edges are too long for the wanted
+  // sizes. False if that is not permitted or does not help.
   bool conform(Tabulated_mesh_3& mesh, bool to_sizes)
   {
     if(!parameters_.do_insert_vertices || !parameters_.optimize_boundary || !domain_.has_cells_of_mesh())
@@ -299,10 +299,11 @@ private:
     Conforming_refinement_3 refinement(mesh.table());
     const int most_vertices = Mesh_adaptation_3::most_vertices(parameters_, mesh);
     const auto may_go_on = [this] { return control_.may_move(); };
-    // Vertices on features do not move: if edges were longer than that, vertices on surfaces would come close to them.
-    const auto longest = [size = Mesh_adaptation_3::size_of(field_)](const Site& middle, int curve)
-    { return Mesh_adaptation_3::edge_over_size * size({ -1, 1, curve }, middle); };
-    if((to_sizes && !refinement.split_feature_edges(longest, most_vertices, may_go_on)) || !refinement.run(most_vertices, may_go_on))
+    const auto wanted = [size = Mesh_adaptation_3::size_of(field_)](const Vertex_stratum& v, const Site& s)
+    { return Mesh_adaptation_3::edge_over_size * size(v, s); };
+    if(to_sizes && !refinement.split_long_edges(wanted, most_vertices, may_go_on))
+      return false;
+    if(!refinement.run(most_vertices, may_go_on))
       return false;
     Tabulated_mesh_3::State before = mesh.state();
     mesh.return_to({ refinement.take_table() });

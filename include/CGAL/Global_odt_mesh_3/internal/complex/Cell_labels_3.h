@@ -22,6 +22,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <utility>
 #include <vector>
 
@@ -65,6 +66,8 @@ public:
     };
     for(const Unlabelled_cell& d : domain_.collect<Unlabelled_cell>(in_question.size(), label_where_clear))
       label_or_report(d.first, d.second, report);
+    if(domain_.has_cells_of_mesh())
+      leave_out_flat_cells(in_question);
     collect_cells_at_boundary(in_question);
     return report;
   }
@@ -132,6 +135,42 @@ private:
     triangulation_.set_label(c, found.label_of_dual);
     triangulation_.set_flag(c, IS_LABELLED);
     return true;
+  }
+
+  // Flat cells beside cells outside are outside, too: they would be slivers that stay if their vertices are on features.
+  void leave_out_flat_cells(const std::vector<int>& numbers) const
+  {
+    const double thickness = rounding_of_coordinates(candidate_.sites);
+    const auto label = [this](int c) { return triangulation_.label(c); };
+    const auto is_in_question = [&](int c)
+    { return label(c) != Domain_view_3::outside && triangulation_.has_flag(c, MAY_HAVE_BOUNDARY_FACETS) && is_flat(c, thickness)
+             && known_label_of_dual(triangulation_.vertices(c)) == no_subdomain; };
+    std::vector<int> cells;
+    for(int n : numbers)
+      if(const int c = triangulation_.cells()[n]; is_in_question(c))
+        cells.push_back(c);
+    while(!cells.empty())
+    {
+      const int c = cells.back();
+      cells.pop_back();
+      const Quadruple around = {{ triangulation_.neighbor(c, 0), triangulation_.neighbor(c, 1), triangulation_.neighbor(c, 2),
+                                  triangulation_.neighbor(c, 3) }};
+      if(std::none_of(around.begin(), around.end(), [&](int d) { return label(d) == Domain_view_3::outside; }))
+        continue;
+      triangulation_.set_label(c, Domain_view_3::outside);
+      std::copy_if(around.begin(), around.end(), std::back_inserter(cells), is_in_question);
+    }
+  }
+
+  // Whether all vertices of a cell are on the boundary, and near to one plane.
+  bool is_flat(int c, double thickness) const
+  {
+    const Quadruple& q = triangulation_.vertices(c);
+    if(!std::all_of(q.begin(), q.end(), [this](int v) { return v >= 0 && is_on_boundary(v); }))
+      return false;
+    const Cell_products t = products(q);
+    const Cell_facets_3 facets(triangulation_.cell_sites(c));
+    return t.determinant <= thickness * *std::max_element(facets.area.begin(), facets.area.end());
   }
 
   // Reports a cell whose vertices have come too close to the boundary.

@@ -18,22 +18,26 @@
 #include <CGAL/Global_odt_mesh_3/internal/geometry/Vector_3.h>
 #include <CGAL/Global_odt_mesh_3/internal/geometry/Vertex_tuples.h>
 #include <CGAL/Global_odt_mesh_3/internal/interface/Mesh_view_3.h>
+#include <CGAL/Global_odt_mesh_3/internal/interface/User_field_3.h>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
 #include <iterator>
+#include <limits>
 #include <map>
+#include <numeric>
+#include <queue>
 #include <set>
 #include <utility>
 #include <vector>
 
 namespace CGAL::Global_odt_mesh_3::internal {
 
-// Splits feature edges that are too long, and edges of a boundary with long thin facets that no regular triangulation contains, until
-// the Delaunay triangulation of all vertices conforms to the boundary: it contains the creases and, between these, facets in the same
-// planes. Cells are split along with their edges, whatever their shape, since other cells replace them.
+// Splits edges of a boundary that are too long, or have long thin facets that no regular triangulation contains, until the Delaunay
+// triangulation of all vertices conforms to the boundary: it contains the creases and, between these, facets in the same planes.
+// Cells are split along with their edges, whatever their shape, since other cells replace them.
 //
 // Where two edges meet at a small angle, parts of each may come too close to the other. As in Ruppert's method, parts at a vertex
 // of the input have a power of two for their length, so that they end on common spheres around it.
@@ -59,23 +63,42 @@ public:
         curves_.emplace(sorted(e.vertices), e.curve);
   }
 
-  // Halves feature edges that are longer than `longest(middle, curve)`, as far as they may be split; whether there are any.
-  template <class Longest, class Predicate>
-  bool split_feature_edges(const Longest& longest, int most_vertices, const Predicate& may_go_on)
+  // Halves feature edges that are longer than `wanted(stratum, middle)`, as far as they may be split, and edges on surfaces so that
+  // facets do not get thin beside them; whether there are any. Those that are the longest for their bounds come first.
+  template <class Length, class Predicate>
+  bool split_long_edges(const Length& wanted, int most_vertices, const Predicate& may_go_on)
   {
-    std::vector<Edge> edges;
-    for(const auto& c : curves_)
-      edges.push_back(c.first);
+    std::priority_queue<std::pair<double, Edge> > edges;
+    const auto push = [&](const Edge& e)
+    {
+      if(const double ratio = length(e) / longest(e, wanted); ratio > 1)
+        edges.emplace(ratio, e);
+    };
+    const auto push_edges = [&](const std::vector<Triple>& facets, int end)
+    {
+      std::set<Edge> found;
+      for(const Triple& t : facets)
+        for(int i = 0; i < 3; ++i)
+          if(const Edge e = edge(t, i); end == none || e[0] == end || e[1] == end)
+            found.insert(e);
+      std::for_each(found.begin(), found.end(), push);
+    };
+    push_edges(boundary_facets(), none);
+    std::set<Edge> staying;
     while(!edges.empty() && static_cast<int>(table_.sites.size()) < most_vertices && may_go_on())
     {
-      const Edge e = edges.back();
-      edges.pop_back();
-      if(!may_be_split(e) || !(length(e) > longest(middle(e), curves_.at(e))))
+      const Edge e = edges.top().second;
+      edges.pop();
+      if(cells_around(e).empty())
         continue;
+      if(!may_be_split(e) || is_beside_longer_edge(e, staying))
+      {
+        staying.insert(e);
+        continue;
+      }
       const int m = static_cast<int>(table_.sites.size());
       split(e);
-      for(int v : e)
-        edges.push_back(sorted(Edge{{ v, m }}));
+      push_edges(boundary_facets(cells_at_[m]), m);
     }
     return static_cast<int>(table_.sites.size()) > first_new_;
   }
@@ -85,6 +108,7 @@ public:
   template <class Predicate>
   bool run(int most_vertices, const Predicate& may_go_on)
   {
+    const int most = (std::min)(most_vertices, most_growth * static_cast<int>(table_.sites.size()) + fewest_permitted);
     for(;;)
     {
       triangulate();
@@ -96,7 +120,7 @@ public:
       if(edges.empty())
         return true;
       const int number = static_cast<int>(table_.sites.size() + edges.size());
-      if(number > (std::min)(most_vertices, most_growth * first_new_ + fewest_permitted) || !may_go_on()
+      if(number > most || !may_go_on()
          || !std::all_of(edges.begin(), edges.end(), [this](const Edge& e) { return may_be_split(e); }))
         return false;
       for(const Edge& e : edges)
@@ -119,16 +143,26 @@ private:
   typedef std::array<int, 2> Edge;
 
   static constexpr int most_growth = 8, fewest_permitted = 1000;
+  // The bounds on edges on surfaces, relative to those on features: the former get vertices that are placed better later on, but none
+  // fit between features with short edges and facets that are long.
+  static constexpr double longest_at_feature = 1.5, longest_on_surface = 2;
   static constexpr int none = -1, no_curve = Mesh_table_3::Feature_edge::no_curve;
 
   bool is_on_boundary(int c, int i) const
   { return facets_[c][i] != none || table_.cells[c].label != table_.cells[table_.cells[c].neighbors[i]].label; }
 
-  // Facets and their vertices are sorted.
   std::vector<Triple> boundary_facets() const
   {
+    std::vector<int> cells(table_.cells.size());
+    std::iota(cells.begin(), cells.end(), 0);
+    return boundary_facets(cells);
+  }
+
+  // Those of some cells. Facets and their vertices are sorted.
+  std::vector<Triple> boundary_facets(const std::vector<int>& cells) const
+  {
     std::vector<Triple> result;
-    for(int c = 0; c < static_cast<int>(table_.cells.size()); ++c)
+    for(int c : cells)
       for(int i = 0; i < 4; ++i)
         if(is_on_boundary(c, i))
           result.push_back(sorted(facet_vertices(table_.cells[c].vertices, i)));
@@ -226,6 +260,30 @@ private:
   static Edge edge(const Triple& t, int i) { return sorted(Edge{{ t[i], t[(i + 1) % 3] }}); }
 
   double length(const Edge& e) const { return (position(table_.sites[e[1]]) - position(table_.sites[e[0]])).length(); }
+
+  // The bound on the length of an edge of the boundary.
+  template <class Length>
+  double longest(const Edge& e, const Length& wanted) const
+  {
+    if(const auto curve = curves_.find(e); curve != curves_.end())
+      return wanted(Vertex_stratum{ -1, 1, curve->second }, middle(e));
+    const int patch = patch_around(e);
+    if(patch == none)
+      return (std::numeric_limits<double>::infinity)();
+    const bool is_at_feature = table_.dimensions[e[0]] < 2 || table_.dimensions[e[1]] < 2;
+    return (is_at_feature ? longest_at_feature : longest_on_surface) * wanted(Vertex_stratum{ -1, 2, patch }, middle(e));
+  }
+
+  // Whether a facet of the boundary has this edge and a longer one that stays. Beside that edge, others would be halved for ever.
+  bool is_beside_longer_edge(const Edge& e, const std::set<Edge>& staying) const
+  {
+    const auto is_longer_and_stays = [&](const Edge& f) { return length(f) > length(e) && (staying.count(f) > 0 || !may_be_split(f)); };
+    for(const Triple& t : boundary_facets(cells_around(e)))
+      if(std::includes(t.begin(), t.end(), e.begin(), e.end())
+         && (is_longer_and_stays(edge(t, 0)) || is_longer_and_stays(edge(t, 1)) || is_longer_and_stays(edge(t, 2))))
+        return true;
+    return false;
+  }
 
   std::vector<int> cells_around(const Edge& e) const
   {

@@ -181,7 +181,8 @@ typedef internal_np::sizing_field_t sizing_field;
 template <class Tag, bool is_read, int times, class Call>
 struct Check_parameter
 {
-  static_assert(is_read, "the named parameter in Check_parameter<...> is none of those that this function reads");
+  static_assert(is_read, "the named parameter in Check_parameter<...> is none of those that this function reads (some are not read"
+                         " for periodic meshes)");
   static_assert(!is_read || times == 1, "the named parameter in Check_parameter<...> is given twice");
   static constexpr bool value = is_read && times == 1;
 };
