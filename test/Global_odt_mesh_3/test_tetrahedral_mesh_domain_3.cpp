@@ -701,6 +701,53 @@ static void check_sizes_at_features()
   }
 }
 
+// A prism with a regular base, of three cells for each side.
+static Medit_mesh drum(int sides, double radius, double height)
+{
+  Medit_mesh m;
+  const int above = sides + 1;
+  for(double z : { 0., height })
+  {
+    m.points.push_back({{ 0, 0, z }});
+    for(int i = 0; i < sides; ++i)
+      m.points.push_back({{ radius * std::cos(2 * CGAL_PI * i / sides), radius * std::sin(2 * CGAL_PI * i / sides), z }});
+  }
+  m.point_references.resize(m.points.size());
+  for(int i = 0; i < sides; ++i)
+  {
+    // The diagonals of faces begin at the vertex with the lower number.
+    const auto [a, b] = std::minmax({ 1 + i, 1 + (i + 1) % sides });
+    m.tetrahedra.push_back({ {{ 0, a, b, b + above }}, 1 });
+    m.tetrahedra.push_back({ {{ 0, a, a + above, b + above }}, 1 });
+    m.tetrahedra.push_back({ {{ 0, above, a + above, b + above }}, 1 });
+  }
+  return m;
+}
+
+// All vertices are on features or in the middle of a base, so that finer sizes need vertices on all faces at once: facets between
+// features must not get thin, nor cells flat.
+static void check_sizes_between_features()
+{
+  for(int sides : { 10, 16, 24 })
+    for(double height : { 0.5, 1.5 })
+    {
+      C3t3 c3t3;
+      const Complex_of_medit_mesh<C3t3> complex(drum(sides, 5, height), c3t3, 60);
+      const std::string name = "drum of " + std::to_string(sides) + " sides, height " + std::to_string(height) + ": ";
+      const std::map<int, double> curves = lengths_of_curves(c3t3), volume = volumes_of_subdomains(c3t3);
+      const double size = height < 1 ? 0.25 : 0.4;
+      CGAL::odt_optimize_tetrahedral_mesh_3(c3t3, params::sizing_field = size, params::do_insert_vertices = true);
+      const CGAL::Mesh_quality_report_3 q = CGAL::mesh_quality_report_3(c3t3, { 10, 30 });
+      std::cout << name << q.number_of_vertices << " vertices, smallest angle " << q.smallest_angle << ", " << q.cells_below[1].second
+                << " of " << q.number_of_cells << " cells below 30 degrees" << std::endl;
+      check::that(q.cells_below[0].second == 0 && q.cells_below[1].second * 500 < q.number_of_cells, name, "the smallest angle is ",
+                  q.smallest_angle, ", and ", q.cells_below[1].second, " of ", q.number_of_cells, " cells are below 30 degrees");
+      check::that(kept_facets::is_regular(c3t3.triangulation()), name, "no regular triangulation");
+      check_equal(name + "curves have other lengths", curves, lengths_of_curves(c3t3));
+      check_volumes(name, c3t3, volume, 0.01);
+    }
+}
+
 // Where vertices may be inserted, edges and facets of the boundary are split, and otherwise obstacles are named.
 static void check_conforming_refinement()
 {
@@ -761,5 +808,6 @@ int main()
   check_facet_distance();
   check_finer_sizes();
   check_sizes_at_features();
+  check_sizes_between_features();
   return check::result();
 }
