@@ -84,6 +84,7 @@ private:
   // The dual point of a cell is accurate to nine digits if six times its volume exceeds this, over the cube of the longest edge at
   // a vertex.
   static constexpr double certain_volume = 1e-6;
+  static constexpr double flattest = 1e-3;            // how thick a flat cell is at most for its width: thin layers have thicker cells
   static constexpr int no_subdomain = Complex_snapshot_3::no_subdomain;
   static_assert(no_subdomain == int(Boundary_geometry_3::no_label), "no label");
 
@@ -162,15 +163,15 @@ private:
     }
   }
 
-  // Whether all vertices of a cell are on the boundary, and near to one plane.
+  // Whether all vertices of a cell are on the boundary and, but for the rounding of coordinates, in one plane.
   bool is_flat(int c, double thickness) const
   {
     const Quadruple& q = triangulation_.vertices(c);
     if(!std::all_of(q.begin(), q.end(), [this](int v) { return v >= 0 && is_on_boundary(v); }))
       return false;
-    const Cell_products t = products(q);
     const Cell_facets_3 facets(triangulation_.cell_sites(c));
-    return t.determinant <= thickness * *std::max_element(facets.area.begin(), facets.area.end());
+    const double area = *std::max_element(facets.area.begin(), facets.area.end());
+    return products(q).determinant <= (std::min)(thickness, flattest * std::sqrt(area)) * area;
   }
 
   // Reports a cell whose vertices have come too close to the boundary.
