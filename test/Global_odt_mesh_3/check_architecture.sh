@@ -8,7 +8,7 @@ counter=$(cd "$(dirname "$0")/../../scripts" && pwd)/count_lines_of_code.sh
 cd "$1"
 status=0
 
-most_lines=14139
+most_lines=14140
 lines=$("$counter" ../../..)
 if [ "$lines" -gt $most_lines ]; then
   echo "the headers have $lines lines of code: which of them can go?"

@@ -285,10 +285,12 @@ private:
   // Inserts and removes vertices for the wanted sizes. False if the mesh is not regular and cannot be made so.
   bool adapt_sizes(Tabulated_mesh_3& mesh)
   {
-    // There are many edges, so the control is asked only once in a while.
     int questions = 0;
-    return adaptation(mesh).adapt_sizes(field_, [&] { return questions++ % edges_of_question != 0 || control_.may_move(); });
+    return adaptation(mesh).adapt_sizes(field_, [&] { return may_treat_edge(questions); });
   }
+
+  // There are many edges, so the control is asked only once in a while.
+  bool may_treat_edge(int& questions) { return questions++ % edges_of_question != 0 || control_.may_move(); }
 
   // Inserts vertices on the boundary where the mesh cannot be made regular without them, or where edges are too long for the wanted
   // sizes. False if that is not permitted or does not help.
@@ -298,12 +300,12 @@ private:
       return false;
     Conforming_refinement_3 refinement(mesh.table());
     const int most_vertices = Mesh_adaptation_3::most_vertices(parameters_, mesh);
-    const auto may_go_on = [this] { return control_.may_move(); };
     const auto wanted = [size = Mesh_adaptation_3::size_of(field_)](const Vertex_stratum& v, const Site& s)
     { return Mesh_adaptation_3::edge_over_size * size(v, s); };
-    if(to_sizes && !refinement.split_long_edges(wanted, most_vertices, may_go_on))
+    int questions = 0;
+    if(to_sizes && !refinement.split_long_edges(wanted, most_vertices, [&] { return may_treat_edge(questions); }))
       return false;
-    if(!refinement.run(most_vertices, may_go_on))
+    if(!refinement.run(most_vertices, [&] { return control_.may_move(); }))
       return false;
     Tabulated_mesh_3::State before = mesh.state();
     mesh.return_to({ refinement.take_table() });
