@@ -26,13 +26,15 @@ inline Outcome outcome(const CGAL::Global_odt_mesh_3::internal::Moving_triangula
   o.number_of_vertices = mesh.sites.size();
   for(double angle : { 10, 13, 15, 20 })
     o.cells_below.emplace_back(angle, 0);
+  o.cells_below_at_boundary = o.cells_below;
   for(int c = 0; c < mesh.topology.number_of_cell_slots(); ++c)
   {
     if(!mesh.topology.is_alive(c))
       continue;
     const int* const v = mesh.topology.vertices(c);
     const Cell_shape_3 shape(mesh.sites[v[0]], mesh.sites[v[1]], mesh.sites[v[2]], mesh.sites[v[3]]);
-    add_shape(o, shape);
+    // There is no complex, and no angle between its facets.
+    add_shape(o, shape, 180);
     o.mean_radius_ratio += shape.radius_ratio;
     ++o.number_of_cells;
   }
