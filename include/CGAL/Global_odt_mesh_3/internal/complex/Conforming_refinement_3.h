@@ -143,8 +143,8 @@ private:
   typedef std::array<int, 2> Edge;
 
   static constexpr int most_growth = 8, fewest_permitted = 1000;
-  // The bounds on edges on surfaces, relative to those on features: the former get vertices that are placed better later on, but none
-  // fit between features with short edges and facets that are long.
+  // The bounds on edges on surfaces, with an end on a feature or without one, relative to those on features. What is left gets
+  // vertices in better places later on, but none fits into long facets between features with short edges.
   static constexpr double longest_at_feature = 1.5, longest_on_surface = 2;
   static constexpr int none = -1, no_curve = Mesh_table_3::Feature_edge::no_curve;
 
